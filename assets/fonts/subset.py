@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""Makes the page's two small fonts from Inter's (Debian packages fonts-inter and fonttools):
+
+    python3 assets/fonts/subset.py /usr/share/fonts/opentype/inter
+
+Run only to change the selection of characters; the results are kept beside this file, so that a build needs
+neither package and every build has the same bytes. Figures are the tabular ones (Dear ImGui knows no OpenType
+features), so that a number that changes does not make the text beside it dance.
+"""
+import sys
+from pathlib import Path
+
+from fontTools.subset import Options, Subsetter, save_font
+from fontTools.ttLib import TTFont
+
+# What the page writes. What people write (file names, say) it does not show.
+CHARACTERS = [chr(c) for c in range(0x20, 0x7F)] + list(
+    "\u00a0\u2009\u202f"  # spaces that do not break or are thin, for numbers and their units
+    "§°±²·×é–—‘’“”…−≤≥"
+)
+
+
+def tabular_figures(font):
+    """Maps 0 to 9 to the figures of one width, which the font offers as its feature `tnum`."""
+    gsub = font["GSUB"].table
+    lookups = {i for record in gsub.FeatureList.FeatureRecord if record.FeatureTag == "tnum"
+               for i in record.Feature.LookupListIndex}
+    substitutes = {}
+    for index in lookups:
+        for subtable in gsub.LookupList.Lookup[index].SubTable:
+            substitutes.update(getattr(getattr(subtable, "ExtSubTable", subtable), "mapping", {}))
+    for table in font["cmap"].tables:  # tables may share one mapping, hence get()
+        for code in range(ord("0"), ord("9") + 1):
+            if code in table.cmap:
+                table.cmap[code] = substitutes.get(table.cmap[code], table.cmap[code])
+
+
+def main(folder):
+    for style in ("Regular", "SemiBold"):
+        font = TTFont(Path(folder) / f"Inter-{style}.otf")
+        tabular_figures(font)
+        options = Options()
+        options.layout_features = []
+        options.desubroutinize = True
+        options.hinting = False
+        options.name_IDs = [0, 1, 2, 13, 14]
+        subsetter = Subsetter(options)
+        subsetter.populate(text="".join(CHARACTERS))
+        subsetter.subset(font)
+        for table in ("GPOS", "GSUB", "GDEF", "STAT", "DSIG", "kern"):
+            if table in font:
+                del font[table]
+        target = Path(__file__).parent / f"Inter-{style}.otf"
+        save_font(font, target, options)
+        print(target.name, target.stat().st_size)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])

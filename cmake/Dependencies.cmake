@@ -1,0 +1,194 @@
+# Every library that evenlift uses, in one place: the system's package where there is one, else the sources
+# that `./dev` keeps in its cache or FETCHCONTENT_SOURCE_DIR_<NAME> names, else fetched at a pinned commit.
+include_guard()
+include(FetchContent)
+
+if(NOT EVENLIFT_DOWNLOADS)
+  set(FETCHCONTENT_FULLY_DISCONNECTED ON)
+endif()
+
+# The cache that `./dev` fills; the same three places as there.
+set(EVENLIFT_CACHE "$ENV{EVENLIFT_CACHE}")
+if(NOT EVENLIFT_CACHE AND DEFINED ENV{XDG_CACHE_HOME} AND NOT "$ENV{XDG_CACHE_HOME}" STREQUAL "")
+  set(EVENLIFT_CACHE "$ENV{XDG_CACHE_HOME}/evenlift")
+endif()
+if(NOT EVENLIFT_CACHE)
+  set(EVENLIFT_CACHE "$ENV{HOME}/.cache/evenlift")
+endif()
+
+# evenlift_cached(<variable> <pattern>): the newest folder of the cache whose name matches, unless the variable names
+# a folder already.
+function(evenlift_cached variable pattern)
+  if(IS_DIRECTORY "${${variable}}")
+    return()
+  endif()
+  file(GLOB found LIST_DIRECTORIES true "${EVENLIFT_CACHE}/${pattern}")
+  if(found)
+    list(SORT found COMPARE NATURAL ORDER DESCENDING)
+    list(GET found 0 newest)
+    set(${variable} "${newest}" CACHE PATH "" FORCE)
+  endif()
+endfunction()
+
+# evenlift_fetch(<name> <repository> <commit>): sets <name>_SOURCE_DIR in lower case to the sources; builds nothing.
+macro(evenlift_fetch name repository commit)
+  string(TOUPPER ${name} evenlift_upper)
+  if(NOT EVENLIFT_DOWNLOADS AND NOT FETCHCONTENT_SOURCE_DIR_${evenlift_upper})
+    message(
+      FATAL_ERROR
+        "evenlift needs ${name}, which is neither installed nor in ${EVENLIFT_CACHE}, and EVENLIFT_DOWNLOADS is OFF. "
+        "Install it, run ./dev build once, or give its sources with -DFETCHCONTENT_SOURCE_DIR_${evenlift_upper}=FOLDER.")
+  endif()
+  # A folder that does not exist: the sources are wanted, the library's own build is not.
+  FetchContent_Declare(
+    ${name} GIT_REPOSITORY ${repository} GIT_TAG ${commit} SOURCE_SUBDIR evenlift-does-not-build-this)
+  FetchContent_MakeAvailable(${name})
+endmacro()
+
+# evenlift_headers(<package> <version> <target> <folder> <repository> <commit> <include>)
+# A library of headers, the same for every platform. Where the package's headers lie among the system's own, a
+# cross-compiler must not see that folder (it has its own C library): it gets a folder with a link to <folder>.
+function(evenlift_headers package version target folder repository commit include)
+  string(TOUPPER ${package} upper)
+  if(NOT FETCHCONTENT_SOURCE_DIR_${upper})
+    find_package(${package} ${version} QUIET CONFIG NO_CMAKE_FIND_ROOT_PATH PATHS /usr/local /usr)
+  endif()
+  if(TARGET ${target})
+    set_target_properties(${target} PROPERTIES IMPORTED_GLOBAL TRUE)
+    if(CMAKE_CROSSCOMPILING)
+      get_target_property(directories ${target} INTERFACE_INCLUDE_DIRECTORIES)
+      list(GET directories 0 directory)
+      set(links "${PROJECT_BINARY_DIR}/headers/${package}")
+      file(MAKE_DIRECTORY "${links}")
+      file(CREATE_LINK "${directory}/${folder}" "${links}/${folder}" SYMBOLIC)
+      set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${links}")
+    endif()
+  else()
+    evenlift_fetch(${package} ${repository} ${commit})
+    string(TOLOWER ${package} lower)
+    add_library(${target} INTERFACE IMPORTED GLOBAL)
+    set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${${lower}_SOURCE_DIR}/${include}")
+  endif()
+endfunction()
+
+# --- Headers only: Eigen (geometry), CLI11 (command line), nlohmann-json (output) -------------------------------------
+evenlift_headers(
+  Eigen3 3.4 Eigen3::Eigen Eigen
+  https://gitlab.com/libeigen/eigen.git 3147391d946bb4b6c68edd901f2add6ac1f31f8c # 3.4.0
+  .)
+evenlift_headers(
+  CLI11 2.1 CLI11::CLI11 CLI
+  https://github.com/CLIUtils/CLI11.git 291c58789c031208f08f4f261a858b5b7083e8e2 # v2.3.2
+  include)
+evenlift_headers(
+  nlohmann_json 3.10 nlohmann_json::nlohmann_json nlohmann
+  https://github.com/nlohmann/json.git bc889afb4c5bf1c0d8ee29ef35eaaf4c8bef8a5d # v3.11.2
+  include)
+
+# --- Dear ImGui: the sources, built with our configuration (wasm/imgui_config.h) -------------------------------------
+# imgui::imgui is the library, which the tests use without a window; imgui::backends adds SDL2 and WebGL for the page.
+if(EVENLIFT_VIEW)
+  evenlift_cached(FETCHCONTENT_SOURCE_DIR_IMGUI "imgui-*")
+  evenlift_fetch(
+    imgui https://github.com/ocornut/imgui.git 512c54bbc062c41c74f8a8bd8ff1fd6bebd1e6d0) # v1.86
+  add_library(
+    imgui STATIC EXCLUDE_FROM_ALL
+    "${imgui_SOURCE_DIR}/imgui.cpp" "${imgui_SOURCE_DIR}/imgui_draw.cpp" "${imgui_SOURCE_DIR}/imgui_tables.cpp"
+    "${imgui_SOURCE_DIR}/imgui_widgets.cpp")
+  add_library(imgui::imgui ALIAS imgui)
+  target_include_directories(imgui SYSTEM PUBLIC "${imgui_SOURCE_DIR}")
+  # PUBLIC: the configuration changes types, so everybody who includes imgui.h must see the same one.
+  target_compile_definitions(imgui PUBLIC "IMGUI_USER_CONFIG=\"${PROJECT_SOURCE_DIR}/wasm/imgui_config.h\"")
+  target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
+endif()
+
+# --- SDL2 and ImGui's backends: the page only ------------------------------------------------------------------------
+if(EVENLIFT_VIEW AND EMSCRIPTEN)
+  evenlift_cached(SDL2_DIR "sdl2-*-emscripten-${EMSCRIPTEN_VERSION}/lib/cmake/SDL2")
+  find_package(SDL2 QUIET CONFIG)
+  if(NOT TARGET SDL2::SDL2-static)
+    if(NOT EVENLIFT_DOWNLOADS AND NOT FETCHCONTENT_SOURCE_DIR_SDL2)
+      message(FATAL_ERROR "evenlift's page needs SDL2 for Emscripten ${EMSCRIPTEN_VERSION}, which is not in "
+                          "${EVENLIFT_CACHE}, and EVENLIFT_DOWNLOADS is OFF. Run ./dev build, or give a build of it "
+                          "with -DSDL2_DIR=FOLDER or its sources with -DFETCHCONTENT_SOURCE_DIR_SDL2=FOLDER.")
+    endif()
+    set(SDL_SHARED OFF CACHE BOOL "" FORCE)
+    set(SDL_STATIC ON CACHE BOOL "" FORCE)
+    foreach(part TEST AUDIO HAPTIC JOYSTICK SENSOR POWER)
+      set(SDL_${part} OFF CACHE BOOL "" FORCE)
+    endforeach()
+    FetchContent_Declare(
+      SDL2 GIT_REPOSITORY https://github.com/libsdl-org/SDL.git
+      GIT_TAG ac13ca9ab691e13e8eebe9684740ddcb0d716203) # release-2.26.5
+    FetchContent_MakeAvailable(SDL2)
+  endif()
+
+  # 1.87 renamed the backend.
+  set(imgui_backends "${imgui_SOURCE_DIR}/backends")
+  if(EXISTS "${imgui_backends}/imgui_impl_sdl2.cpp")
+    set(imgui_sdl "${imgui_backends}/imgui_impl_sdl2.cpp")
+  else()
+    set(imgui_sdl "${imgui_backends}/imgui_impl_sdl.cpp")
+  endif()
+  add_library(imgui_backends STATIC EXCLUDE_FROM_ALL "${imgui_sdl}" "${imgui_backends}/imgui_impl_opengl3.cpp")
+  add_library(imgui::backends ALIAS imgui_backends)
+  target_include_directories(imgui_backends SYSTEM PUBLIC "${imgui_backends}")
+  target_compile_definitions(imgui_backends PUBLIC IMGUI_IMPL_OPENGL_ES3)
+  # From 1.92 on it needs a macro that Emscripten 3.1.6 declares in a header that it does not include.
+  target_compile_options(imgui_backends PRIVATE "SHELL:-include emscripten.h" -fno-exceptions -w ${evenlift_small})
+  target_link_libraries(imgui_backends PUBLIC imgui::imgui SDL2::SDL2-static)
+endif()
+
+# --- Tests: Catch2, RapidCheck (properties), Boost.Multiprecision (exact oracle) -------------------------------------
+if(EVENLIFT_TESTS AND NOT EMSCRIPTEN)
+  # Catch2 2 and 3 have different headers and macros; tests/catch.h tells them apart by EVENLIFT_CATCH2_MAJOR.
+  find_package(Catch2 QUIET CONFIG)
+  if(Catch2_FOUND)
+    set(EVENLIFT_CATCH2_MAJOR ${Catch2_VERSION_MAJOR})
+    set(EVENLIFT_CATCH2_MODULE "${Catch2_DIR}/Catch.cmake")
+  else()
+    evenlift_fetch(
+      Catch2 https://github.com/catchorg/Catch2.git 182c910b4b63ff587a3440e08f84f70497e49a81) # v2.13.10
+    set(EVENLIFT_CATCH2_MAJOR 2)
+    set(EVENLIFT_CATCH2_MODULE "${catch2_SOURCE_DIR}/contrib/Catch.cmake")
+    add_library(Catch2::Catch2 INTERFACE IMPORTED GLOBAL)
+    set_target_properties(
+      Catch2::Catch2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${catch2_SOURCE_DIR}/single_include")
+  endif()
+  if(NOT TARGET Catch2::Catch2WithMain)
+    file(WRITE "${PROJECT_BINARY_DIR}/catch_main.cpp.in" "#define CATCH_CONFIG_MAIN\n#include <catch2/catch.hpp>\n")
+    configure_file("${PROJECT_BINARY_DIR}/catch_main.cpp.in" "${PROJECT_BINARY_DIR}/catch_main.cpp" COPYONLY)
+    add_library(evenlift_catch_main STATIC "${PROJECT_BINARY_DIR}/catch_main.cpp")
+    target_link_libraries(evenlift_catch_main PUBLIC Catch2::Catch2)
+    add_library(Catch2::Catch2WithMain ALIAS evenlift_catch_main)
+  endif()
+
+  find_package(rapidcheck QUIET CONFIG)
+  if(NOT TARGET rapidcheck)
+    evenlift_fetch(
+      rapidcheck https://github.com/emil-e/rapidcheck.git ff6af6fc683159deb51c543b065eba14dfcf329b) # has no tags
+    add_subdirectory("${rapidcheck_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/rapidcheck" EXCLUDE_FROM_ALL SYSTEM)
+  endif()
+
+  find_package(Boost 1.70)
+  if(NOT Boost_FOUND)
+    message(FATAL_ERROR "evenlift's tests need Boost's headers (Boost.Multiprecision): install libboost-dev or boost, "
+                        "or configure with -DEVENLIFT_TESTS=OFF.")
+  endif()
+endif()
+
+# --- Benchmarks: Google Benchmark ------------------------------------------------------------------------------------
+if(EVENLIFT_BENCH)
+  if(NOT EMSCRIPTEN)
+    find_package(benchmark QUIET CONFIG)
+  endif()
+  if(NOT TARGET benchmark::benchmark)
+    evenlift_cached(FETCHCONTENT_SOURCE_DIR_BENCHMARK "benchmark-*")
+    evenlift_fetch(
+      benchmark https://github.com/google/benchmark.git d572f4777349d43653b21d6c2fc63020ab326db2) # v1.7.1
+    foreach(part TESTING GTEST_TESTS INSTALL WERROR)
+      set(BENCHMARK_ENABLE_${part} OFF CACHE BOOL "" FORCE)
+    endforeach()
+    add_subdirectory("${benchmark_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/benchmark" EXCLUDE_FROM_ALL)
+  endif()
+endif()

@@ -1,0 +1,33 @@
+# Files as part of a program, and the page's samples. Included as a module it offers functions; run as a script
+# (cmake -D... -P Embed.cmake) it writes one of the results.
+if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
+  if(DEFINED BYTES_OF)
+    # A C++ array of a file's bytes, for #include inside braces.
+    file(READ "${BYTES_OF}" bytes HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+    string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
+    file(WRITE "${OUTPUT}" "${bytes}\n")
+  endif()
+  return()
+endif()
+include_guard()
+set(evenlift_embed_script "${CMAKE_CURRENT_LIST_FILE}")
+
+# evenlift_embed(<variable> <file>...): for each file a header with its bytes, NAME.inc, in the build folder's
+# `embedded`; their paths go into <variable>, to be named as sources, and their folder into <variable>_DIR.
+function(evenlift_embed variable)
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/embedded")
+  set(outputs "")
+  foreach(file IN LISTS ARGN)
+    cmake_path(GET file FILENAME name)
+    set(output "${folder}/${name}.inc")
+    add_custom_command(
+      OUTPUT "${output}"
+      COMMAND "${CMAKE_COMMAND}" "-DBYTES_OF=${file}" "-DOUTPUT=${output}" -P "${evenlift_embed_script}"
+      DEPENDS "${file}" "${evenlift_embed_script}"
+      VERBATIM)
+    list(APPEND outputs "${output}")
+  endforeach()
+  set(${variable} "${outputs}" PARENT_SCOPE)
+  set(${variable}_DIR "${folder}" PARENT_SCOPE)
+endfunction()

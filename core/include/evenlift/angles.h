@@ -1,0 +1,17 @@
+// Sine, cosine and arctangent from + - x / and square roots alone: the same bits on every platform,
+// which library functions do not give. Errors stay below 4 units in the last place of 1.
+// Only distributed selection and the generators need angles; everything else is algebra.
+#pragma once
+
+namespace evenlift {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+// For |angle_rad| up to 1e5. O(1).
+double sine(double angle_rad);
+double cosine(double angle_rad);
+
+// The angle of (x, y) in (-pi, pi]; 0 for the zero vector. O(1).
+double arctangent2(double y, double x);
+
+}  // namespace evenlift

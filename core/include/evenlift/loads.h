@@ -1,0 +1,31 @@
+// What each robot bears (algorithm.md, Loads; thesis 5.3).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "evenlift/chords.h"
+
+namespace evenlift {
+
+struct Team {
+  Chord chord;
+  std::array<double, 2> loads{};  // of r1 and r2, in the unit of the weight; they add up to the
+                                  // weight divided by the number of teams
+};
+
+struct LoadSummary {
+  double min = 0, mean = 0, max = 0;  // over all robots
+  double spread = 0;                  // max - min (figure 5.3)
+  double max_share = 0.5;             // greatest share of its team's load, in [0.5, 1) (figure 5.5)
+};
+
+// The teams with their loads; `weight` > 0. Each bears an equal part of it, and by the law of the
+// lever r1 bears |C r2| / |r1 r2| of its team's. O(teams).
+std::vector<Team> distribute_weight(const std::vector<Chord>& chords, double weight);
+
+// None without teams. O(teams).
+std::optional<LoadSummary> summarize_loads(const std::vector<Team>& teams);
+
+}  // namespace evenlift

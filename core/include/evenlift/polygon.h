@@ -1,0 +1,61 @@
+// A simple polygon, valid by construction.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "evenlift/result.h"
+#include "evenlift/vec.h"
+
+namespace evenlift {
+
+enum class Turn : std::int8_t { reflex = -1, straight = 0, convex = 1 };
+
+// A simple polygon without holes: n >= 3 distinct vertices in either orientation, straight (180
+// degree) vertices allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
+class Polygon {
+ public:
+  // Checks everything that algorithm.md refuses of a polygon, exactly: number of vertices, size
+  // of coordinates, repeated vertices, no area, edges that cross, touch or overlap. The error names
+  // the vertex or the two edges. O(n log n).
+  static Result<Polygon> create(Points vertices);
+
+  std::size_t size() const { return vertices_.size(); }
+  const Points& vertices() const { return vertices_; }
+  const Vec2& vertex(std::size_t i) const { return vertices_[i]; }
+  std::size_t next(std::size_t i) const { return i + 1 == vertices_.size() ? 0 : i + 1; }
+  std::size_t previous(std::size_t i) const { return i == 0 ? vertices_.size() - 1 : i - 1; }
+  const Vec2& edge_start(std::size_t edge) const { return vertices_[edge]; }
+  const Vec2& edge_end(std::size_t edge) const { return vertices_[next(edge)]; }
+
+  bool counter_clockwise() const { return counter_clockwise_; }  // orientation as given; exact
+  bool convex() const { return convex_; }                        // no reflex vertex; exact
+  double diagonal() const { return diagonal_; }  // L: of the bounding box, > 0
+  double area() const { return area_; }          // > 0
+  const Vec2& centroid() const { return centroid_; }  // of the area, rounded to doubles
+
+  // Whether the interior angle at vertex i is below, at or above 180 degrees; exact. O(1).
+  Turn turn(std::size_t i) const;
+
+  // Corners of the convex hull, counter-clockwise from the lowest of the leftmost, no straight
+  // ones; exact. O(h) to copy, computed at creation.
+  const Points& hull() const { return hull_; }
+
+
+ private:
+  Polygon() = default;
+  Points vertices_;
+  Points hull_;
+  Vec2 centroid_ = Vec2::Zero();
+  double diagonal_ = 0;
+  double area_ = 0;
+  bool counter_clockwise_ = true;
+  bool convex_ = false;
+};
+
+// The centre of mass to use: the one given, else the polygon's centroid; refused unless it is
+// finite, within max_coordinate and strictly inside the convex hull of the polygon; exact. O(h).
+Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
+
+}  // namespace evenlift

@@ -1,0 +1,38 @@
+// Where to write the loads: beside each robot, outside the object where there is room, on nothing
+// else.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "evenlift/vec.h"
+
+namespace evenlift::labels {
+
+struct Box {
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
+};
+
+using Segment = std::pair<Vec2, Vec2>;
+
+struct Request {
+  Box owner;                 // what the label names
+  Vec2 away = Vec2::Zero();  // the direction that is preferred, any length
+  Vec2 size = Vec2::Zero();  // of the label
+};
+
+struct Surroundings {
+  Box frame;                    // labels stay inside
+  Points outline;               // of the object: its inside is avoided, its edges more
+  std::vector<Segment> chords;  // avoided if possible
+  std::vector<Box> marks;  // never covered; owners are among them or not, which changes nothing
+};
+
+// A box for each label in turn, or none where every place would cover a mark, an owner or another
+// label. Tries directions all round and a few distances, takes the cheapest, and goes over all
+// labels a second time when the others are known. O(labels (n + labels + chords)).
+std::vector<std::optional<Box>> place(const std::vector<Request>& requests,
+                                      const Surroundings& around);
+
+}  // namespace evenlift::labels

@@ -1,0 +1,30 @@
+// Below the picture: the verdict, what was asked for, and a key to the colours that are seen.
+#pragma once
+
+#include <string>
+
+#include "evenlift/placement.h"
+
+namespace evenlift::svg {
+
+struct Shown {
+  bool hull = false, clockwise = false, counterclockwise = false;
+};
+
+struct Caption {
+  std::string markup;
+  double height = 0;  // in pixels
+};
+
+// At `top` pixels from above, `width` wide.
+Caption make_caption(const Placement& placement, const Shown& shown, double top, double width);
+
+// The fill of a region: hatched at +45 degrees (clockwise) or -45, so that they differ without
+// colour too, also where they overlap. `fills` defines them.
+std::string region_fill(bool clockwise);
+std::string fills();
+
+// The draughtsman's mark of a centre of mass: a disc with two opposite quarters filled.
+std::string centre_mark(const Vec2& at, double radius);
+
+}  // namespace evenlift::svg

@@ -1,0 +1,36 @@
+// Pieces of SVG: numbers in pixels, elements, text. Attributes come as ` name="value"`, with the
+// blank in front, so that they can be put one after another.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/vec.h"
+
+namespace evenlift::svg {
+
+std::string px(double value);  // to a hundredth, without trailing zeros
+
+std::string attribute(std::string_view name, std::string_view value);
+std::string attribute(std::string_view name, double value);
+
+std::string element(std::string_view tag, std::string_view attributes);  // <tag .../>
+
+std::string path(const Points& points, bool closed);  // the attribute d
+
+// Text with its baseline at `at`.
+std::string text(const Vec2& at, double size, std::string_view words,
+                 std::string_view attributes = "");
+
+// What stands between tags, escaped.
+std::string escaped(std::string_view words);
+
+// An estimate on the generous side: the font is the reader's, and there are no metrics here.
+// `average` is the width of a character in units of the size.
+double text_width(std::string_view words, double size, double average = 0.56);
+
+// Broken at blanks into lines of at most `width`, as far as words allow.
+std::vector<std::string> wrapped(std::string_view words, double size, double width);
+
+}  // namespace evenlift::svg

@@ -1,0 +1,26 @@
+// Where things lie in the SVG picture: pixels, y down.
+#pragma once
+
+#include "evenlift/vec.h"
+
+namespace evenlift::svg {
+
+// From polygon coordinates (y up) to pixels: the object's box in the middle of the ground.
+struct Paper {
+  explicit Paper(const Points& vertices);
+
+  double width = 0, height = 0;  // of the ground
+  double scale = 1;              // pixels per unit of length
+  Vec2 middle = Vec2::Zero();    // of the object's box, in polygon coordinates
+
+  Vec2 operator()(const Vec2& p) const;
+  Points operator()(const Points& points) const;
+};
+
+// The part of a convex area, segment or spot (in pixels) that lies on the ground. O(points).
+Points clipped(Points area, const Paper& paper);
+
+// An outline (in pixels) without vertices that nobody could tell from the one before. O(n).
+Points visible(const Points& outline);
+
+}  // namespace evenlift::svg

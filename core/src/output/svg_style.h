@@ -1,0 +1,27 @@
+// Colours and sizes of the SVG picture, in CSS pixels at its natural size.
+#pragma once
+
+#include <string_view>
+
+namespace evenlift::svg {
+
+inline constexpr double largest_width = 720, largest_height = 520;    // of the object
+inline constexpr double smallest_width = 680, smallest_height = 300;  // of the ground it lies on
+inline constexpr double margin = 72;          // of ground around the object, for the loads
+inline constexpr double caption_margin = 24;  // of panel around the caption
+
+inline constexpr std::string_view ground_colour = "#EEF1F4";
+inline constexpr std::string_view panel_colour = "#FFFFFF";
+inline constexpr std::string_view line_colour = "#D5DBE1";
+inline constexpr std::string_view text_colour = "#1B232B";
+inline constexpr std::string_view second_text_colour = "#55616D";
+inline constexpr std::string_view object_colour = "#FFFFFF";
+inline constexpr std::string_view outline_colour = "#2B3540";
+inline constexpr std::string_view hull_colour = "#2FA36B";
+inline constexpr std::string_view hull_outline_colour = "#1F7A4E";
+inline constexpr std::string_view clockwise_colour = "#D1495B";
+inline constexpr std::string_view counterclockwise_colour = "#2D6CDF";
+inline constexpr std::string_view chord_colour = "#55616D";
+inline constexpr std::string_view candidate_colour = "#A5B0BB";
+
+}  // namespace evenlift::svg

@@ -1,0 +1,156 @@
+#include "evenlift/placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/hull.h"
+#include "evenlift/selection.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+InputError bad_option(const char* option, const char* message) {
+  return {ErrorCode::bad_setting, message, {Place::Kind::option, 0, 0, option}};
+}
+
+std::vector<LiftingPoint> lifting_points(const std::vector<Chord>& chords) {
+  std::vector<LiftingPoint> points;
+  points.reserve(2 * chords.size());
+  for (const Chord& chord : chords) {
+    points.push_back(chord.r1);
+    points.push_back(chord.r2);
+  }
+  return points;
+}
+
+bool takes_candidates(Metric metric) { return metric != Metric::distributed && metric != Metric::random; }
+
+// The chords that the teams take, noting which candidates they are.
+std::vector<Chord> choose_chords(const Polygon& polygon, Placement& placement) {
+  const Vec2& centre = placement.centre_of_mass;
+  const std::size_t teams = placement.requested_teams;
+  std::vector<Chord> chords;
+  switch (placement.settings.metric) {
+    case Metric::distributed: chords = distributed_teams(polygon, centre, teams); break;
+    case Metric::random: chords = random_teams(polygon, centre, teams, placement.settings.seed); break;
+    default:
+      for (const std::uint32_t i :
+           select_teams(polygon, centre, placement.candidates, placement.settings.metric, teams)) {
+        placement.team_candidates.push_back(i);
+        chords.push_back(placement.candidates[i].chord);
+      }
+  }
+  placement.team_candidates.resize(chords.size(), -1);
+  return chords;
+}
+
+// Everything of a placement that follows from the chords.
+void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords, Placement& placement) {
+  const std::vector<LiftingPoint> points = lifting_points(chords);
+  Points positions;
+  positions.reserve(points.size());
+  for (const LiftingPoint& point : points) positions.push_back(point.position);
+
+  placement.teams = distribute_weight(chords, placement.settings.weight);
+  placement.loads = summarize_loads(placement.teams);
+  placement.hull = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
+  placement.coverage = coverage(polygon, placement.hull);
+  placement.closure = analyse_closure(polygon, placement.centre_of_mass, points);
+}
+
+// Exponents are shifted for polygons so small that products of coordinates would leave the range of
+// doubles. Multiplying by a power of two is exact, and the results are those of the shifted polygon.
+constexpr int smallest_exponent = -100;
+
+int exponent_of_size(const Points& vertices) {
+  Vec2 low = vertices.front(), high = low;
+  for (const Vec2& v : vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  const double size = (high - low).maxCoeff();
+  if (!std::isfinite(size) || size <= 0) return 0;
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return exponent;
+}
+
+void scale(Vec2& v, int exponent) { v = {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent)}; }
+
+void scale(Points& points, int exponent) {
+  for (Vec2& p : points) scale(p, exponent);
+}
+
+void scale(Chord& chord, int exponent) {
+  scale(chord.r1.position, exponent);
+  scale(chord.r2.position, exponent);
+  chord.arm1 = std::ldexp(chord.arm1, exponent);
+  chord.arm2 = std::ldexp(chord.arm2, exponent);
+}
+
+void scale(Placement& placement, int exponent) {
+  scale(placement.vertices, exponent);
+  scale(placement.centre_of_mass, exponent);
+  for (Candidate& candidate : placement.candidates) {
+    scale(candidate.chord, exponent);
+    scale(candidate.direction, exponent);
+    candidate.length = std::ldexp(candidate.length, exponent);
+  }
+  for (Team& team : placement.teams) scale(team.chord, exponent);
+  scale(placement.hull, exponent);
+  scale(placement.closure.clockwise.clipped, exponent);
+  scale(placement.closure.counterclockwise.clipped, exponent);
+}
+
+Result<Placement> place_unscaled(const Document& document) {
+  auto polygon = Polygon::create(document.vertices);
+  if (!polygon) return polygon.error();
+  const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);
+  if (!centre) return centre.error();
+  auto candidates = find_candidates(*polygon, *centre, document.settings.min_ratio);
+  if (!candidates) return candidates.error();
+
+  Placement placement;
+  placement.vertices = document.vertices;
+  placement.centre_of_mass = *centre;
+  placement.settings = document.settings;
+  placement.candidates = std::move(*candidates);
+  placement.requested_teams =
+      document.settings.teams.value_or(static_cast<std::uint32_t>(placement.candidates.size()));
+  describe_grasp(*polygon, choose_chords(*polygon, placement), placement);
+  return placement;
+}
+
+}  // namespace
+
+std::optional<InputError> check_settings(const Settings& settings) {
+  if (settings.teams && *settings.teams < 1) return bad_option("teams", "at least 1 team is needed");
+  if (settings.teams && *settings.teams > max_teams) return bad_option("teams", "at most 1048576 teams can be asked for");
+  if (!settings.teams && !takes_candidates(settings.metric)) {
+    return bad_option("teams", "all candidates can be placed by area, circle and distance only; give a number");
+  }
+  if (!(settings.min_ratio >= 0 && settings.min_ratio <= 1)) {
+    return bad_option("min_ratio", "the minimum load ratio is a number from 0 to 1");
+  }
+  if (!(settings.weight > 0) || !std::isfinite(settings.weight)) {
+    return bad_option("weight", "the weight is a finite number greater than 0");
+  }
+  return std::nullopt;
+}
+
+Result<Placement> place(const Document& document) {
+  if (auto error = check_settings(document.settings)) return *error;
+  const int exponent = document.vertices.empty() ? 0 : exponent_of_size(document.vertices);
+  if (exponent >= smallest_exponent || exponent == 0) return place_unscaled(document);
+
+  Document shifted = document;
+  scale(shifted.vertices, -exponent);
+  if (shifted.centre_of_mass) scale(*shifted.centre_of_mass, -exponent);
+  auto placement = place_unscaled(shifted);
+  if (!placement) return placement.error();
+  scale(*placement, exponent);
+  return placement;
+}
+
+}  // namespace evenlift

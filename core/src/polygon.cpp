@@ -1,0 +1,217 @@
+#include "evenlift/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "double_double.h"
+#include "dyadic.h"
+#include "evenlift/document.h"
+#include "evenlift/hull.h"
+#include "evenlift/predicates.h"
+#include "simplicity.h"
+
+namespace evenlift {
+namespace {
+
+InputError at_vertex(ErrorCode code, std::string message, std::size_t i) {
+  return {code, std::move(message), {Place::Kind::vertex, i, i, {}}};
+}
+
+std::optional<InputError> check_coordinates(const Points& vertices) {
+  if (vertices.size() < 3) {
+    return InputError{ErrorCode::too_few_vertices, "a polygon needs at least 3 vertices", {}};
+  }
+  if (vertices.size() > max_vertices) {
+    return InputError{ErrorCode::too_many_vertices, "more than 1048576 vertices", {}};
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec2& v = vertices[i];
+    if (!std::isfinite(v.x()) || !std::isfinite(v.y())) {
+      return at_vertex(ErrorCode::bad_coordinate, "a coordinate is not a finite number", i);
+    }
+    if (std::fabs(v.x()) > max_coordinate || std::fabs(v.y()) > max_coordinate) {
+      return at_vertex(ErrorCode::bad_coordinate, "a coordinate exceeds 1e9 in size", i);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<InputError> check_repetition(const Points& vertices) {
+  std::vector<std::size_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Vec2 &p = vertices[a], &q = vertices[b];
+    if (p.x() != q.x()) return p.x() < q.x();
+    if (p.y() != q.y()) return p.y() < q.y();
+    return a < b;
+  });
+  std::optional<Place> first;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (vertices[order[k - 1]] != vertices[order[k]]) continue;
+    const Place place{Place::Kind::vertex, order[k - 1], order[k], {}};
+    if (!first || place.other < first->other) first = place;
+  }
+  if (!first) return std::nullopt;
+  return InputError{ErrorCode::repeated_vertex, "two vertices are at the same place", *first};
+}
+
+bool all_on_one_line(const Points& vertices) {
+  return std::all_of(vertices.begin() + 2, vertices.end(),
+                     [&](const Vec2& v) { return orient(vertices[0], vertices[1], v) == 0; });
+}
+
+struct Moments {
+  double area;  // signed
+  Vec2 centroid;
+};
+
+// Twice the area and six times its first moments, relative to a point, with bounds on what cancelled.
+struct Sums {
+  DoubleDouble twice_area, x, y;
+  double size_area = 0, size_moments = 0;
+};
+
+Sums double_double_sums(const Points& vertices, const Vec2& corner) {
+  Sums sums;
+  const auto relative = [&](const Vec2& v) {
+    return std::pair(two_difference(v.x(), corner.x()), two_difference(v.y(), corner.y()));
+  };
+  auto [px, py] = relative(vertices.back());
+  for (const Vec2& vertex : vertices) {
+    const auto [qx, qy] = relative(vertex);
+    const DoubleDouble first = px * qy, second = qx * py;
+    const DoubleDouble part = first - second;
+    sums.twice_area = sums.twice_area + part;
+    sums.x = sums.x + (px + qx) * part;
+    sums.y = sums.y + (py + qy) * part;
+    const double size = std::fabs(first.hi) + std::fabs(second.hi);
+    sums.size_area += size;
+    sums.size_moments += size * (std::fabs(px.hi) + std::fabs(qx.hi) + std::fabs(py.hi) + std::fabs(qy.hi));
+    px = qx;
+    py = qy;
+  }
+  return sums;
+}
+
+// One coordinate of the centroid by exact sums: numerator / (3 x twice the area), rounded once.
+double exact_quotient(const Dyadic& numerator, const Dyadic& divisor, double guess) {
+  if (numerator.sign() == 0) return 0;
+  double quotient = guess;
+  for (int i = 0; i < 3; ++i) {
+    const Dyadic rest = numerator - Dyadic(quotient) * divisor;
+    quotient += rest.to_double() / divisor.to_double();
+  }
+  return quotient;
+}
+
+Vec2 exact_centroid(const Points& vertices, const Vec2& guess) {
+  Dyadic twice_area, x, y;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec2 &p = vertices[i], &q = vertices[i + 1 == vertices.size() ? 0 : i + 1];
+    const Dyadic px(p.x()), py(p.y()), qx(q.x()), qy(q.y());
+    const Dyadic part = px * qy - qx * py;
+    twice_area = twice_area + part;
+    x = x + (px + qx) * part;
+    y = y + (py + qy) * part;
+  }
+  const Dyadic divisor = Dyadic(3.0) * twice_area;
+  return {exact_quotient(x, divisor, guess.x()), exact_quotient(y, divisor, guess.y())};
+}
+
+// Area and centroid, in double-double about a corner of the bounding box, so that polygons far from the
+// origin lose nothing. The centroid is the nearest doubles: where the error bound leaves that open (thin
+// polygons, centroids near 0) exact sums decide.
+Moments moments(const Points& vertices, const Vec2& corner) {
+  const Sums sums = double_double_sums(vertices, corner);
+  const DoubleDouble divisor = DoubleDouble(3.0) * sums.twice_area;
+  const DoubleDouble x = sums.x / divisor + DoubleDouble(corner.x());
+  const DoubleDouble y = sums.y / divisor + DoubleDouble(corner.y());
+  const double area = 0.5 * sums.twice_area.to_double();
+  const Vec2 rounded(x.to_double(), y.to_double());
+
+  // Each operation is off by at most 2^-100 of its operands, and there are fewer than 2^22 in a sum.
+  const double size = std::fabs(divisor.hi);
+  const double reach = std::fabs(sums.x.hi / size) + std::fabs(sums.y.hi / size);
+  const double error = 0x1p-78 * (sums.size_moments / size + reach * (sums.size_area / size) + reach +
+                                  std::fabs(corner.x()) + std::fabs(corner.y()));
+  const auto is_certain = [&](const DoubleDouble& value) {
+    return value.hi + (value.lo - error) == value.hi && value.hi + (value.lo + error) == value.hi;
+  };
+  if (is_certain(x) && is_certain(y)) return {area, rounded};
+  const Vec2 guess = std::isfinite(rounded.x()) && std::isfinite(rounded.y()) ? rounded : corner;
+  return {area, exact_centroid(vertices, guess)};
+}
+
+// The lowest of the leftmost vertices is a corner of the hull, so its turn has the polygon's
+// orientation; if it is straight (never for the first in lexicographic order) it would not be one.
+bool turns_left_at_extreme(const Points& vertices) {
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const Vec2 &v = vertices[i], &best = vertices[lowest];
+    if (v.x() < best.x() || (v.x() == best.x() && v.y() < best.y())) lowest = i;
+  }
+  const std::size_t n = vertices.size();
+  return orient(vertices[(lowest + n - 1) % n], vertices[lowest], vertices[(lowest + 1) % n]) > 0;
+}
+
+}  // namespace
+
+Result<Polygon> Polygon::create(Points vertices) {
+  if (auto error = check_coordinates(vertices)) return *error;
+  if (auto error = check_repetition(vertices)) return *error;
+  if (all_on_one_line(vertices)) {
+    return InputError{ErrorCode::no_area, "the polygon has no area: all its vertices are on one line", {}};
+  }
+  if (const auto crossing = find_crossing(vertices)) {
+    return InputError{ErrorCode::edges_cross, "the edges cross, touch or overlap",
+                      {Place::Kind::edge, crossing->first, crossing->second, {}}};
+  }
+
+  Polygon polygon;
+  Vec2 low = vertices[0], high = vertices[0];
+  for (const Vec2& v : vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  const Moments m = moments(vertices, low);
+  polygon.diagonal_ = length(high - low);
+  polygon.area_ = std::fabs(m.area);
+  polygon.centroid_ = m.centroid;
+  polygon.counter_clockwise_ = turns_left_at_extreme(vertices);
+  polygon.hull_ = convex_hull(vertices);
+  polygon.vertices_ = std::move(vertices);
+  polygon.convex_ = true;
+  for (std::size_t i = 0; i < polygon.size() && polygon.convex_; ++i) {
+    polygon.convex_ = polygon.turn(i) != Turn::reflex;
+  }
+  return polygon;
+}
+
+Turn Polygon::turn(std::size_t i) const {
+  const double side = orient(vertices_[previous(i)], vertices_[i], vertices_[next(i)]);
+  if (side == 0) return Turn::straight;
+  return (side > 0) == counter_clockwise_ ? Turn::convex : Turn::reflex;
+}
+
+Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given) {
+  const Vec2 centre = given.value_or(polygon.centroid());
+  const Place place{Place::Kind::centre_of_mass, 0, 0, {}};
+  if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
+    return InputError{ErrorCode::bad_coordinate, "a coordinate of the centre of mass is not a finite number", place};
+  }
+  if (std::fabs(centre.x()) > max_coordinate || std::fabs(centre.y()) > max_coordinate) {
+    return InputError{ErrorCode::bad_coordinate, "a coordinate of the centre of mass exceeds 1e9 in size", place};
+  }
+  const Points& hull = polygon.hull();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (orient(hull[i], hull[(i + 1) % hull.size()], centre) <= 0) {
+      return InputError{ErrorCode::centre_outside_hull,
+                        "the centre of mass is not inside the convex hull of the polygon", place};
+    }
+  }
+  return centre;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,117 @@
+#include "radial_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+// Whether the direction from C to v is in [0, 180) degrees.
+bool is_forward(const Vec2& centre, const Vec2& v) {
+  return v.y() > centre.y() || (v.y() == centre.y() && v.x() > centre.x());
+}
+
+}  // namespace
+
+RadialView::RadialView(const Polygon& polygon, const Vec2& centre) {
+  sort_vertices(polygon, centre);
+  const double near = near_distance(polygon.diagonal());
+  arms_.resize(polygon.size());
+  for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
+    const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
+    const double side = orient(centre, p, q);
+    const auto next = static_cast<std::uint32_t>(polygon.next(edge));
+    arms_[edge].radial = std::fabs(side) <= near * length(q - p);
+    arms_[edge].first = side > 0 ? edge : next;
+    arms_[edge].last = side > 0 ? next : edge;
+  }
+}
+
+void RadialView::sort_vertices(const Polygon& polygon, const Vec2& centre) {
+  const auto n = static_cast<std::uint32_t>(polygon.size());
+  std::vector<char> forward(n);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    forward[v] = is_forward(centre, polygon.vertex(v));
+    if (polygon.vertex(v) != centre) order_.push_back(v);
+  }
+  // Twice the signed area between the forward directions of two vertices: exact sign, so the order
+  // is a strict weak one.
+  const auto turn = [&](std::uint32_t a, std::uint32_t b) {
+    const double side = orient(centre, polygon.vertex(a), polygon.vertex(b));
+    return forward[a] == forward[b] ? side : -side;
+  };
+  std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double side = turn(a, b);
+    return side != 0 ? side > 0 : a < b;
+  });
+
+  positions_.assign(n, 0);
+  for (std::uint32_t k = 0; k < order_.size(); ++k) {
+    if (k == 0 || turn(order_[k - 1], order_[k]) != 0) group_begins_.push_back(k);
+    positions_[order_[k]] = static_cast<std::uint32_t>(group_begins_.size()) - 1;
+  }
+  turns_ = static_cast<std::uint32_t>(group_begins_.size());
+  group_begins_.push_back(static_cast<std::uint32_t>(order_.size()));
+  for (const std::uint32_t v : order_) {
+    if (!forward[v]) positions_[v] += turns_;
+  }
+}
+
+RadialSweep::RadialSweep(const Polygon& polygon, const RadialView& view)
+    : polygon_(polygon), view_(view), slots_(polygon.size()) {
+  // Before group 0 the line points forward into the interval after the last position, backward into
+  // the one after the last group: the edges there are those that run past it.
+  for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
+    if (view.radial(edge)) continue;
+    const std::uint32_t from = view.position(view.first(edge));
+    const std::uint32_t length = view.steps(from, view.position(view.last(edge)));
+    const auto covers = [&](std::uint32_t interval) { return view.steps(from, interval) < length; };
+    if (covers(2 * view.turns() - 1)) add(edge, 0);
+    if (covers(view.turns() - 1)) add(edge, 1);
+  }
+}
+
+void RadialSweep::leave(std::uint32_t group) {
+  for_each_edge_at(group, [&](std::uint32_t edge, std::uint32_t vertex) {
+    if (view_.last(edge) == vertex) remove(edge, view_.forward(vertex) ? 0 : 1);
+  });
+}
+
+void RadialSweep::add(std::uint32_t edge, int side) {
+  slots_[edge] = static_cast<std::uint32_t>(active_[side].size());
+  active_[side].push_back(edge);
+}
+
+void RadialSweep::remove(std::uint32_t edge, int side) {
+  std::vector<std::uint32_t>& list = active_[side];
+  const std::uint32_t last = list.back();
+  list[slots_[edge]] = last;
+  slots_[last] = slots_[edge];
+  list.pop_back();
+}
+
+std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view) {
+  RadialSweep sweep(polygon, view);
+  std::uint64_t pairs = 0;
+  for (std::uint32_t group = 0; group < view.turns(); ++group) {
+    sweep.leave(group);
+    sweep.enter(group, [&](std::uint32_t, bool is_ahead) {
+      pairs += is_ahead ? sweep.behind().size() : sweep.ahead().size();
+    });
+  }
+  return pairs;
+}
+
+std::optional<InputError> check_number(std::uint64_t number, const char* what) {
+  if (number <= max_edge_pairs) return std::nullopt;
+  return InputError{ErrorCode::too_many_edge_pairs,
+                    "the polygon has " + std::to_string(number) + ' ' + what + " about its centre of mass, more than " +
+                        std::to_string(max_edge_pairs),
+                    {}};
+}
+
+}  // namespace evenlift

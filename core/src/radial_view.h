@@ -1,0 +1,133 @@
+// The polygon as C sees it: vertices and edges by direction, exactly ordered, and the line through C
+// that sweeps once over them.
+//
+// A direction and its opposite share a place: vertices are sorted by direction modulo 180 degrees
+// into `turns` groups of equal directions. Position k < turns is group k seen forward (direction in
+// [0, 180)), position k + turns the same group seen backward. So an edge, which C sees under less than
+// 180 degrees, covers the whole-numbered positions from its first to its last end, and all that the
+// sweep decides it decides by integers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evenlift/chords.h"
+#include "evenlift/polygon.h"
+
+namespace evenlift {
+
+class RadialView {
+ public:
+  // O(n log n).
+  RadialView(const Polygon& polygon, const Vec2& centre);
+
+  std::uint32_t turns() const { return turns_; }
+  bool radial(std::uint32_t edge) const { return arms_[edge].radial; }
+
+  // The edge's ends in the counter-clockwise order in which C sees them.
+  std::uint32_t first(std::uint32_t edge) const { return arms_[edge].first; }
+  std::uint32_t last(std::uint32_t edge) const { return arms_[edge].last; }
+
+  // Vertices other than C by position modulo `turns`, forward and backward ones mixed.
+  const std::vector<std::uint32_t>& order() const { return order_; }
+  std::uint32_t group_begin(std::uint32_t group) const { return group_begins_[group]; }
+  std::uint32_t position(std::uint32_t vertex) const { return positions_[vertex]; }
+  bool forward(std::uint32_t vertex) const { return positions_[vertex] < turns_; }
+
+  // Positions from `from` counter-clockwise to `to`.
+  std::uint32_t steps(std::uint32_t from, std::uint32_t to) const {
+    return to >= from ? to - from : to + 2 * turns_ - from;
+  }
+
+ private:
+  struct Arms {
+    std::uint32_t first = 0, last = 0;
+    bool radial = false;
+  };
+  void sort_vertices(const Polygon& polygon, const Vec2& centre);
+
+  std::uint32_t turns_ = 0;
+  std::vector<Arms> arms_;                    // by edge
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> group_begins_;   // into order_, one more than groups
+  std::vector<std::uint32_t> positions_;      // by vertex
+};
+
+// The edges that the line through C meets, forward and backward, while it turns from 0 to 180 degrees.
+// At each group first the edges that end there leave, then those that begin there enter.
+class RadialSweep {
+ public:
+  RadialSweep(const Polygon& polygon, const RadialView& view);
+
+  const std::vector<std::uint32_t>& ahead() const { return active_[0]; }   // met forward
+  const std::vector<std::uint32_t>& behind() const { return active_[1]; }  // met backward
+
+  // Amortized O(1) for each vertex of the group.
+  void leave(std::uint32_t group);
+
+  // Calls visit(edge, is_ahead) for each edge just before it enters.
+  template <class Visit>
+  void enter(std::uint32_t group, Visit&& visit) {
+    for_each_edge_at(group, [&](std::uint32_t edge, std::uint32_t vertex) {
+      if (view_.first(edge) != vertex) return;
+      visit(edge, view_.forward(vertex));
+      add(edge, view_.forward(vertex) ? 0 : 1);
+    });
+  }
+
+ private:
+  template <class Visit>
+  void for_each_edge_at(std::uint32_t group, Visit&& visit) {
+    for (std::uint32_t k = view_.group_begin(group); k < view_.group_begin(group + 1); ++k) {
+      const std::uint32_t vertex = view_.order()[k];
+      const auto before = static_cast<std::uint32_t>(polygon_.previous(vertex));
+      if (!view_.radial(before)) visit(before, vertex);
+      if (!view_.radial(vertex)) visit(vertex, vertex);
+    }
+  }
+  void add(std::uint32_t edge, int side);
+  void remove(std::uint32_t edge, int side);
+
+  const Polygon& polygon_;
+  const RadialView& view_;
+  std::vector<std::uint32_t> active_[2];
+  std::vector<std::uint32_t> slots_;  // by edge: its place in active_
+};
+
+// Number of edge-pairs. O(n).
+std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view);
+
+// The refusal of more than max_edge_pairs; `what` is "edge-pairs" or the like.
+std::optional<InputError> check_number(std::uint64_t number, const char* what);
+
+// Calls visit(const EdgePair&) for each edge-pair, where its range begins. O(n + K).
+template <class Visit>
+void for_each_edge_pair(const Polygon& polygon, const RadialView& view, Visit&& visit) {
+  RadialSweep sweep(polygon, view);
+  for (std::uint32_t group = 0; group < view.turns(); ++group) {
+    const auto pair_up = [&](std::uint32_t a, std::uint32_t b) {
+      const std::uint32_t here = group, opposite = group + view.turns();
+      const std::uint32_t rest_a = view.steps(here, view.position(view.last(a)));
+      const std::uint32_t rest_b = view.steps(opposite, view.position(view.last(b)));
+      EdgePair pair;
+      pair.a = a;
+      pair.b = b;
+      if (view.position(view.first(a)) == here) pair.begin_a = view.first(a);
+      if (view.position(view.first(b)) == opposite) pair.begin_b = view.first(b);
+      if (rest_a <= rest_b) pair.end_a = view.last(a);
+      if (rest_b <= rest_a) pair.end_b = view.last(b);
+      visit(pair);
+    };
+    sweep.leave(group);
+    sweep.enter(group, [&](std::uint32_t edge, bool is_ahead) {
+      if (is_ahead) {
+        for (const std::uint32_t other : sweep.behind()) pair_up(edge, other);
+      } else {
+        for (const std::uint32_t other : sweep.ahead()) pair_up(other, edge);
+      }
+    });
+  }
+}
+
+}  // namespace evenlift

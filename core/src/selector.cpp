@@ -1,0 +1,209 @@
+#include "selector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "direction_key.h"
+#include "evenlift/hull.h"
+#include "evenlift/tolerance.h"
+#include "tie_classes.h"
+
+namespace evenlift {
+namespace {
+
+// Keeps those whose key ties with the largest.
+template <class Key, class Ties>
+void keep_best(std::vector<std::uint32_t>& indices, Key key, Ties ties) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const std::uint32_t i : indices) best = std::max(best, key(i));
+  std::erase_if(indices, [&](std::uint32_t i) { return !ties(best, key(i)); });
+}
+
+double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
+  const Vec2 line = b - a;
+  const double along = std::clamp(dot(p - a, line) / dot(line, line), 0.0, 1.0);
+  return length(p - (a + along * line));
+}
+
+}  // namespace
+
+Selector::Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates, Metric metric)
+    : candidates_(candidates),
+      surroundings_(polygon, centre),
+      metric_(metric),
+      near_(near_distance(polygon.diagonal())),
+      floor_(metric == Metric::distance ? score_floor * polygon.diagonal()
+                                        : score_floor * polygon.diagonal() * polygon.diagonal()),
+      is_taken_(candidates.size()) {
+  ends_.reserve(2 * candidates.size());
+  for (const Candidate& candidate : candidates) {
+    for (const LiftingPoint* point : {&candidate.chord.r1, &candidate.chord.r2}) {
+      const Vec2 relative = point->position - centre;
+      ends_.push_back({relative, direction_key(relative), 0, {}});
+    }
+  }
+  by_direction_.resize(ends_.size());
+  std::iota(by_direction_.begin(), by_direction_.end(), Index{0});
+  std::sort(by_direction_.begin(), by_direction_.end(), [&](Index a, Index b) {
+    return ends_[a].key != ends_[b].key ? ends_[a].key < ends_[b].key : a < b;
+  });
+}
+
+bool Selector::take_next() {
+  if (taken_.size() == candidates_.size()) return false;
+  if (taken_.empty()) {
+    take(best_first_team());
+    return true;
+  }
+  if (!line_.empty()) {
+    const Index next = line_.back();
+    take(next);
+    return true;
+  }
+  Indices leaders = find_leaders();
+  Indices chosen = leaders;
+  keep_best(chosen, [&](Index i) { return candidates_[i].chord.ratio; }, ratios_tie);
+  keep_best(chosen, [&](Index i) { return candidates_[i].length; }, lengths_tie);
+  const Points before = hull_;
+  take(chosen.front());
+  if (hull_ == before) line_up(std::move(leaders));
+  return true;
+}
+
+void Selector::take(std::uint32_t candidate) {
+  taken_.push_back(candidate);
+  is_taken_[candidate] = 1;
+  const bool was_best = !line_.empty() && bound(candidate) == best_score_;
+  if (!line_.empty()) line_.pop_back();
+  if (widen_base(candidate) || (was_best && --best_in_line_ == 0)) line_.clear();
+}
+
+double Selector::score(std::uint32_t candidate) {
+  for (End* end : {&ends_[2 * candidate], &ends_[2 * candidate + 1]}) {
+    if (!end->gain.exact) end->gain = {wedges_[end->wedge].evaluate(end->position), true};
+  }
+  return bound(candidate);
+}
+
+Selector::Index Selector::best_first_team() const {
+  const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
+  const auto length_of = [&](Index i) { return candidates_[i].length; };
+  Indices even;
+  for (Index i = 0; i < candidates_.size(); ++i) {
+    if (is_even(candidates_[i].chord)) even.push_back(i);
+  }
+  if (!even.empty()) {
+    keep_best(even, length_of, lengths_tie);
+    keep_best(even, ratio, ratios_tie);
+    return even.front();
+  }
+  Indices all(candidates_.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  keep_best(all, ratio, ratios_tie);
+  keep_best(all, length_of, lengths_tie);
+  return all.front();
+}
+
+// The candidates not taken whose scores tie for the best, in candidate order, all evaluated.
+Selector::Indices Selector::find_leaders() {
+  double best = -std::numeric_limits<double>::infinity();
+  Indices open;  // of which only a bound is known
+  for (Index i = 0; i < candidates_.size(); ++i) {
+    if (is_taken_[i]) continue;
+    if (exact(i)) {
+      best = std::max(best, bound(i));
+    } else {
+      open.push_back(i);
+    }
+  }
+  const auto ties = [&](double largest, double score) {
+    return score >= largest - score_slack(std::fabs(largest), floor_);
+  };
+  const auto smaller_bound = [&](Index a, Index b) { return bound(a) != bound(b) ? bound(a) < bound(b) : a > b; };
+  std::make_heap(open.begin(), open.end(), smaller_bound);
+  while (!open.empty() && ties(best, bound(open.front()))) {
+    std::pop_heap(open.begin(), open.end(), smaller_bound);
+    best = std::max(best, score(open.back()));
+    open.pop_back();
+  }
+  best_score_ = best;
+  Indices leaders;
+  for (Index i = 0; i < candidates_.size(); ++i) {
+    if (!is_taken_[i] && exact(i) && ties(best, bound(i))) leaders.push_back(i);
+  }
+  return leaders;
+}
+
+void Selector::line_up(Indices leaders) {
+  std::erase_if(leaders, [&](Index i) { return is_taken_[i] != 0; });
+  best_in_line_ = static_cast<std::size_t>(
+      std::count_if(leaders.begin(), leaders.end(), [&](Index i) { return bound(i) == best_score_; }));
+  if (best_in_line_ == 0) return;
+  const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
+  const auto length_of = [&](Index i) { return candidates_[i].length; };
+  for_each_tie_class(leaders.begin(), leaders.end(), ratio, ratios_tie, [&](auto first, auto last) {
+    for_each_tie_class(first, last, length_of, lengths_tie, [](auto begin, auto end) { std::sort(begin, end); });
+  });
+  std::reverse(leaders.begin(), leaders.end());
+  line_ = std::move(leaders);
+}
+
+// Whether H has changed.
+bool Selector::widen_base(Index candidate) {
+  const Points old_hull = hull_;
+  const std::vector<Index> old_edges = edges_;
+  Points points = hull_;
+  points.push_back(ends_[2 * candidate].position);
+  points.push_back(ends_[2 * candidate + 1].position);
+  hull_ = convex_hull(std::move(points), near_);
+  if (hull_ == old_hull) return false;
+
+  const auto edge_of = [](const Points& corners, std::size_t i) {
+    return std::pair<const Vec2&, const Vec2&>(corners[i], corners[(i + 1) % corners.size()]);
+  };
+  edges_.clear();
+  for (std::size_t i = 0; i < hull_.size(); ++i) {
+    const auto edge = edge_of(hull_, i);
+    Index same = 0;
+    while (same < old_hull.size() && edge_of(old_hull, same) != edge) ++same;
+    // The sides of a segment have a rule of their own for points on its line: they never stay.
+    if (same < old_hull.size() && old_hull.size() > 2) {
+      edges_.push_back(old_edges[same]);
+      continue;
+    }
+    edges_.push_back(static_cast<Index>(wedges_.size()));
+    wedges_.emplace_back(surroundings_, metric_, edge.first, edge.second);
+    enter_wedge(edges_.back());
+  }
+  return true;
+}
+
+// Gives the ends that C sees in a new wedge over to it: from a little before its first corner, for the
+// ends that agree with its direction, to before the next.
+void Selector::enter_wedge(Index index) {
+  const Wedge& wedge = wedges_[index];
+  for_each_between(by_direction_, [&](Index end) -> const End& { return ends_[end]; }, wedge.h1(), wedge.h2(),
+                   [&](Index i) {
+                     End& end = ends_[i];
+                     end.wedge = index;
+                     end.gain = gains(wedge, end.position) ? wedge.estimate(end.position) : Gain{};
+                   });
+}
+
+// Whether p, which C sees in the wedge, is outside H by more than the tolerance. Its line counts as
+// part of an H that is a segment.
+bool Selector::gains(const Wedge& wedge, const Vec2& p) const {
+  const double distance = wedge.distance(p);
+  if (distance <= 0) return false;
+  if (distance > near_) return true;
+  if (hull_.size() <= 2) return false;
+  // Close to the line, yet perhaps far from H, beyond a corner.
+  for (std::size_t i = 0; i < hull_.size(); ++i) {
+    if (distance_to_segment(hull_[i], hull_[(i + 1) % hull_.size()], p) <= near_) return false;
+  }
+  return true;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,136 @@
+#include "wedge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip.h"
+#include "direction_key.h"
+#include "evenlift/angles.h"
+#include "evenlift/hull.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+// Signed distance of v from the line a -> b, positive to the right: outside, for an edge of H.
+double distance_outside(const Vec2& a, const Vec2& b, const Vec2& v) {
+  const Vec2 line = b - a;
+  return -cross(line, v - a) / length(line);
+}
+
+double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c) { return 0.5 * std::fabs(cross(b - a, c - a)); }
+
+double inscribed_circle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double perimeter = length(b - a) + length(c - b) + length(a - c);
+  const double radius = 2 * triangle_area(a, b, c) / perimeter;
+  return pi * radius * radius;
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const Polygon& polygon, const Vec2& centre)
+    : convex(polygon.convex()), diagonal(polygon.diagonal()) {
+  boundary.reserve(polygon.size());
+  vertices.reserve(polygon.size());
+  for (const Vec2& v : polygon.vertices()) {
+    const Vec2 relative = v - centre;
+    boundary.push_back(relative);
+    if (v != centre) vertices.push_back({relative, direction_key(relative)});
+  }
+  if (!polygon.counter_clockwise()) std::reverse(boundary.begin(), boundary.end());
+  std::sort(vertices.begin(), vertices.end(), [](const Seen& a, const Seen& b) {
+    if (a.key != b.key) return a.key < b.key;
+    if (a.position.x() != b.position.x()) return a.position.x() < b.position.x();
+    return a.position.y() < b.position.y();
+  });
+}
+
+Wedge::Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2)
+    : surroundings_(&surroundings), metric_(metric), h1_(h1), h2_(h2), key1_(direction_key(h1)) {
+  if (metric == Metric::area && !surroundings.convex) collect_area();
+  if (metric == Metric::distance) collect_outer_vertices();
+}
+
+void Wedge::collect_area() {
+  const Vec2 centre = Vec2::Zero();
+  outside_ = clip_left(surroundings_->boundary, h2_, h1_);
+  outside_ = clip_left(outside_, centre, h1_);
+  outside_ = clip_left(outside_, h2_, centre);
+  outside_area_ = signed_area(outside_);
+}
+
+void Wedge::collect_outer_vertices() {
+  sums_.push_back(Vec2::Zero());
+  const auto seen = [](const Surroundings::Seen& item) -> const Surroundings::Seen& { return item; };
+  for_each_between(surroundings_->vertices, seen, h1_, h2_, [&](const Surroundings::Seen& vertex) {
+    // What lies within H adds nothing. Vertices in the direction of h1 may lie beyond it on the edge's
+    // own line, if H is a segment: not outside that line, yet outside the new edge.
+    const double distance = std::max(0.0, this->distance(vertex.position));
+    if (distance == 0 && !directions_agree(h1_, vertex.position)) return;
+    outer_.push_back({vertex.position, key_from(key1_, vertex.key), distance});
+    sums_.push_back(sums_.back() + vertex.position);
+    distance_sum_ += distance;
+  });
+}
+
+double Wedge::distance(const Vec2& p) const { return distance_outside(h1_, h2_, p); }
+
+Gain Wedge::estimate(const Vec2& p) const {
+  switch (metric_) {
+    case Metric::circle: return {inscribed_circle_area(h1_, h2_, p), true};
+    case Metric::distance: return {distance_bound(p), false};
+    default: break;
+  }
+  const double triangle = triangle_area(h1_, h2_, p);
+  if (surroundings_->convex) return {triangle, true};
+  // Clipping rounds: the bound leaves it room.
+  const double room = 1e-13 * surroundings_->diagonal * surroundings_->diagonal;
+  return {std::min(triangle, outside_area_) * (1 + 1e-9) + room, false};
+}
+
+double Wedge::evaluate(const Vec2& p) const {
+  switch (metric_) {
+    case Metric::circle: return inscribed_circle_area(h1_, h2_, p);
+    case Metric::distance: return distance_gain(p);
+    default: return surroundings_->convex ? triangle_area(h1_, h2_, p) : area_gain(p);
+  }
+}
+
+double Wedge::area_gain(const Vec2& p) const {
+  return signed_area(clip_left(clip_left(outside_, h1_, p), p, h2_));
+}
+
+std::size_t Wedge::seen_up_to(const Vec2& p) const {
+  const double key = key_from(key1_, direction_key(p));
+  auto end = std::upper_bound(outer_.begin(), outer_.end(), key,
+                              [](double value, const Outer& outer) { return value < outer.key; });
+  while (end != outer_.end() && directions_agree(p, end->position)) ++end;
+  return static_cast<std::size_t>(end - outer_.begin());
+}
+
+double Wedge::distance_gain(const Vec2& p) const {
+  const std::size_t split = seen_up_to(p);
+  double gain = 0;
+  for (std::size_t k = 0; k < outer_.size(); ++k) {
+    const Vec2& v = outer_[k].position;
+    const double left = k < split ? distance_outside(h1_, p, v) : distance_outside(p, h2_, v);
+    gain += outer_[k].distance - std::max(0.0, left);
+  }
+  return gain;
+}
+
+double Wedge::distance_bound(const Vec2& p) const {
+  // The sum of positive parts is at least the positive part of the sum, and sums of distances from one
+  // line follow from the sums of positions.
+  const auto sum_outside = [](const Vec2& a, const Vec2& b, const Vec2& sum, std::size_t number) {
+    const Vec2 line = b - a;
+    return -cross(line, sum - static_cast<double>(number) * a) / length(line);
+  };
+  const std::size_t split = seen_up_to(p), n = outer_.size();
+  const double left1 = sum_outside(h1_, p, sums_[split], split);
+  const double left2 = sum_outside(p, h2_, sums_[n] - sums_[split], n - split);
+  const double room = 1e-12 * surroundings_->diagonal * static_cast<double>(n + 1);
+  return distance_sum_ - std::max(0.0, left1) - std::max(0.0, left2) + room;
+}
+
+}  // namespace evenlift

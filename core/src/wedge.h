@@ -1,0 +1,76 @@
+// An edge of the lifting base H as C sees it, and what a new lifting point beyond it would gain by each
+// metric (algorithm.md, Selection: f(p)).
+#pragma once
+
+#include <vector>
+
+#include "evenlift/document.h"
+#include "evenlift/polygon.h"
+
+namespace evenlift {
+
+// The polygon's vertices as seen from C, for all wedges: made once.
+struct Surroundings {
+  Surroundings(const Polygon& polygon, const Vec2& centre);  // O(n log n)
+
+  struct Seen {
+    Vec2 position;  // relative to C
+    double key;     // direction_key of it
+  };
+  Points boundary;              // P relative to C, counter-clockwise
+  std::vector<Seen> vertices;   // other than C, by key
+  bool convex = false;
+  double diagonal = 0;          // L
+};
+
+// How much one end of a chord gains: the value, or an upper bound that costs less.
+struct Gain {
+  double value = 0;
+  bool exact = true;
+};
+
+class Wedge {
+ public:
+  // The edge h1 h2 of H, corners relative to C and counter-clockwise. With an H that is a segment each
+  // of its sides is such an edge. O(n) for area and distance, else O(1).
+  Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2);
+
+  const Vec2& h1() const { return h1_; }
+  const Vec2& h2() const { return h2_; }
+
+  // Signed distance of p (relative to C) from the edge's line, positive outside H. O(1).
+  double distance(const Vec2& p) const;
+
+  // f(p) for a p that lies beyond, or a bound: never below f(p). O(log n).
+  Gain estimate(const Vec2& p) const;
+
+  // f(p) itself. O(m) for the m vertices and crossings of P in the wedge beyond the edge.
+  double evaluate(const Vec2& p) const;
+
+ private:
+  void collect_area();
+  void collect_outer_vertices();
+  double area_gain(const Vec2& p) const;
+  double distance_gain(const Vec2& p) const;
+  double distance_bound(const Vec2& p) const;
+  std::size_t seen_up_to(const Vec2& p) const;
+
+  const Surroundings* surroundings_;
+  Metric metric_;
+  Vec2 h1_, h2_;
+  double key1_ = 0;
+
+  Points outside_;          // area: P in the wedge beyond the edge
+  double outside_area_ = 0;
+
+  struct Outer {
+    Vec2 position;
+    double key;       // from key1_
+    double distance;  // outside the edge's line, not negative
+  };
+  std::vector<Outer> outer_;   // distance: vertices of P in the wedge beyond the edge, by direction
+  Points sums_;                // sums_[k]: of the first k positions
+  double distance_sum_ = 0;
+};
+
+}  // namespace evenlift

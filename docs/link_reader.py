@@ -1,0 +1,318 @@
+#!/usr/bin/env python3
+"""Reads evenlift's share links, as docs/link-format.md describes them; no dependencies.
+
+    python3 link_reader.py LINK...      prints what each link holds, as JSON
+
+A second reader, written from the description and not from the program, so that each checks the
+other. It reads any good link of version 1; unlike the program it does not look for links that no
+program writes.
+"""
+
+import json
+import struct
+import sys
+
+ALPHABET = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
+METRICS = ["area", "circle", "distance", "distributed", "random"]
+OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise"]
+DOUBLES = 23  # the scale that numbers every double
+
+
+class LinkError(Exception):
+    pass
+
+
+# --- Characters and checksum ---------------------------------------------------------------------
+
+
+def crc24(text):
+    crc = 0xB704CE
+    for byte in text.encode("ascii"):
+        crc ^= byte << 16
+        for _ in range(8):
+            crc <<= 1
+            if crc & 0x1000000:
+                crc ^= 0x1864CFB
+    return crc
+
+
+def digits_of(text):
+    if any(c not in ALPHABET for c in text):
+        raise LinkError("a character that no link has")
+    return [ALPHABET.index(c) for c in text]
+
+
+# --- Coder ---------------------------------------------------------------------------------------
+
+
+class Coder:
+    def __init__(self, digits):
+        self.digits = digits
+        self.position = 0
+        self.range = 1 << 30
+        self.code = 0
+        for _ in range(5):
+            self.code = self.code * 64 + self.next_digit()
+
+    def next_digit(self):
+        self.position += 1
+        if self.position <= len(self.digits):
+            return self.digits[self.position - 1]
+        if self.position > len(self.digits) + 5:
+            raise LinkError("the link ends too early")
+        return 0
+
+    def narrow(self, offset, size):
+        self.code -= offset
+        self.range = size
+        while self.range <= 1 << 24:
+            self.code = self.code * 64 + self.next_digit()
+            self.range *= 64
+
+    def uniform(self, count):
+        unit = self.range // count
+        value = self.code // unit
+        if value >= count:
+            raise LinkError("a value that no writer makes")
+        self.narrow(value * unit, unit)
+        return value
+
+    def choice(self, odds):
+        part = self.range // (odds[0] + odds[1]) * odds[0]
+        value = int(self.code >= part)
+        if value:
+            self.narrow(part, self.range - part)
+        else:
+            self.narrow(0, part)
+        odds[value] += 2
+        if odds[0] + odds[1] > 255:
+            odds[0] = (odds[0] + 1) // 2
+            odds[1] = (odds[1] + 1) // 2
+        return value
+
+    def bits(self, count):
+        value = 0
+        while count > 0:
+            part = min(count, 12)
+            count -= part
+            value = value << part | self.uniform(1 << part)
+        return value
+
+    def integer(self, widest):
+        width = self.uniform(widest + 1)
+        return 0 if width == 0 else 1 << (width - 1) | self.bits(width - 1)
+
+    def up_to(self, greatest):
+        low = max(greatest.bit_length() - 12, 0)
+        high = self.uniform((greatest >> low) + 1)
+        return high << low | self.bits(low)
+
+
+# --- Numbers -------------------------------------------------------------------------------------
+
+
+def double_of_bits(bits):
+    return struct.unpack("<d", struct.pack("<Q", bits))[0]
+
+
+def value_on_scale(kind, zero_bits, number):
+    if kind < DOUBLES:
+        return number / 10**kind  # Python rounds this once, as the format wants
+    sign, size = (1 << 63, ~number) if number < 0 else (0, number)
+    return double_of_bits(sign | size << zero_bits)
+
+
+def lone_number(coder):
+    kind = coder.uniform(24)
+    if kind == DOUBLES:
+        return double_of_bits(coder.bits(64))
+    negative = coder.uniform(2)
+    size = coder.integer(51)
+    return value_on_scale(kind, 0, -size if negative else size)
+
+
+# --- Settings ------------------------------------------------------------------------------------
+
+
+def read_settings(coder):
+    settings = {
+        "teams": 3,
+        "metric": "area",
+        "min_ratio": 0.8,
+        "weight": 100.0,
+        "seed": 1,
+        "overlays": ["chords", "hull", "clockwise", "counterclockwise"],
+        "step": None,
+    }
+    if not coder.choice([15, 1]):
+        return settings
+    if coder.uniform(2):
+        settings["teams"] = "max" if coder.uniform(2) else coder.integer(21)
+    if coder.uniform(2):
+        settings["metric"] = METRICS[1 + coder.uniform(4)]
+    if coder.uniform(2):
+        settings["min_ratio"] = lone_number(coder)
+    if coder.uniform(2):
+        settings["weight"] = lone_number(coder)
+    if coder.uniform(2):
+        settings["seed"] = coder.integer(64)
+    if coder.uniform(2):
+        mask = coder.uniform(32)
+        settings["overlays"] = [name for i, name in enumerate(OVERLAYS) if mask >> i & 1]
+    if coder.uniform(2):
+        settings["step"] = coder.integer(32)
+    return settings
+
+
+# --- Vertices ------------------------------------------------------------------------------------
+
+
+def wrap(number):
+    """To a signed 64-bit integer."""
+    number &= (1 << 64) - 1
+    return number - (1 << 64) if number >> 63 else number
+
+
+def guess(kind, numbers):
+    """From the numbers before on the same axis."""
+    if not numbers or kind == 0:
+        return 0
+    if kind == 2 and len(numbers) >= 2:
+        return 2 * numbers[-1] - numbers[-2]
+    if kind == 3 and len(numbers) >= 5:
+        return numbers[-1] + numbers[-4] - numbers[-5]
+    return numbers[-1]
+
+
+class Rests:
+    def __init__(self, coder, exponents, fraction_bits, greatest, negatives):
+        self.coder = coder
+        self.exponents = exponents
+        self.fraction_bits = fraction_bits
+        self.greatest = greatest
+        self.negatives = negatives
+        self.zero_odds = [[6, 1] for _ in range(4)]
+        self.class_odds = [[2, 2] for _ in range(16)]
+        self.high_odds = [[8, 8] for _ in range(16)]
+        self.sign_odds = [[4, 4] for _ in range(3)]
+        self.zeros_before = 0
+        self.sign_before = [0, 0]
+
+    def read_class(self):
+        for step in range(16):
+            asked = self.greatest - step
+            if asked == 1 or self.coder.choice(self.class_odds[step]):
+                return asked
+        return 1 + self.coder.uniform(self.greatest - 16)
+
+    def read(self, axis):
+        if self.greatest == 0:
+            return 0
+        zero = self.coder.choice(self.zero_odds[self.zeros_before])
+        self.zeros_before = (self.zeros_before << 1 | zero) & 3
+        if zero:
+            self.sign_before[axis] = 0
+            return 0
+        size_class = self.read_class()
+        place_bits = self.fraction_bits if self.exponents else size_class - 1
+        place = 0
+        if place_bits > 0:
+            below = min(self.greatest - size_class, 15)
+            high = self.coder.choice(self.high_odds[below])
+            place = high << (place_bits - 1) | self.coder.bits(place_bits - 1)
+        negative = 0
+        if self.negatives:
+            negative = self.coder.choice(self.sign_odds[self.sign_before[axis]])
+        self.sign_before[axis] = 2 if negative else 1
+        if self.exponents:
+            size = (size_class - 1) << self.fraction_bits | place
+            return ~size if negative else size
+        size = 1 << (size_class - 1) | place
+        return -size if negative else size
+
+
+def read_vertices(coder, count):
+    """The vertices; their numbers, without those off the scale; the scale and its zero bits."""
+    kind = 0 if coder.uniform(2) else 1 + coder.uniform(23)
+    zero_bits = coder.uniform(53) if kind == DOUBLES else 0
+    guess_kind = coder.uniform(4)
+    off_scale_possible = coder.choice([7, 1]) if kind < DOUBLES else 0
+    exponents = kind == DOUBLES and guess_kind == 0
+    greatest = coder.uniform(2048 if exponents else 65)
+    negatives = coder.uniform(2) if greatest > 0 else 0
+    rests = Rests(coder, exponents, 52 - zero_bits, greatest, negatives)
+
+    off_scale_odds = [6, 1]
+    numbers = ([], [])
+    on_scale = ([], [])
+    vertices = []
+    for i in range(count):
+        vertex = []
+        for axis in (0, 1):
+            guessed = wrap(guess(guess_kind, numbers[axis]))
+            if off_scale_possible and coder.choice(off_scale_odds):
+                numbers[axis].append(guessed)
+                vertex.append(double_of_bits(coder.bits(64)))
+                continue
+            if i == 0 and guess_kind != 0:
+                number = coder.integer(64)
+                if number and coder.uniform(2):
+                    number = -number
+            else:
+                number = guessed + rests.read(axis)
+            number = wrap(number)
+            numbers[axis].append(number)
+            on_scale[axis].append(number)
+            vertex.append(value_on_scale(kind, zero_bits, number))
+        vertices.append(vertex)
+    return vertices, on_scale, kind, zero_bits
+
+
+def read_centre(coder, on_scale, kind, zero_bits):
+    boxed = all(on_scale)
+    if boxed and not coder.choice([3, 1]):
+        centre = []
+        for axis in (0, 1):
+            low, high = min(on_scale[axis]), max(on_scale[axis])
+            centre.append(value_on_scale(kind, zero_bits, low + coder.up_to(high - low)))
+        return centre
+    return [lone_number(coder), lone_number(coder)]
+
+
+# --- The whole -----------------------------------------------------------------------------------
+
+
+def read_link(link):
+    version, point, payload = link.partition(".")
+    if not point or not version.isdigit():
+        raise LinkError("a link begins with its version and a full stop")
+    if version != "1":
+        raise LinkError("only version 1 is known here")
+    digits = digits_of(payload)
+    if len(digits) < 4:
+        raise LinkError("the link is cut off")
+    checksum = 0
+    for digit in digits[-4:]:
+        checksum = checksum * 64 + digit
+    if checksum != crc24(link[:-4]):
+        raise LinkError("the link was cut off or altered")
+
+    coder = Coder(digits[:-4])
+    settings = read_settings(coder)
+    count = coder.integer(16)
+    if count > 32768:
+        raise LinkError("too many vertices")
+    vertices, on_scale, kind, zero_bits = [], ([], []), 0, 0
+    if count > 0:
+        vertices, on_scale, kind, zero_bits = read_vertices(coder, count)
+    centre = read_centre(coder, on_scale, kind, zero_bits) if coder.uniform(2) else None
+    return {"vertices": vertices, "centre_of_mass": centre, "settings": settings}
+
+
+def main():
+    for link in sys.argv[1:]:
+        print(json.dumps(read_link(link)))
+
+
+if __name__ == "__main__":
+    main()

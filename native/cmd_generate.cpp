@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "commands.h"
+#include "evenlift/formats.h"
+#include "evenlift/generate.h"
+#include "options.h"
+
+namespace evenlift::native {
+namespace {
+
+std::uint64_t whole_option(const std::string& option, const std::string& text) {
+  const std::optional<std::uint64_t> value = read_whole(text);
+  if (!value)
+    throw Failure{bad_input_status, option, "expected a whole number, not \"" + text + "\""};
+  return *value;
+}
+
+std::string family_names() {
+  std::string names;
+  for (const Family family : all_families)
+    names += (names.empty() ? "" : ", ") + std::string(name(family));
+  return names;
+}
+
+}  // namespace
+
+void cmd_generate(const Arguments& arguments) {
+  CommandLine line("evenlift generate",
+                   "Writes a polygon in the thesis's format: the same seed, the same polygon.",
+                   "Example:\n  evenlift generate random --n 50 --seed 7 | evenlift place -\n");
+  std::string family_text;
+  std::optional<std::string> n_text, seed_text;
+  line.positional(family_text, "FAMILY", family_names());
+  line.value(n_text, "--n", "N", "number of vertices (default 12)");
+  line.value(seed_text, "--seed", "S", "chooses one of the family (default 1)");
+  if (!line.parse(arguments)) return;
+
+  const std::optional<Family> family = family_from_name(family_text);
+  if (!family)
+    throw Failure{bad_input_status, "FAMILY",
+                  "expected one of " + family_names() + ", not \"" + family_text + "\""};
+  const std::uint64_t n = n_text ? whole_option("--n", *n_text) : 12;
+  const std::uint64_t seed = seed_text ? whole_option("--seed", *seed_text) : 1;
+  // In WebAssembly size_t has 32 bits; what does not fit is too large in any case.
+  const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(n, 0xFFFFFFFF));
+  Result<Points> points = generate(*family, size, seed);
+  if (!points) throw Failure{bad_input_status, "--n", points.error().message};
+  Document document;
+  document.vertices = *std::move(points);
+  write_output(write_thesis(document));
+}
+
+}  // namespace evenlift::native

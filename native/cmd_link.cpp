@@ -1,0 +1,73 @@
+#include "commands.h"
+#include "evenlift/link.h"
+#include "evenlift/output/json.h"
+#include "evenlift/placement.h"
+#include "evenlift/polygon.h"
+#include "options.h"
+
+namespace evenlift::native {
+namespace {
+
+// A link is made of what can be placed: whoever opens it sees a result.
+void check(const Document& document, const Input& input, const SettingOptions& options) {
+  if (const std::optional<InputError> error = check_settings(document.settings))
+    throw options.failure(input.source, *error);
+  const Result<Polygon> polygon = Polygon::create(document.vertices);
+  if (!polygon) throw options.failure(input.source, polygon.error());
+  const Result<Vec2> centre = check_centre_of_mass(*polygon, document.centre_of_mass);
+  if (!centre) throw options.failure(input.source, centre.error());
+}
+
+void encode(const Arguments& arguments) {
+  CommandLine line(
+      "evenlift link encode",
+      "Prints a polygon and its settings as a share link's fragment, without #.",
+      "FILE is a path, - for standard input, or a share link, whose settings then are changed.\n");
+  std::string file;
+  SettingOptions options;
+  bool candidates = false;
+  line.positional(file, "FILE", "thesis's text, WKT POLYGON, or GeoJSON");
+  options.declare(line);
+  line.flag(candidates, "--candidates", "the page shows the candidates too");
+  if (!line.parse(arguments)) return;
+
+  Input input = read_input(file);
+  options.apply(input.document);
+  if (candidates) input.document.settings.overlays.candidates = true;
+  check(input.document, input, options);
+  const Result<std::string> link = encode_link(input.document);
+  if (!link) throw options.failure(input.source, link.error());
+  write_output(*link + "\n");
+}
+
+void decode(const Arguments& arguments) {
+  CommandLine line(
+      "evenlift link decode", "Prints what a share link holds as JSON.",
+      "LINK is a link's fragment, with or without #, or a whole address that ends in one.\n");
+  std::string link;
+  line.positional(link, "LINK", "VERSION.PAYLOAD");
+  if (!line.parse(arguments)) return;
+  const Result<Document> document = decode_link(link);
+  if (!document) throw bad_input("link", document.error());
+  write_output(document_json(*document));
+}
+
+constexpr const char* help =
+    "Usage: evenlift link encode FILE [options]\n"
+    "       evenlift link decode LINK\n\n"
+    "`evenlift link encode --help` and `evenlift link decode --help` tell more.\n";
+
+}  // namespace
+
+void cmd_link(const Arguments& arguments) {
+  if (arguments.empty())
+    throw Failure{bad_input_status, "link", "expected encode or decode after it"};
+  const std::string& direction = arguments.front();
+  const Arguments rest(arguments.begin() + 1, arguments.end());
+  if (direction == "encode") return encode(rest);
+  if (direction == "decode") return decode(rest);
+  if (direction == "--help" || direction == "-h") return write_output(help);
+  throw Failure{bad_input_status, "link", "expected encode or decode, not \"" + direction + "\""};
+}
+
+}  // namespace evenlift::native

@@ -1,0 +1,123 @@
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "failure.h"
+#include "files.h"
+
+namespace evenlift::native {
+namespace {
+
+bool among(const std::vector<std::string>& options, const std::string& option) {
+  return std::find(options.begin(), options.end(), option) != options.end();
+}
+
+// "Options:" before what they are for, aligned; CLI11's own layout otherwise.
+class Layout : public CLI::Formatter {
+ public:
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    std::string usage = "Usage: " + name;
+    for (const CLI::Option* option : app->get_options())
+      if (option->get_positional()) usage += " " + option->get_name(true);
+    return usage + " [options]\n";
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_name().empty() || option->get_positional()
+               ? ""
+               : " " + option->get_type_name();
+  }
+};
+
+}  // namespace
+
+CommandLine::CommandLine(const std::string& command, const std::string& purpose,
+                         const std::string& examples)
+    : app_(std::make_unique<CLI::App>(purpose, command)) {
+  const auto layout = std::make_shared<Layout>();
+  layout->column_width(26);
+  app_->formatter(layout);
+  app_->set_help_flag("-h,--help", "print this and stop");
+  app_->footer(examples);
+  app_->allow_extras();
+}
+
+CommandLine::~CommandLine() = default;
+
+void CommandLine::positional(std::string& into, const std::string& name, const std::string& help) {
+  positionals_.push_back(name);
+  app_->add_option(name, into, help)->type_name("");
+}
+
+void CommandLine::value(std::optional<std::string>& into, const std::string& option,
+                        const std::string& name, const std::string& help) {
+  value_options_.push_back(option);
+  app_->add_option_function<std::string>(
+          option, [&into](const std::string& text) { into = text; }, help)
+      ->type_name(name);
+}
+
+void CommandLine::flag(bool& into, const std::string& option, const std::string& help) {
+  flags_.push_back(option);
+  app_->add_flag(option, into, help);
+}
+
+// Each option and its value as one argument: a value may begin with a minus (`--com -5,3`).
+std::vector<std::string> CommandLine::joined(const std::vector<std::string>& arguments) const {
+  std::vector<std::string> out, seen;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument == "--") {  // what follows are names, whatever they begin with
+      out.insert(out.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i), arguments.end());
+      break;
+    }
+    const std::string option = argument.substr(0, argument.find('='));
+    const bool has_value = option.size() < argument.size();
+    const bool takes_value = among(value_options_, option);
+    if (!takes_value && !among(flags_, option)) {
+      out.push_back(argument);
+      continue;
+    }
+    if (among(seen, option)) throw Failure{bad_input_status, option, "given twice"};
+    seen.push_back(option);
+    if (!takes_value && has_value) throw Failure{bad_input_status, option, "takes no value"};
+    if (!takes_value || has_value) {
+      out.push_back(argument);
+    } else {
+      if (i + 1 == arguments.size())
+        throw Failure{bad_input_status, option, "its value is missing"};
+      out.push_back(option + "=" + arguments[++i]);
+    }
+    // CLI11 takes `--com=` for an option without a value.
+    if (takes_value && out.back().size() == option.size() + 1)
+      throw Failure{bad_input_status, option, "its value is empty"};
+  }
+  return out;
+}
+
+bool CommandLine::parse(const std::vector<std::string>& arguments) {
+  std::vector<std::string> reversed = joined(arguments);
+  std::reverse(reversed.begin(), reversed.end());
+  try {
+    app_->parse(std::move(reversed));
+  } catch (const CLI::CallForHelp&) {
+    write_output(app_->help());
+    return false;
+  } catch (const CLI::Error& error) {
+    throw Failure{bad_input_status, "command line", error.what()};
+  }
+  for (const std::string& extra : app_->remaining()) {
+    if (extra == "--") continue;
+    const bool option = extra.size() > 1 && extra[0] == '-';
+    throw Failure{bad_input_status, extra.substr(0, option ? extra.find('=') : std::string::npos),
+                  option ? "unknown option; `" + app_->get_name() + " --help` lists them"
+                         : "unexpected argument"};
+  }
+  for (const std::string& name : positionals_)
+    if (app_->get_option(name)->empty())
+      throw Failure{bad_input_status, name,
+                    "missing; `" + app_->get_name() + " --help` tells more"};
+  return true;
+}
+
+}  // namespace evenlift::native

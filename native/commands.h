@@ -1,0 +1,16 @@
+// The commands, one file each. They get the arguments after their name, write to standard output
+// only when all has gone well, and throw Failure otherwise.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace evenlift::native {
+
+using Arguments = std::vector<std::string>;
+
+void cmd_place(const Arguments& arguments);
+void cmd_link(const Arguments& arguments);
+void cmd_generate(const Arguments& arguments);
+
+}  // namespace evenlift::native

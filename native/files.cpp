@@ -1,0 +1,102 @@
+#include "files.h"
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "evenlift/formats.h"
+#include "evenlift/link.h"
+#include "failure.h"
+
+namespace evenlift::native {
+namespace {
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+// "no such file or directory"
+std::string system_error() {
+  std::string text = std::strerror(errno);
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z')
+    text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  return text;
+}
+
+// Reads to the end, or one byte more than is allowed, which the reader of the text then refuses.
+std::string read_all(std::FILE* file, const std::string& source) {
+  std::string text;
+  char buffer[1 << 16];
+  while (text.size() <= max_text_bytes) {
+    const std::size_t count = std::fread(buffer, 1, sizeof buffer, file);
+    text.append(buffer, count);
+    if (count == sizeof buffer) continue;
+    if (std::ferror(file)) throw Failure{bad_input_status, source, system_error()};
+    if (std::feof(file)) break;
+  }
+  return text;
+}
+
+Document parsed(const std::string& text, const std::string& source) {
+  Result<Document> document = read_polygon(text);
+  if (!document) throw bad_input(source, document.error());
+  return *std::move(document);
+}
+
+bool exists(const std::string& path) {
+  struct stat info;
+  return stat(path.c_str(), &info) == 0;
+}
+
+void write_all(std::FILE* file, std::string_view text, const std::string& name) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (!written || std::fflush(file) != 0) throw Failure{other_status, name, system_error()};
+}
+
+}  // namespace
+
+Input read_input(const std::string& file) {
+  if (file == "-")
+    return {"standard input", parsed(read_all(stdin, "standard input"), "standard input")};
+  // A file may be called "1.dat": what exists is a file.
+  if (!exists(file) && (looks_like_link(file) || file.find('#') != std::string::npos)) {
+    Result<Document> document = decode_link(file);
+    if (!document) throw bad_input("link", document.error());
+    return {"link", *std::move(document)};
+  }
+  const File opened(std::fopen(file.c_str(), "rb"));
+  if (!opened) throw Failure{bad_input_status, file, system_error()};
+  return {file, parsed(read_all(opened.get(), file), file)};
+}
+
+void write_file(const std::string& path, std::string_view text) {
+  struct stat info;
+  const bool replaceable = lstat(path.c_str(), &info) != 0 || S_ISREG(info.st_mode);
+  const std::string target = replaceable ? path + ".part" : path;
+  try {
+    File file(std::fopen(target.c_str(), "wb"));
+    if (!file) throw Failure{other_status, path, system_error()};
+    write_all(file.get(), text, path);
+    if (std::fclose(file.release()) != 0) throw Failure{other_status, path, system_error()};
+    if (replaceable && std::rename(target.c_str(), path.c_str()) != 0)
+      throw Failure{other_status, path, system_error()};
+  } catch (const Failure&) {
+    if (replaceable) std::remove(target.c_str());
+    throw;
+  }
+}
+
+void write_output(std::string_view text) {
+  try {
+    write_all(stdout, text, "standard output");
+  } catch (const Failure&) {
+    if (errno == EPIPE) throw Failure{other_status, "", ""};
+    throw;
+  }
+}
+
+}  // namespace evenlift::native

@@ -1,0 +1,26 @@
+// Reading and writing whole files, byte for byte.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "evenlift/document.h"
+
+namespace evenlift::native {
+
+// What FILE holds: a path, "-" for standard input, or a share link. Throws Failure.
+struct Input {
+  std::string source;  // what to call it in an error: the path, "standard input" or "link"
+  Document document;
+};
+Input read_input(const std::string& file);
+
+// Replaces the file by `text` or leaves it as it was: writes beside it and renames. What is no
+// regular file (a pipe, /dev/stdout) is written to directly. Throws Failure.
+void write_file(const std::string& path, std::string_view text);
+
+// Writes to standard output. Throws Failure; its text is empty if nobody reads any more (a broken
+// pipe), which is nothing to complain about.
+void write_output(std::string_view text);
+
+}  // namespace evenlift::native

@@ -1,0 +1,89 @@
+// The program `evenlift`: picks the command and turns a failure into one line and an exit status.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "commands.h"
+#include "failure.h"
+#include "files.h"
+
+namespace evenlift::native {
+namespace {
+
+struct Command {
+  const char* name;
+  const char* summary;
+  void (*run)(const Arguments&);
+};
+
+constexpr Command commands[] = {
+    {"place", "where teams of robots lift a polygon, and what holds of it", cmd_place},
+    {"link", "a polygon and its settings as a share link, and back", cmd_link},
+    {"generate", "a polygon from a family, a size and a seed", cmd_generate},
+};
+
+std::string help() {
+  std::string text =
+      "evenlift places teams of two robots around a polygonal object so that each robot bears\n"
+      "about the same load.\n\n"
+      "Usage: evenlift COMMAND ...\n\nCommands:\n";
+  for (const Command& command : commands) {
+    std::string name = command.name;
+    name.resize(10, ' ');
+    text += "  " + name + command.summary + "\n";
+  }
+  return text +
+         "\n`evenlift COMMAND --help` tells more of each. Exit status: 0 done, 2 bad usage or\n"
+         "bad input, 1 anything else.\n";
+}
+
+void run(Arguments arguments) {
+  if (arguments.empty())
+    throw Failure{bad_input_status, "command", "missing; `evenlift --help` lists the commands"};
+  std::string name = arguments.front();
+  arguments.erase(arguments.begin());
+  if (name == "help" && !arguments.empty()) {
+    name = arguments.front();
+    arguments = {"--help"};
+  }
+  if (name == "--help" || name == "-h" || name == "help") return write_output(help());
+  if (name == "--version") return write_output("evenlift " EVENLIFT_VERSION "\n");
+  for (const Command& command : commands)
+    if (name == command.name) return command.run(arguments);
+  const bool option = name.size() > 1 && name[0] == '-';
+  throw Failure{bad_input_status, name,
+                option ? "unknown option; a command comes first, and `evenlift --help` lists them"
+                       : "unknown command; `evenlift --help` lists them"};
+}
+
+// A line stays one line, whatever a file is called.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
+int report(const Failure& failure) {
+  if (!failure.where.empty())
+    std::fprintf(stderr, "evenlift: %s: %s\n", printable(failure.where).c_str(),
+                 printable(failure.what).c_str());
+  return failure.status;
+}
+
+}  // namespace
+}  // namespace evenlift::native
+
+int main(int count, char** values) {
+  using namespace evenlift::native;
+#ifdef SIGPIPE
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that stops early is an error of write, not the end
+#endif
+  try {
+    run(Arguments(values + 1, values + count));
+    return 0;
+  } catch (const Failure& failure) {
+    return report(failure);
+  } catch (const std::exception& error) {
+    return report({other_status, "internal error", error.what()});
+  }
+}

@@ -1,0 +1,105 @@
+# The native program and the WebAssembly one print the same bytes: every polygon of assets, and 500 generated ones.
+# cmake -DNATIVE=... -DNODE=... -DWEBASSEMBLY=... -DPOLYGONS=... -DWORK=... -P determinism.cmake
+cmake_minimum_required(VERSION 3.24)
+
+foreach(needed NATIVE NODE WEBASSEMBLY POLYGONS WORK)
+  if(NOT ${needed})
+    message(FATAL_ERROR "-D${needed}=... is missing")
+  endif()
+endforeach()
+if(NOT EXISTS "${WEBASSEMBLY}")
+  message(FATAL_ERROR "${WEBASSEMBLY} is not built")
+endif()
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}")
+
+set(compared 0)
+
+# compare(<arguments>...): runs both programs in WORK and compares what they write to the byte.
+function(compare)
+  foreach(kind native wasm)
+    if(kind STREQUAL native)
+      set(program "${NATIVE}")
+    else()
+      set(program "${NODE}" "${WEBASSEMBLY}")
+    endif()
+    execute_process(
+      COMMAND ${program} ${ARGN}
+      WORKING_DIRECTORY "${WORK}"
+      OUTPUT_FILE "${WORK}/${kind}.out"
+      ERROR_FILE "${WORK}/${kind}.err"
+      RESULT_VARIABLE status)
+    file(SHA256 "${WORK}/${kind}.out" ${kind}_out)
+    file(SHA256 "${WORK}/${kind}.err" ${kind}_err)
+    set(${kind} "${status} ${${kind}_out} ${${kind}_err}")
+  endforeach()
+  if(NOT native STREQUAL wasm)
+    list(JOIN ARGN " " line)
+    message(SEND_ERROR "evenlift ${line}: native and WebAssembly differ (see native.* and wasm.* in ${WORK})\n"
+                       "  native ${native}\n  wasm   ${wasm}")
+    message(FATAL_ERROR "stopped at the first difference")
+  endif()
+  math(EXPR compared "${compared} + 1")
+  set(compared ${compared} PARENT_SCOPE)
+endfunction()
+
+set(metrics area circle distance distributed random)
+
+# Every outline with every metric. NAME-moved has the outline of NAME, so one metric, each in turn, will do.
+file(GLOB files "${POLYGONS}/*.txt")
+set(turn 0)
+foreach(file IN LISTS files)
+  cmake_path(GET file STEM name)
+  if(name STREQUAL index)
+    continue()
+  endif()
+  math(EXPR turn "${turn} + 1")
+  foreach(index RANGE 4)
+    list(GET metrics ${index} metric)
+    math(EXPR due "(${turn} + ${index}) % 5")
+    if(name MATCHES "-moved$" AND due GREATER 0)
+      continue()
+    endif()
+    compare(place "${file}" --json --candidates --metric ${metric} --teams 5 --seed ${turn})
+  endforeach()
+endforeach()
+
+# 500 generated polygons: all families, a metric each, many sizes, minimum ratios and team numbers.
+set(families regular convex star comb spiral random)
+set(ratios 0.8 0.5 0 1 0.95)
+foreach(seed RANGE 1 500)
+  math(EXPR f "${seed} % 6")
+  math(EXPR m "(${seed} / 6) % 5")
+  math(EXPR r "(${seed} / 30) % 5")
+  math(EXPR n "8 + (${seed} * ${seed}) % 97")
+  math(EXPR teams "1 + ${seed} % 7")
+  list(GET families ${f} family)
+  list(GET metrics ${m} metric)
+  list(GET ratios ${r} ratio)
+  set(generate generate ${family} --n ${n} --seed ${seed})
+  # The generators once in ten cases through both programs; the rest feeds both with the native one's polygon.
+  math(EXPR both "${seed} % 10")
+  if(both EQUAL 0)
+    compare(${generate})
+  endif()
+  execute_process(COMMAND "${NATIVE}" ${generate} OUTPUT_FILE "${WORK}/generated.txt" COMMAND_ERROR_IS_FATAL ANY)
+  compare(place generated.txt --json --metric ${metric} --teams ${teams} --min-ratio ${ratio} --seed ${seed})
+endforeach()
+
+# The other outputs, and refusals.
+compare(place "${POLYGONS}/grand-piano.txt" --svg picture.svg)
+file(SHA256 "${WORK}/picture.svg" wasm_picture)
+execute_process(COMMAND "${NATIVE}" place "${POLYGONS}/grand-piano.txt" --svg picture.svg
+                WORKING_DIRECTORY "${WORK}" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(SHA256 "${WORK}/picture.svg" native_picture)
+if(NOT wasm_picture STREQUAL native_picture)
+  message(FATAL_ERROR "place --svg: native and WebAssembly draw different pictures")
+endif()
+compare(place "${POLYGONS}/labyrinth.txt" --teams max --candidates)
+compare(link encode "${POLYGONS}/thesis-sample.txt" --teams 7 --metric circle)
+compare(generate random --n 20000 --seed 9)
+compare(place missing.txt)
+compare(place "${POLYGONS}/square.txt" --teams 0)
+compare()
+
+message(STATUS "${compared} runs, the same bytes")

@@ -1,0 +1,150 @@
+// The exact oracle: what evenlift must compute, by brute force, straight from the definitions.
+//
+// It shares nothing with the core: own points, own arithmetic (rationals, and binary floats of 100
+// digits where roots come in). Every coordinate is the double given, taken as exact. It is slow on
+// purpose: where a rule says "every pair", it tries every pair.
+//
+// Two ways in:
+//   find_candidates(problem)  ->  select  ->  judge      all of it from the polygon, nothing
+//   rounded on the way given_candidates(...)     ->  select  ->  judge      from chords given in
+//   doubles, as some other program
+//                                                        found them, so that their rounding does
+//                                                        not matter
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace oracle {
+
+using Point = std::array<double, 2>;
+
+enum class Metric { area, circle, distance };
+enum class Kind { bisecting, midpoint, vertex };  // in the order of precedence
+
+struct Problem {
+  std::vector<Point> vertices;            // either orientation
+  std::optional<Point> centre_of_mass{};  // absent: the area centroid
+  double min_ratio = 0.8;                 // rho, in [0, 1]
+  int teams = 3;                          // t, at least 1
+  Metric metric = Metric::area;
+  double weight = 100;  // W
+};
+
+enum class Refusal {
+  none,
+  too_few_vertices,
+  bad_coordinate,
+  repeated_vertex,
+  no_area,
+  not_simple,
+  centre_outside,
+  bad_ratio,
+  bad_teams,
+};
+
+/// Why the input is refused; `none` when it is valid.
+Refusal refusal(const Problem& problem);
+
+/// The area centroid, computed exactly and rounded to the nearest doubles. Needs an area other than
+/// 0.
+Point centroid(const std::vector<Point>& vertices);
+
+/// How near the nearest decision was that a tolerance made: |value / threshold - 1|, so 0.001 means
+/// that a change of the value by a thousandth of its threshold would have decided otherwise.
+struct ClosestCall {
+  double distance = std::numeric_limits<double>::infinity();
+  std::string what;
+
+  void merge(const ClosestCall& other) {
+    if (other.distance < distance) *this = other;
+  }
+};
+
+struct Candidate {
+  std::array<Point, 2> ends;  // which end comes first means nothing
+  double ratio = 0;           // (0, 1]
+  Kind kind = Kind::vertex;
+  // Of duplicates that were merged into it, how much less the least ratio was: which one stands is
+  // then a matter of less than the tolerance, and so is its exact ratio.
+  double ratio_slack = 0;
+};
+
+struct ExactShape;   // the polygon relative to C, in rationals
+struct ExactChords;  // the chords of a CandidateList, in rationals
+
+struct CandidateList {
+  std::vector<Candidate> candidates;  // in candidate order; exact values rounded to doubles
+  std::size_t pairs = 0;              // edge-pairs that they come from
+  ClosestCall closest_call;
+  // Smallest |g - 1|, other than 0, at a section end, and the thinnest open range of directions
+  // that an edge-pair has (as a sine): decided exactly here, and hard for anything that computes in
+  // doubles.
+  double nearest_unit_g = std::numeric_limits<double>::infinity();
+  double thinnest_range = std::numeric_limits<double>::infinity();
+
+  std::shared_ptr<const ExactShape> shape;
+  std::shared_ptr<const ExactChords> chords;
+};
+
+/// The candidates of every edge-pair, merged and in candidate order. The problem must be valid.
+CandidateList find_candidates(const Problem& problem);
+
+/// The chords given, in the order given, their ends taken as exact.
+CandidateList given_candidates(const Problem& problem, const std::vector<Candidate>& chords);
+
+/// All vertex-chords: unordered, each once.
+std::vector<std::array<Point, 2>> vertex_chords(const Problem& problem);
+
+struct Selection {
+  std::vector<std::size_t> teams;  // indices into the candidates, in the order selected
+  std::vector<double> scores;      // of each team when it was selected; 0 for the first
+  ClosestCall closest_call;
+};
+
+/// First team and further teams, with all ties, by the problem's metric.
+Selection select(const Problem& problem, const CandidateList& list);
+
+struct DistributedTeams {
+  std::vector<std::array<Point, 2>> chords;
+  // Of each: the least sine between its line and the direction of a vertex (where the farthest
+  // point may jump), and between its line and an edge that it meets (where the point is sensitive
+  // to the angle).
+  std::vector<double> nearest_vertex, flattest_hit;
+  double measure = 0;  // of the directions V, in radians
+};
+
+/// Teams at equal angles; `metric` and `min_ratio` do not matter.
+DistributedTeams distributed(const Problem& problem);
+
+struct Loads {
+  std::vector<std::array<double, 2>> of_teams;  // what the two ends of each team bear
+  double min = 0, mean = 0, max = 0, spread = 0, max_share = 0;
+};
+
+struct Closure {
+  std::size_t contacts = 0;
+  bool clockwise = true, counterclockwise = true, translation = true;  // free to first order
+  bool form_closure = false;
+  bool second_order = false;
+  std::optional<double> margin;  // absent without contacts
+  ClosestCall closest_call;
+};
+
+struct Judgement {
+  std::vector<Point> hull;  // corners, counter-clockwise
+  double coverage = 0;      // [0, 1]
+  std::optional<Loads> loads;
+  Closure closure;
+};
+
+/// Hull, coverage, loads and immobilization of the teams that `teams` lists.
+Judgement judge(const Problem& problem, const CandidateList& list,
+                const std::vector<std::size_t>& teams);
+
+}  // namespace oracle

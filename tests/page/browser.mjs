@@ -1,0 +1,168 @@
+// A browser with the built page in it, for the tests beside this file.
+//   EVENLIFT_PAGE     the page's folder, build/page if not given
+//   EVENLIFT_BROWSER  Chromium or Chrome, /usr/bin/chromium if not given
+//   EVENLIFT_PROGRAM  the native program, build/bin/evenlift if not given
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { serve } from "../../web/serve.mjs";
+
+export const root = fileURLToPath(new URL("../..", import.meta.url));
+export const pageFolder = process.env.EVENLIFT_PAGE || path.join(root, "build/page");
+const program = process.env.EVENLIFT_PROGRAM || path.join(root, "build/bin/evenlift");
+
+// The WebGL of a machine without graphics, and nothing that asks the network.
+const options = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
+  "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+
+export const wide = { width: 1280, height: 800 };
+export const phone = { width: 390, height: 844 };
+
+// What the program prints, as text.
+export function evenlift(...args) {
+  return execFileSync(program, args, { encoding: "utf8", maxBuffer: 1 << 28 });
+}
+
+export function asset(name) {
+  return readFileSync(path.join(root, "assets/polygons", `${name}.txt`), "utf8");
+}
+
+// The gallery's files, in its order.
+export function gallery() {
+  return readFileSync(path.join(root, "assets/polygons/index.txt"), "utf8").split("\n")
+    .filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
+}
+
+// Serves the page and starts a browser, for all tests of a file; close() ends both.
+export async function startBrowser(extraOptions = []) {
+  const server = await serve(pageFolder, 0);
+  const browser = await chromium.launch({
+    executablePath: process.env.EVENLIFT_BROWSER || "/usr/bin/chromium",
+    args: [...options, ...extraOptions],
+  });
+  async function close() {
+    await browser.close();
+    server.close();
+  }
+
+  // A page of its own storage. Whatever it complains about, or asks of another host, fails the test at close().
+  async function open({ address = "", ready = true, quiet = true, context: reused, script, ...contextOptions } = {}) {
+    const context = reused ?? await browser.newContext({ viewport: wide, colorScheme: "light", ...contextOptions });
+    const page = await context.newPage();
+    const complaints = [];
+    page.on("pageerror", (error) => complaints.push(`exception: ${error.message}`));
+    page.on("console", (message) => {
+      if (["error", "warning"].includes(message.type())) complaints.push(`${message.type()}: ${message.text()}`);
+    });
+    page.on("request", (request) => {
+      const { protocol, origin } = new URL(request.url());
+      const own = origin === new URL(server.url).origin || ["data:", "blob:"].includes(protocol);
+      if (!own) complaints.push(`a request to ${request.url()}`);
+    });
+    await page.addInitScript(() => {
+      addEventListener("securitypolicyviolation", (event) => console.error(`policy: ${event.violatedDirective}`));
+    });
+    if (script) await page.addInitScript(script);
+    await page.goto(server.url + address);
+    if (ready) await page.evaluate(() => evenlift.ready);
+    page.complaints = complaints;
+    page.done = async () => {
+      if (quiet) assert.deepEqual(complaints, []);
+      if (!reused) await context.close();
+      else await page.close();
+    };
+    return page;
+  }
+
+  // The share of pixels that differ visibly between two PNGs of the same size: by more than anti-aliasing does, in
+  // a channel, from every pixel around.
+  async function compare(a, b) {
+    const page = await browser.newPage();
+    try {
+      return await page.evaluate(comparePictures, [a.toString("base64"), b.toString("base64")]);
+    } finally {
+      await page.close();
+    }
+  }
+  return { browser, server, open, compare, close };
+}
+
+// Runs in a browser, which has a PNG decoder.
+async function comparePictures([first, second]) {
+  const pixels = async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    return context.getImageData(0, 0, image.width, image.height);
+  };
+  const a = await pixels(first);
+  const b = await pixels(second);
+  if (a.width !== b.width || a.height !== b.height) return { share: 1, size: [a.width, a.height, b.width, b.height] };
+  const near = (x, y) => {
+    const at = 4 * (y * a.width + x);
+    for (let dy = -1; dy <= 1; ++dy) {
+      for (let dx = -1; dx <= 1; ++dx) {
+        const other = 4 * (Math.min(Math.max(y + dy, 0), a.height - 1) * a.width + Math.min(Math.max(x + dx, 0), a.width - 1));
+        if ([0, 1, 2].every((c) => Math.abs(a.data[at + c] - b.data[other + c]) <= 24)) return true;
+      }
+    }
+    return false;
+  };
+  let different = 0;
+  for (let y = 0; y < a.height; ++y) {
+    for (let x = 0; x < a.width; ++x) if (!near(x, y)) ++different;
+  }
+  return { share: different / (a.width * a.height), size: [a.width, a.height] };
+}
+
+// --- In the page -----------------------------------------------------------------------------------------------------
+
+export const state = (page) => page.evaluate(() => evenlift.state());
+export const load = (page, text) => page.evaluate((t) => evenlift.load(t), text);
+export const set = (page, changes) => page.evaluate((c) => evenlift.set(c), changes);
+export const link = (page) => page.evaluate(() => evenlift.link());
+export const fragment = (page) => page.evaluate(() => location.hash.slice(1));
+export const toScreen = (page, [x, y]) => page.evaluate((p) => evenlift.view.to_screen(...p), [x, y]);
+
+// The message of what a call throws in the page; undefined if it does not.
+export function thrown(page, call, argument) {
+  return page.evaluate(([name, value]) => {
+    try {
+      evenlift[name](value);
+    } catch (error) {
+      return error instanceof Error ? error.message : `not an Error: ${error}`;
+    }
+  }, [call, argument]);
+}
+
+// Resolves once the page has drawn nothing for `pause` milliseconds.
+export async function settled(page, pause = 150) {
+  let before = -1;
+  for (let tries = 0; tries < 200; ++tries) {
+    const now = await page.evaluate(() => evenlift.frames);
+    if (now === before) return;
+    before = now;
+    await page.waitForTimeout(pause);
+  }
+  assert.fail("the page never stops drawing");
+}
+
+// Presses at one point and moves in steps to another, as a hand does.
+export async function drag(page, from, to, steps = 8) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(...to, { steps });
+  await page.mouse.up();
+  await settled(page);
+}
+
+// Waits until the address bar holds the current link.
+export async function published(page) {
+  await page.waitForFunction(() => location.hash === `#${evenlift.link()}`, undefined, { timeout: 5000 });
+}

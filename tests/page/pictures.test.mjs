@@ -1,0 +1,76 @@
+// The page as it is meant to look, beside kept pictures (expected/). What differs is written to the folder of the
+// environment variable EVENLIFT_PICTURES; `EVENLIFT_PICTURES=tests/page/expected` renews them all.
+import assert from "node:assert/strict";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { asset, load, phone, set, settled, startBrowser, toScreen, wide } from "./browser.mjs";
+
+let browser;
+before(async () => {
+  browser = await startBrowser();
+});
+after(() => browser.close());
+
+const expected = fileURLToPath(new URL("expected/", import.meta.url));
+const tolerance = 0.002;
+
+async function check(page, name) {
+  await settled(page);
+  await page.waitForTimeout(300);  // the cover fades
+  const now = await page.screenshot();
+  const folder = process.env.EVENLIFT_PICTURES;
+  const kept = path.join(expected, `${name}.png`);
+  const renew = folder && path.resolve(folder) === path.resolve(expected);
+  const { share } = existsSync(kept) && !renew ? await browser.compare(readFileSync(kept), now) : { share: 1 };
+  if (share > tolerance && folder) {
+    mkdirSync(folder, { recursive: true });
+    writeFileSync(path.join(folder, `${name}.png`), now);
+  }
+  if (!renew) assert.ok(share <= tolerance, `${name}: ${(100 * share).toFixed(2)} % of the picture differs`);
+  await page.done();
+}
+
+test("wide, light: the first sample", async () => check(await browser.open(), "wide-light"));
+
+test("wide, dark: the first sample", async () => check(await browser.open({ colorScheme: "dark" }), "wide-dark"));
+
+test("phone: the first sample", async () => {
+  await check(await browser.open({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 }), "phone");
+});
+
+test("candidates, and a robot under the pointer", async () => {
+  const page = await browser.open({ viewport: wide });
+  await load(page, asset("thesis-sample"));
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("a");
+  await settled(page);
+  const [x, y] = await page.evaluate(() => evenlift.view.to_screen(...evenlift.state().teams[0].ends[0]));
+  await page.mouse.move(x, y);
+  await check(page, "candidates");
+});
+
+test("a polygon that is refused", async () => {
+  const page = await browser.open();
+  await load(page, "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n");
+  await settled(page);
+  const from = await toScreen(page, [400, 150]);
+  const to = await toScreen(page, [75, 350]);
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(...to, { steps: 6 });
+  await check(page, "refused");
+});
+
+test("embedded", async () => {
+  await check(await browser.open({ address: "?embed=1", viewport: { width: 640, height: 420 } }), "embedded");
+});
+
+test("the keys", async () => {
+  const page = await browser.open();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("?");
+  await set(page, {});
+  await check(page, "keys");
+});

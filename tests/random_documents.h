@@ -1,0 +1,176 @@
+// Documents of every kind that a link or a text may have to carry, from a seed. Their polygons need
+// not be simple: carrying them does not ask.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "evenlift/document.h"
+#include "evenlift/random.h"
+
+namespace evenlift::testing {
+
+inline std::uint64_t bits_of(double value) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+inline double double_of(std::uint64_t bits) {
+  double value;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+inline bool same_bits(const Vec2& a, const Vec2& b) {
+  return bits_of(a.x()) == bits_of(b.x()) && bits_of(a.y()) == bits_of(b.y());
+}
+
+inline bool same_vertices(const Points& a, const Points& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Vec2& p, const Vec2& q) { return same_bits(p, q); });
+}
+
+inline bool same_polygon(const Document& a, const Document& b) {
+  if (a.centre_of_mass.has_value() != b.centre_of_mass.has_value()) return false;
+  if (a.centre_of_mass && !same_bits(*a.centre_of_mass, *b.centre_of_mass)) return false;
+  return same_vertices(a.vertices, b.vertices);
+}
+
+inline bool same_document(const Document& a, const Document& b) {
+  return same_polygon(a, b) && a.settings == b.settings &&
+         bits_of(a.settings.weight) == bits_of(b.settings.weight) &&
+         bits_of(a.settings.min_ratio) == bits_of(b.settings.min_ratio);
+}
+
+// Any finite double of at most `limit` in size: every exponent alike, so half are below 1e-150.
+inline double any_double(Rng& rng, double limit) {
+  for (;;) {
+    const double value = double_of(rng.below(std::numeric_limits<std::uint64_t>::max()));
+    if (std::fabs(value) <= limit) return value;
+  }
+}
+
+// How the coordinates of a document come about.
+enum class Kind { integers, decimals, doubles, binary, any, few, offset, comb, smooth, count };
+
+inline double coordinate(Rng& rng, Kind kind, int decimals) {
+  double power = 1;
+  for (int i = 0; i < decimals; ++i) power *= 10;
+  switch (kind) {
+    case Kind::integers:
+      return static_cast<double>(rng.below(2001)) - 1000.0;
+    case Kind::decimals:
+      return std::round((rng.uniform() - 0.5) * 1000 * power) / power;
+    case Kind::doubles:
+      return rng.uniform() * 1000;
+    case Kind::binary:  // few bits, as floats have
+      return std::ldexp(static_cast<double>(rng.below(1u << 24)), -14);
+    case Kind::any:
+      return any_double(rng, max_coordinate);
+    case Kind::few: {
+      const double values[] = {0.0, -0.0, 5e-324, -5e-324, 1.0, 0.1, -max_coordinate, 2.5e-308};
+      return values[rng.below(8)];
+    }
+    case Kind::offset:
+      return 4649776.25 + static_cast<double>(rng.below(4000)) / 4;
+    default:
+      return 0;
+  }
+}
+
+inline Points random_vertices(Rng& rng, std::size_t n) {
+  const auto kind = static_cast<Kind>(rng.below(static_cast<std::uint64_t>(Kind::count)));
+  const int decimals = static_cast<int>(rng.below(8));
+  Points vertices;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (kind == Kind::comb) {
+      vertices.emplace_back(20.0 * static_cast<double>(i / 2), i % 4 == 1 || i % 4 == 2 ? 400 : 0);
+      continue;
+    }
+    if (kind == Kind::smooth) {
+      // An ellipse by tangents of half angles: no functions that differ between platforms.
+      const double t = 8 * static_cast<double>(i) / static_cast<double>(n) - 4;
+      vertices.emplace_back(500 * (1 - t * t) / (1 + t * t), 300 * 2 * t / (1 + t * t));
+      continue;
+    }
+    const double x = coordinate(rng, kind, decimals);
+    const double y = coordinate(rng, kind, decimals);
+    vertices.emplace_back(x, y);
+  }
+  // Now and then one vertex is of another kind, as if dragged.
+  if (n > 0 && rng.below(3) == 0) {
+    const std::size_t dragged = rng.below(n);
+    vertices[dragged].x() = rng.uniform() * 1000;
+    if (rng.below(2) == 0) vertices[dragged].y() = any_double(rng, max_coordinate);
+  }
+  return vertices;
+}
+
+inline Settings random_settings(Rng& rng) {
+  Settings settings;
+  const auto now_and_then = [&rng] { return rng.below(3) == 0; };
+  if (now_and_then()) {
+    settings.teams = std::nullopt;
+    if (now_and_then()) settings.teams = static_cast<std::uint32_t>(1 + rng.below(max_teams));
+  }
+  if (now_and_then()) settings.metric = all_metrics[rng.below(5)];
+  if (now_and_then()) settings.min_ratio = static_cast<double>(rng.below(101)) / 100;
+  if (now_and_then()) settings.min_ratio = rng.uniform();
+  if (now_and_then()) settings.weight = 1 + static_cast<double>(rng.below(1000)) / 8;
+  if (now_and_then()) settings.weight = std::fabs(any_double(rng, 1e300)) + 5e-324;
+  if (now_and_then()) settings.seed = rng.below(std::numeric_limits<std::uint64_t>::max());
+  if (now_and_then()) {
+    settings.overlays.candidates = rng.below(2) == 0;
+    settings.overlays.chords = rng.below(2) == 0;
+    settings.overlays.hull = rng.below(2) == 0;
+    settings.overlays.clockwise = rng.below(2) == 0;
+    settings.overlays.counterclockwise = rng.below(2) == 0;
+  }
+  if (now_and_then()) settings.step = static_cast<std::uint32_t>(rng.below(1000));
+  return settings;
+}
+
+inline Document random_document(Rng& rng, std::size_t greatest_n) {
+  Document document;
+  document.vertices = random_vertices(rng, rng.below(greatest_n + 1));
+  const std::uint64_t centre = rng.below(4);
+  if (centre == 1) document.centre_of_mass = Vec2(278, 227);
+  if (centre == 2) document.centre_of_mass = random_vertices(rng, 1)[0];
+  if (centre == 3 && !document.vertices.empty()) document.centre_of_mass = document.vertices[0];
+  if (rng.below(2) == 0) document.settings = random_settings(rng);
+  return document;
+}
+
+// The text with a few bytes changed, dropped, doubled or moved.
+inline std::string mutated(Rng& rng, std::string text, std::string_view bytes) {
+  for (std::uint64_t times = 1 + rng.below(4); times > 0 && !text.empty(); --times) {
+    const std::size_t at = rng.below(text.size());
+    const std::size_t length = std::min<std::size_t>(1 + rng.below(6), text.size() - at);
+    const char byte = bytes[rng.below(bytes.size())];
+    switch (rng.below(5)) {
+      case 0:
+        text[at] = byte;
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.insert(at, 1, byte);
+        break;
+      case 3:
+        text.insert(at, text.substr(at, length));
+        break;
+      default:
+        text.resize(at);
+        break;
+    }
+  }
+  return text;
+}
+
+}  // namespace evenlift::testing

@@ -1,0 +1,32 @@
+// Small polygons with settings, one for each number, for comparing the core with the oracle: every
+// family, with a liking for what is hard (ties, points in line, thin, far away). The same on every
+// platform: own generator, own sine.
+#pragma once
+
+#include "oracle.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace small_polygons {
+
+struct Case {
+  std::string name;  // family and what was done to it, for messages
+  oracle::Problem problem;
+};
+
+/// The families, in the order in which `make_case` takes turns with them.
+inline constexpr const char* families[] = {"regular", "convex", "star",      "comb",     "spiral",
+                                           "random",  "grid",   "staircase", "symmetric"};
+
+/// The case of that number, of family number % 9; always valid.
+Case make_case(std::uint64_t number);
+
+/// Points joined in any order, on a grid so small that they often touch: seldom valid.
+Case make_careless_case(std::uint64_t number);
+
+/// Cases made by hand, each for one difficulty; all valid.
+std::vector<Case> hand_made();
+
+}  // namespace small_polygons

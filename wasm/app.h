@@ -1,0 +1,24 @@
+// One page: its state, what it draws from it, and what was asked for since.
+#pragma once
+
+#include "command.h"
+#include "pointer.h"
+#include "scene.h"
+#include "state.h"
+
+namespace evenlift::view {
+
+struct App {
+  AppState state;
+  Scene scene;
+  Commands commands;
+};
+
+// Everything between ImGui::NewFrame() and ImGui::Render(): what the pointer does takes effect at once,
+// what a panel asks for after the frame, by settle().
+void draw_frame(App& app, const Pointer& pointer);
+
+// Applies what was asked for. Returns whether another frame is due.
+bool settle(App& app);
+
+}  // namespace evenlift::view

@@ -1,0 +1,22 @@
+// The browser, by way of web/host.js: each function here only hands over to the one of its name there.
+#include "browser.h"
+
+#include <emscripten/emscripten.h>
+
+#include <string>
+
+EM_JS(void, evenlift_document_changed, (), { Module["host"]["documentChanged"](); })
+EM_JS(void, evenlift_copy_address, (const char* link), { Module["host"]["copyAddress"](UTF8ToString(link)); })
+EM_JS(void, evenlift_announce, (const char* text), { Module["host"]["announce"](UTF8ToString(text)); })
+EM_JS(void, evenlift_open_page, (), { Module["host"]["openPage"](); })
+EM_JS(void, evenlift_measure_screen, (), { Module["host"]["measureScreen"](); })
+
+namespace evenlift::view::browser {
+
+void document_changed() { evenlift_document_changed(); }
+void copy_address(std::string_view link) { evenlift_copy_address(std::string(link).c_str()); }
+void announce(std::string_view text) { evenlift_announce(std::string(text).c_str()); }
+void open_page() { evenlift_open_page(); }
+void measure_screen() { evenlift_measure_screen(); }
+
+}  // namespace evenlift::view::browser

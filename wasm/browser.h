@@ -1,0 +1,28 @@
+// What the view asks of the browser. browser.cpp hands it to web/page.js; browser_native.cpp stands in
+// where there is no browser.
+#pragma once
+
+#include <string_view>
+
+namespace evenlift::view::browser {
+
+// The document changed: the page brings address bar, storage and live region up to date, not at once
+// but at most a few times a second.
+void document_changed();
+
+// Puts the page's address with this link on the clipboard. The page answers with a notice.
+void copy_address(std::string_view link);
+
+// Says a notice to those who cannot see it; nothing takes it back.
+void announce(std::string_view text);
+
+// Opens the page itself, out of an <iframe>, in a new tab.
+void open_page();
+
+// Asks for page_resize() with the present measures.
+void measure_screen();
+
+// Asks for another frame.
+void request_frame();
+
+}  // namespace evenlift::view::browser

@@ -1,0 +1,13 @@
+// Stands in for the browser where the view is built natively, for its tests.
+#include "browser.h"
+
+namespace evenlift::view::browser {
+
+void document_changed() {}
+void copy_address(std::string_view) {}
+void announce(std::string_view) {}
+void open_page() {}
+void measure_screen() {}
+void request_frame() {}
+
+}  // namespace evenlift::view::browser

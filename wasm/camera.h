@@ -1,0 +1,41 @@
+// From polygon coordinates to CSS pixels of the canvas (y down there) and back.
+#pragma once
+
+#include "evenlift/vec.h"
+
+namespace evenlift::view {
+
+// A rectangle in CSS pixels, origin at the canvas's top left.
+struct Rect {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+  Vec2 middle() const { return {(left + right) / 2, (top + bottom) / 2}; }
+  bool operator==(const Rect&) const = default;
+  bool contains(const Vec2& p) const {
+    return p.x() >= left && p.x() < right && p.y() >= top && p.y() < bottom;
+  }
+};
+
+struct Camera {
+  Vec2 centre = Vec2::Zero();  // polygon coordinates of the point drawn at `anchor`
+  Vec2 anchor = Vec2::Zero();  // CSS pixels
+  double scale = 1;            // CSS pixels per unit, > 0
+
+  Vec2 to_screen(const Vec2& world) const;
+  Vec2 to_world(const Vec2& screen) const;
+};
+
+// Shows all points within `room`, as large as fits and no larger than `room` asks for. O(n).
+Camera fit(const Points& points, const Rect& room);
+
+// The point under `about` (CSS pixels) stays there. `smallest` and `largest` bound the scale.
+Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest, double largest);
+
+Camera pan(const Camera& camera, const Vec2& pixels);
+
+// The coordinates nearest to `world` with no more decimals than a pixel needs (a step of at most one
+// pixel): what is dragged gets numbers that people can read and links that stay short.
+Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world);
+
+}  // namespace evenlift::view

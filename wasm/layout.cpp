@@ -1,0 +1,68 @@
+#include "layout.h"
+
+#include <algorithm>
+
+namespace evenlift::view {
+namespace {
+
+constexpr double panel_width = 328, rail_width = 48, toolbar_height = 48;
+
+// Room around the polygon for what stands beside it: robots and their loads.
+Rect room_in(const Rect& free, double beside, double above, double below) {
+  const double x = std::min(beside, free.width() / 6), most = free.height() / 6;
+  return {free.left + x, free.top + std::min(above, most), free.right - x, free.bottom - std::min(below, most)};
+}
+
+Layout embedded(const Screen& screen) {
+  Layout l;
+  l.margin = 12;
+  l.free = {0, 0, screen.width, screen.height};
+  l.toolbar = {l.margin, l.margin, screen.width, l.margin + toolbar_height};
+  l.room = room_in(l.free, 72, 60, 60);
+  return l;
+}
+
+Layout wide(const AppState& state) {
+  Layout l;
+  const Screen& screen = state.screen;
+  const double width = state.panel_open ? panel_width : rail_width;
+  l.control = screen.finger ? 44 : 32;
+  l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin, screen.height - l.margin};
+  l.toolbar = {l.margin, l.margin, l.panel.left - l.margin, l.margin + toolbar_height};
+  const double tools_width = 3 * l.control + 4 + 16, tools_height = l.control + 16;
+  l.tools = {l.margin, screen.height - l.margin - tools_height, l.margin + tools_width, screen.height - l.margin};
+  l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
+  l.room = room_in(l.free, 88, 56, 84);
+  return l;
+}
+
+Layout narrow(const AppState& state) {
+  Layout l;
+  const Screen& screen = state.screen;
+  l.wide = false;
+  l.control = 44;
+  l.margin = 8;
+  double height = std::min(state.closed_sheet_height, screen.height * 0.45);
+  if (state.sheet == Sheet::half) height = screen.height * 0.45;
+  if (state.sheet == Sheet::full) height = screen.height - toolbar_height - 3 * l.margin;
+  l.panel = {0, screen.height - height, screen.width, screen.height};
+  l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + toolbar_height};
+  // Pulled up to the top, the sheet covers the drawing for a moment; the drawing does not follow.
+  const double below = std::min(height, screen.height * 0.45);
+  l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
+  l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - 48, screen.width - l.margin, l.panel.top - l.margin};
+  l.room = room_in(l.free, 60, 52, 52);
+  return l;
+}
+
+}  // namespace
+
+Layout layout(const AppState& state) {
+  const Screen& screen = state.screen;
+  if (screen.embed) return embedded(screen);
+  // A phone on its side is wide, too: a sheet would leave nothing of the drawing.
+  const bool side = screen.width >= 900 || (screen.width >= 640 && screen.width > screen.height);
+  return side ? wide(state) : narrow(state);
+}
+
+}  // namespace evenlift::view

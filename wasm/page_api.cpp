@@ -1,0 +1,170 @@
+#include "page_api.h"
+
+#include <emscripten/emscripten.h>
+
+#include <string>
+#include <string_view>
+
+#include "actions.h"
+#include "browser.h"
+#include "evenlift/formats.h"
+#include "evenlift/link.h"
+#include "evenlift/output/json.h"
+#include "evenlift/output/svg.h"
+#include "format.h"
+#include "opening_sample.h"
+#include "set_settings.h"
+#include "summary.h"
+#include "update.h"
+
+namespace evenlift::view {
+namespace {
+
+// Keeps a text alive for JavaScript to read.
+const char* hand_over(std::string text) {
+  static std::string kept;
+  kept = std::move(text);
+  return kept.c_str();
+}
+
+const char* no_error() { return ""; }
+
+void open_undoably(Document document) {
+  AppState& state = app().state;
+  Commands commands{OpenDocument{std::move(document)}};
+  apply(state, commands);
+  frame_view(state);
+  browser::request_frame();
+}
+
+std::string link_or_nothing(const Document& document) {
+  Result<std::string> link = encode_link(document);
+  return link ? std::move(link).value() : std::string();
+}
+
+}  // namespace
+
+App& app() {
+  static App the_app;
+  return the_app;
+}
+
+}  // namespace evenlift::view
+
+using namespace evenlift::view;
+using evenlift::Document;
+using evenlift::Result;
+
+extern "C" {
+
+// --- Start -----------------------------------------------------------------------------------------------------------
+
+// Opens the fragment's link, else the work that was kept, else the first sample. Returns why the link
+// could not be read, or nothing. `draft` is what was being edited when it was refused.
+EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* work, const char* draft, int embed) {
+  AppState& state = app().state;
+  state.screen.embed = embed != 0;
+  std::string problem;
+  std::optional<Document> linked, kept;
+  if (*fragment) {
+    Result<Document> read = read_link(fragment);
+    if (read) linked = std::move(read).value();
+    else problem = sentence(read.error());
+  }
+  if (*work) {
+    Result<Document> read = read_document(work);
+    if (read) kept = std::move(read).value();
+  }
+  if (linked) {
+    start_with(state, std::move(*linked), kept);
+  } else if (kept) {
+    start_with(state, std::move(*kept), std::nullopt);
+    const Result<Document> edited = evenlift::decode_link(draft);
+    if (edited) open_undoably(*edited);
+  } else {
+    start_with(state, std::move(read_document(opening_sample())).value(), std::nullopt);
+  }
+  return hand_over(problem);
+}
+
+EMSCRIPTEN_KEEPALIVE void page_sample(const char* group, const char* title, const char* text) {
+  app().state.samples.push_back({group, title, text});
+}
+
+// --- window.evenlift -------------------------------------------------------------------------------------------------
+
+EMSCRIPTEN_KEEPALIVE const char* page_state() {
+  return hand_over(placement_json(*app().state.placement, true));
+}
+
+// Returns why it was refused, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
+  Result<Document> document = read_document(text);
+  if (!document) return hand_over(sentence(document.error()));
+  open_undoably(std::move(document).value());
+  return no_error();
+}
+
+// The same for a fragment, which is a link or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
+  Result<Document> document = read_link(fragment);
+  if (!document) return hand_over(sentence(document.error()));
+  open_undoably(std::move(document).value());
+  return no_error();
+}
+
+// `changes` is a line `name=value` for each; all of them or, with a reason, none.
+EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
+  AppState& state = app().state;
+  const Result<Document> changed = with_settings(state.placed, changes);
+  if (!changed) return hand_over(sentence(changed.error()));
+  if (const auto error = try_edit(state, *changed)) return hand_over(sentence(*error));
+  browser::request_frame();
+  return no_error();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* page_link() { return hand_over(link_or_nothing(app().state.placed)); }
+EMSCRIPTEN_KEEPALIVE const char* page_svg() { return hand_over(placement_svg(*app().state.placement)); }
+EMSCRIPTEN_KEEPALIVE const char* page_text() { return hand_over(evenlift::write_thesis(app().state.placed)); }
+
+EMSCRIPTEN_KEEPALIVE double page_screen_x(double x, double y) { return app().state.camera.to_screen({x, y}).x(); }
+EMSCRIPTEN_KEEPALIVE double page_screen_y(double x, double y) { return app().state.camera.to_screen({x, y}).y(); }
+EMSCRIPTEN_KEEPALIVE double page_world_x(double x, double y) { return app().state.camera.to_world({x, y}).x(); }
+EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) { return app().state.camera.to_world({x, y}).y(); }
+
+// --- The page around the canvas --------------------------------------------------------------------------------------
+
+// The link of what is being edited while it is refused, else nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_draft() {
+  const AppState& state = app().state;
+  return hand_over(state.refusal ? link_or_nothing(state.document) : std::string());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* page_summary() { return hand_over(summary(app().state)); }
+
+EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coarse_pointer) {
+  Screen& screen = app().state.screen;
+  screen.dark = dark != 0;
+  screen.reduced_motion = reduced_motion != 0;
+  screen.finger = coarse_pointer != 0;
+  browser::request_frame();
+}
+
+EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
+  Commands commands{ShowNotice{{problem ? Notice::Kind::problem : Notice::Kind::info, text}}};
+  apply(app().state, commands);
+  browser::request_frame();
+}
+
+// A key as KeyboardEvent.key names it. Whether the page used it; otherwise it is the browser's.
+EMSCRIPTEN_KEEPALIVE int page_key(const char* name, int command, int shift) {
+  App& a = app();
+  const Action* action = action_for(a.state, {name, command != 0, shift != 0});
+  if (!action) return 0;
+  action->run(a.state, a.commands);
+  settle(a);
+  browser::request_frame();
+  return 1;
+}
+
+}  // extern "C"

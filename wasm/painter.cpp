@@ -1,0 +1,124 @@
+#include "painter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace evenlift::view {
+namespace {
+
+constexpr double margin = 40;  // CSS pixels beyond the window that are still drawn: widths, fringes
+
+ImVec2 vec(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
+
+// Sutherland and Hodgman's step: what lies on the side where `inside` is at least 0.
+template <class Inside>
+Points cut(const Points& polygon, Inside inside) {
+  Points kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const double at_a = inside(a), at_b = inside(b);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a < 0) != (at_b < 0)) kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+  }
+  return kept;
+}
+
+}  // namespace
+
+ImVec2 Painter::at(const Vec2& world) const { return vec(camera_.to_screen(world)); }
+
+void Painter::fill(const Points& polygon, const std::vector<std::uint32_t>& triangles, Colour colour) const {
+  if (triangles.empty()) return;
+  const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
+  const ImU32 packed = colour.at(strength_).packed();
+  list_.PrimReserve(static_cast<int>(triangles.size()), static_cast<int>(polygon.size()));
+  const unsigned first = list_._VtxCurrentIdx;
+  for (std::uint32_t corner : triangles) list_.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
+  for (const Vec2& p : polygon) list_.PrimWriteVtx(at(p), uv, packed);
+}
+
+Points Painter::clipped(const Points& counter_clockwise) const {
+  Points area;
+  area.reserve(counter_clockwise.size() + 4);
+  for (auto p = counter_clockwise.rbegin(); p != counter_clockwise.rend(); ++p) area.push_back(camera_.to_screen(*p));
+  area = cut(area, [&](const Vec2& p) { return p.x() - (window_.left - margin); });
+  area = cut(area, [&](const Vec2& p) { return window_.right + margin - p.x(); });
+  area = cut(area, [&](const Vec2& p) { return p.y() - (window_.top - margin); });
+  return cut(area, [&](const Vec2& p) { return window_.bottom + margin - p.y(); });
+}
+
+void Painter::fill_convex(const Points& counter_clockwise, Colour colour) const {
+  const Points area = clipped(counter_clockwise);
+  if (area.size() < 3) return;
+  for (const Vec2& p : area) list_.PathLineTo(vec(p));
+  list_.PathFillConvex(colour.at(strength_).packed());
+}
+
+void Painter::outline(const Points& polygon, Colour colour, float width, bool closed) const {
+  if (polygon.empty()) return;
+  for (const Vec2& p : polygon) list_.PathLineTo(at(p));
+  list_.PathStroke(colour.at(strength_).packed(), closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+}
+
+bool Painter::clip(Vec2& a, Vec2& b) const {
+  double from = 0, to = 1;
+  const Vec2 along = b - a;
+  const auto bound = [&](double start, double step, double low, double high) {
+    if (step == 0) return start >= low && start <= high;
+    const double first = (low - start) / step, second = (high - start) / step;
+    from = std::max(from, std::min(first, second));
+    to = std::min(to, std::max(first, second));
+    return from < to;
+  };
+  if (!bound(a.x(), along.x(), window_.left - margin, window_.right + margin)) return false;
+  if (!bound(a.y(), along.y(), window_.top - margin, window_.bottom + margin)) return false;
+  const Vec2 start = a;
+  a = start + along * from;
+  b = start + along * to;
+  return true;
+}
+
+void Painter::line(const Vec2& a, const Vec2& b, Colour colour, float width) const {
+  Vec2 from = camera_.to_screen(a), to = camera_.to_screen(b);
+  if (clip(from, to)) list_.AddLine(vec(from), vec(to), colour.at(strength_).packed(), width);
+}
+
+void Painter::dashes(const Vec2& a, const Vec2& b, Colour colour, float width) const {
+  Vec2 from = camera_.to_screen(a), to = camera_.to_screen(b);
+  if (!clip(from, to)) return;
+  constexpr double dash = 5, period = 9;
+  const double all = length(to - from);
+  const Vec2 along = (to - from) / std::max(all, 1e-9);
+  const ImU32 packed = colour.at(strength_).packed();
+  for (double s = 0; s < all; s += period) {
+    list_.AddLine(vec(from + along * s), vec(from + along * std::min(s + dash, all)), packed, width);
+  }
+}
+
+void Painter::hatch_convex(const Points& counter_clockwise, bool rising, Colour colour) const {
+  const Points area = clipped(counter_clockwise);
+  if (area.size() < 3) return;
+  // A line is where x + y (rising: y grows downwards) or x − y is a constant c.
+  const double sign = rising ? 1 : -1;
+  const auto c_of = [&](const Vec2& p) { return p.x() + sign * p.y(); };
+  double low = c_of(area[0]), high = low;
+  for (const Vec2& p : area) {
+    low = std::min(low, c_of(p));
+    high = std::max(high, c_of(p));
+  }
+  constexpr double period = 13;
+  const double phase = std::fmod(c_of(camera_.to_screen(Vec2(0, 0))), period);
+  const ImU32 packed = colour.at(strength_).packed();
+  for (double c = std::floor((low - phase) / period) * period + phase; c <= high; c += period) {
+    Points ends;
+    for (std::size_t i = 0; i < area.size() && ends.size() < 2; ++i) {
+      const Vec2 &a = area[i], &b = area[i + 1 == area.size() ? 0 : i + 1];
+      const double at_a = c_of(a) - c, at_b = c_of(b) - c;
+      if ((at_a < 0) != (at_b < 0)) ends.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+    }
+    if (ends.size() == 2) list_.AddLine(vec(ends[0]), vec(ends[1]), packed, 1.2f);
+  }
+}
+
+}  // namespace evenlift::view

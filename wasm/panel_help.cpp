@@ -1,0 +1,48 @@
+// Every key, from the table of actions.
+#include "actions.h"
+#include "panels.h"
+#include "widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+void key_row(const Ui& ui, const char* label, const char* keys) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, Face::label, ImVec2(low.x, low.y + 5), ui.theme.text, label);
+  const ImVec2 size = text_size(Face::strong_label, keys);
+  const ImVec2 box(low.x + width - size.x - 14, low.y + 1);
+  list.AddRectFilled(box, ImVec2(low.x + width, low.y + 25), ui.theme.well.packed(), 5);
+  draw_text(list, Face::strong_label, ImVec2(box.x + 7, low.y + 5), ui.theme.text, keys);
+  ImGui::Dummy(ImVec2(width, 26));
+}
+
+}  // namespace
+
+void draw_help(const Ui& ui) {
+  if (!ui.state.help_open) return;
+  const Screen& screen = ui.state.screen;
+  const double width = std::min(380.0, screen.width - 16), height = screen.height - 96;
+  const double left = (ui.layout.wide ? ui.layout.free.middle().x() : screen.width / 2) - width / 2;
+  begin_card(ui, "help", {left, 80, left + width, 80 + height});
+  ImGui::SetWindowFocus();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  text_line(Face::verdict, ui.theme.text, "Keys");
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ImGui::GetContentRegionAvail().x - 32, at.y - 6));
+  if (icon_button(ui, "close", Icon::close, true, "Close (Esc)", 32)) ui.push(SetHelpOpen{false});
+  ImGui::SetCursorScreenPos(after);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 2));
+  for (const Action& a : actions()) {
+    if (*a.shown) key_row(ui, a.label, a.shown);
+  }
+  rule(ui);
+  text_block(Face::label, ui.theme.second_text,
+             "Drag a vertex or the centre of mass. Drag the ground to move the view; scroll or pinch to zoom. "
+             "Double-click an edge to add a vertex. Ctrl is Cmd on a Mac.");
+  ImGui::PopStyleVar();
+  end_card();
+}
+
+}  // namespace evenlift::view

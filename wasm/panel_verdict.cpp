@@ -1,0 +1,28 @@
+// The verdict: a sentence, large, with an icon that says the same without words.
+#include "panels.h"
+#include "summary.h"
+#include "widgets.h"
+
+namespace evenlift::view {
+
+void draw_verdict(const Ui& ui) {
+  const Verdict v = verdict(ui.state);
+  const bool good = v.mood == Mood::good;
+  const Icon icon = good ? Icon::check : v.mood == Mood::not_quite ? Icon::warning : Icon::stop;
+  const Colour disc = good ? ui.theme.hull_outline : ui.theme.amber;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircleFilled(ImVec2(at.x + 11, at.y + 14), 11, disc.packed(), 32);
+  draw_icon(list, icon, ImVec2(at.x + 11, at.y + 14), 15, ui.theme.panel);
+
+  ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y));
+  ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
+  // The fold button stands to the right of the first lines.
+  text_block(Face::verdict, ui.theme.text, v.headline, ui.layout.wide ? ui.control() - 8 : 0);
+  if (!v.detail.empty()) text_block(Face::text, ui.theme.second_text, v.detail);
+  ImGui::PopStyleVar();
+  ImGui::EndGroup();
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,103 @@
+#include "panels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "actions.h"
+#include "widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+// Top to bottom.
+constexpr Panel side_panel[] = {
+    {"verdict", draw_verdict}, {"settings", draw_settings}, {"overlays", draw_overlays},
+    {"teams", draw_teams},     {"numbers", draw_numbers},
+};
+
+void draw_sections(const Ui& ui, std::size_t from) {
+  for (std::size_t i = from; i < std::size(side_panel); ++i) {
+    if (i > from) rule(ui);
+    ImGui::PushID(side_panel[i].name);
+    side_panel[i].draw(ui);
+    ImGui::PopID();
+  }
+}
+
+// A button of the panel's own corner, above its content.
+void draw_fold_button(const Ui& ui, Icon icon, bool open, const char* about) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.control() - 8;
+  ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetWindowPos().y + 8 - ImGui::GetScrollY()));
+  if (icon_button(ui, "fold", icon, true, about, ui.control())) ui.push(SetPanelOpen{open});
+  ImGui::SetCursorScreenPos(at);
+}
+
+void draw_side_panel(const Ui& ui) {
+  begin_card(ui, "panel", ui.layout.panel);
+  draw_fold_button(ui, Icon::fold, false, "Fold the panel away (P)");
+  draw_sections(ui, 0);
+  end_card();
+}
+
+void draw_rail(const Ui& ui) {
+  const Rect place{ui.layout.panel.left, ui.layout.panel.top, ui.layout.panel.right, ui.layout.panel.top + 48};
+  begin_card(ui, "rail", place, {.fixed_height = true, .padding = 8});
+  if (icon_button(ui, "unfold", Icon::unfold, true, "Show the panel (P)", 32)) ui.push(SetPanelOpen{true});
+  end_card();
+}
+
+// The handle of the sheet: pressed it opens a step or closes, dragged it follows the finger.
+void draw_handle(const Ui& ui) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool pressed = ImGui::InvisibleButton("handle", ImVec2(width, 24));
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float x = low.x + width / 2, y = low.y + 8;
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 20, y - 2), ImVec2(x + 20, y + 2), ui.theme.quiet.packed(), 2);
+  const float dragged = ImGui::GetIO().MousePos.y - ImGui::GetIO().MouseClickedPos[0].y;
+  if (ImGui::IsItemDeactivated() && std::abs(dragged) > 24) {
+    const int step = std::abs(dragged) > 260 ? 2 : 1;
+    const int wanted = static_cast<int>(ui.state.sheet) + (dragged < 0 ? step : -step);
+    ui.push(SetSheet{static_cast<Sheet>(std::clamp(wanted, 0, 2))});
+  } else if (pressed) {
+    ui.push(SetSheet{ui.state.sheet == Sheet::closed ? Sheet::half
+                     : ui.state.sheet == Sheet::half ? Sheet::full
+                                                     : Sheet::closed});
+  }
+}
+
+void draw_sheet(const Ui& ui) {
+  begin_card(ui, "sheet", ui.layout.panel, {.fixed_height = true, .padding = 16, .scrolls = ui.state.sheet != Sheet::closed});
+  ImGui::SetCursorPosY(4);
+  draw_handle(ui);
+  ImGui::PushID("closed");
+  draw_verdict(ui);
+  draw_teams_stepper(ui);
+  ImGui::PopID();
+  const double closed = static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y + ImGui::GetScrollY()) + 16;
+  if (std::abs(closed - ui.state.closed_sheet_height) > 0.5) ui.push(MeasureSheet{closed});
+  if (ui.state.sheet != Sheet::closed) {
+    rule(ui);
+    draw_sections(ui, 1);
+  }
+  end_card();
+}
+
+}  // namespace
+
+void draw_panels(const AppState& state, Commands& commands) {
+  const Layout places = layout(state);
+  apply_style(state, places.control);
+  const Ui ui{state, theme(state), places, commands};
+  if (!state.screen.embed) {
+    if (!places.wide) draw_sheet(ui);
+    else if (state.panel_open) draw_side_panel(ui);
+    else draw_rail(ui);
+    draw_view_tools(ui);
+    draw_help(ui);
+  }
+  draw_toolbar(ui);
+  draw_notice(ui);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,30 @@
+// The panels, in one table.
+#pragma once
+
+#include "ui.h"
+
+namespace evenlift::view {
+
+// A section of the side panel (or sheet).
+struct Panel {
+  const char* name;
+  void (*draw)(const Ui&);
+};
+
+void draw_panels(const AppState& state, Commands& commands);
+
+// The sections, each in its own file.
+void draw_verdict(const Ui& ui);
+void draw_settings(const Ui& ui);
+void draw_teams_stepper(const Ui& ui);
+void draw_overlays(const Ui& ui);
+void draw_teams(const Ui& ui);
+void draw_numbers(const Ui& ui);
+
+// What floats by itself.
+void draw_toolbar(const Ui& ui);
+void draw_view_tools(const Ui& ui);
+void draw_notice(const Ui& ui);
+void draw_help(const Ui& ui);
+
+}  // namespace evenlift::view

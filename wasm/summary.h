@@ -1,0 +1,27 @@
+// The result in words: the verdict at the top of the panel, and all of it for those who cannot see the
+// canvas.
+#pragma once
+
+#include <string>
+
+#include "state.h"
+
+namespace evenlift::view {
+
+enum class Mood : std::uint8_t { good, not_quite, refused };
+
+struct Verdict {
+  Mood mood = Mood::good;
+  std::string headline;  // "6 robots, each 15.2–18.1 kg of 100."
+  std::string detail;    // "81 % of the object is safe to push on. It can still turn clockwise."
+};
+
+Verdict verdict(const AppState& state);
+
+// What can still move: "It cannot move.", "It can still turn clockwise and slide."
+std::string freedom(const Closure& closure);
+
+// Verdict, teams and their loads, each a sentence: the text of the page's live region. O(teams).
+std::string summary(const AppState& state);
+
+}  // namespace evenlift::view

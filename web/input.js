@@ -1,0 +1,45 @@
+// Keys, and those habits of browsers that the program's own event handling does not cover.
+export function connectInput(program, { embed }) {
+  const canvas = document.getElementById("canvas");
+  connectKeys(program, canvas);
+
+  const root = document.documentElement;
+  addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
+  canvas.addEventListener("pointerdown", (event) => {
+    root.classList.remove("by-key");
+    // Preventing mousedown's default, as SDL does, also prevents the focus; and without capture a drag ends at the
+    // window's edge.
+    canvas.focus({ preventScroll: true });
+    if (event.pointerType === "mouse") canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+
+  addEventListener("wheel", (event) => {
+    if (event.target !== canvas) return;
+    if (event.ctrlKey) {
+      // How browsers report a trackpad's pinch; it must not zoom the page.
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      program.call("page_pinch", event.clientX, event.clientY, Math.exp(-event.deltaY * 0.01));
+    } else if (embed && document.activeElement !== canvas) {
+      // In somebody's article the wheel scrolls the article until the reader takes hold of the figure.
+      event.stopImmediatePropagation();
+    }
+  }, { capture: true, passive: false });
+}
+
+function connectKeys(program, canvas) {
+  const ours = (event) => event.target === canvas || event.target === document.body;
+  addEventListener("keydown", (event) => {
+    if (!ours(event)) return;
+    // SDL would keep every key from the browser: it sees none of them.
+    event.stopImmediatePropagation();
+    if (event.altKey || event.isComposing) return;
+    const command = event.ctrlKey || event.metaKey;
+    if (command && event.key.toLowerCase() === "c" && String(getSelection())) return;
+    if (program.number("page_key", event.key, command ? 1 : 0, event.shiftKey ? 1 : 0)) event.preventDefault();
+  }, { capture: true });
+  for (const type of ["keyup", "keypress"]) {
+    addEventListener(type, (event) => ours(event) && event.stopImmediatePropagation(), { capture: true });
+  }
+}

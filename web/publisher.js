@@ -1,0 +1,103 @@
+// Brings what the browser keeps up to date with the document: address bar and storage a few times a second at most
+// (browsers refuse more), the summary for screen readers when there is a pause.
+const betweenWrites = 400;
+const beforeSpeaking = 600;
+const workKey = "evenlift.work";
+const draftKey = "evenlift.draft";
+const addressKey = "evenlift.address";
+
+// Where storage is forbidden, naming it throws.
+const lasting = () => localStorage;
+const ofThisTab = () => sessionStorage;
+
+export class Publisher {
+  #program = null;
+  #embed;
+  #lastWrite = -Infinity;
+  #writeTimer = 0;
+  #speakTimer = 0;
+
+  constructor({ embed }) {
+    this.#embed = embed;
+    addEventListener("pagehide", () => this.#leave());
+    document.addEventListener("visibilitychange", () => document.hidden && this.#leave());
+  }
+
+  // From here on changes are published; what was opened at the start is not yet one.
+  connect(program) {
+    this.#program = program;
+    this.#speak();
+  }
+
+  // What was open here last, and whether this fragment is only what this tab itself wrote into the address bar: then
+  // the work is at least as new.
+  kept(fragment) {
+    if (this.#embed) return { work: "", draft: "", own: false };
+    const work = read(lasting, workKey);
+    const own = work !== "" && fragment === read(ofThisTab, addressKey);
+    return { work, draft: read(lasting, draftKey), own };
+  }
+
+  changed() {
+    if (!this.#program) return;
+    const wait = Math.max(0, this.#lastWrite + betweenWrites - performance.now());
+    this.#writeTimer ||= setTimeout(() => this.#write(), wait);
+    clearTimeout(this.#speakTimer);
+    this.#speakTimer = setTimeout(() => this.#speak(), beforeSpeaking);
+  }
+
+  // Writes what is waiting to be written.
+  flush() {
+    if (this.#writeTimer) this.#write();
+  }
+
+  // The last moment. The address bar takes nothing new any more; a reload would ask for the old address.
+  #leave() {
+    if (this.#writeTimer) this.#keep(this.#program.text("page_link"));
+  }
+
+  notice(text, problem) {
+    this.#program?.call("page_notice", text, problem ? 1 : 0);
+  }
+
+  #write() {
+    clearTimeout(this.#writeTimer);
+    this.#writeTimer = 0;
+    this.#lastWrite = performance.now();
+    const link = this.#program.text("page_link");
+    // A polygon too large for a link leaves an address without one: an old link would be a lie.
+    const url = new URL(location.href);
+    url.hash = link;
+    if (url.href !== location.href) history.replaceState(history.state, "", url);
+    this.#keep(link);
+    if (!this.#embed) write(ofThisTab, addressKey, link);
+  }
+
+  #keep(link) {
+    if (this.#embed) return;
+    write(lasting, workKey, link || this.#program.text("page_text"));
+    write(lasting, draftKey, this.#program.text("page_draft"));
+  }
+
+  #speak() {
+    document.getElementById("summary").textContent = this.#program.text("page_summary");
+  }
+}
+
+// Storage may be full, or forbidden altogether; the page works without.
+function read(storage, key) {
+  try {
+    return storage().getItem(key) ?? "";
+  } catch {
+    return "";
+  }
+}
+
+function write(storage, key, text) {
+  try {
+    if (text) storage().setItem(key, text);
+    else storage().removeItem(key);
+  } catch {
+    // The address bar still holds the work.
+  }
+}

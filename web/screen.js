@@ -1,0 +1,64 @@
+// Tells the program about the canvas's size in CSS and device pixels, the person's preferences, and a lost WebGL context.
+export function connectScreen(program) {
+  const canvas = document.getElementById("canvas");
+  const measure = followSize(program, canvas);
+  followPreferences(program);
+  followContext(program, canvas);
+  return { measure };
+}
+
+function followSize(program, canvas) {
+  // The exact number of device pixels, which rounding only guesses at fractional ratios. Emulated screens report CSS
+  // pixels here: what is more than rounding away is not believed.
+  const measure = (exact) => {
+    const { width, height } = canvas.getBoundingClientRect();
+    if (!(width > 0 && height > 0)) return;
+    const pixels = (css, told) => {
+      const guess = css * devicePixelRatio;
+      return told && Math.abs(told - guess) < 2 ? told : Math.round(guess);
+    };
+    program.call("page_resize", width, height, devicePixelRatio, pixels(width, exact?.inlineSize), pixels(height, exact?.blockSize));
+  };
+  const observer = new ResizeObserver(([entry]) => measure(entry.devicePixelContentBoxSize?.[0]));
+  try {
+    observer.observe(canvas, { box: "device-pixel-content-box" });
+  } catch {
+    observer.observe(canvas);
+  }
+  measure();
+  addEventListener("resize", () => measure());
+  followRatio(() => measure());
+  return measure;
+}
+
+// A media query for the present ratio changes when the window goes to another screen.
+function followRatio(changed) {
+  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
+    changed();
+    followRatio(changed);
+  }, { once: true });
+}
+
+function followPreferences(program) {
+  const queries = ["(prefers-color-scheme: dark)", "(prefers-reduced-motion: reduce)", "(pointer: coarse)"]
+    .map((query) => matchMedia(query));
+  const tell = () => program.call("page_preferences", ...queries.map((query) => (query.matches ? 1 : 0)));
+  for (const query of queries) query.addEventListener("change", tell);
+  tell();
+}
+
+function followContext(program, canvas) {
+  const cover = document.getElementById("cover");
+  const progress = document.getElementById("progress");
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();  // else it never comes back
+    program.call("page_context", 1);
+    progress.textContent = "The graphics system took a break. The drawing comes back as soon as it can; nothing is lost.";
+    cover.classList.add("see-through");
+    cover.classList.remove("done");
+  });
+  canvas.addEventListener("webglcontextrestored", () => {
+    program.call("page_context", 0);
+    cover.classList.add("done");
+  });
+}
