@@ -117,9 +117,14 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
     foreach(part TEST AUDIO HAPTIC JOYSTICK SENSOR POWER)
       set(SDL_${part} OFF CACHE BOOL "" FORCE)
     endforeach()
-    FetchContent_Declare(
-      SDL2 GIT_REPOSITORY https://github.com/libsdl-org/SDL.git
-      GIT_TAG ac13ca9ab691e13e8eebe9684740ddcb0d716203) # release-2.26.5
+    # From 3.1.31 on, Emscripten leaves out JavaScript functions that nobody names; SDL2 names them from 2.28.4 on, in
+    # a way that old Emscripten does not know.
+    if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.31)
+      set(commit ac13ca9ab691e13e8eebe9684740ddcb0d716203) # release-2.26.5
+    else()
+      set(commit 5d249570393f7a37e037abf22cd6012a4cc56a71) # release-2.32.10
+    endif()
+    FetchContent_Declare(SDL2 GIT_REPOSITORY https://github.com/libsdl-org/SDL.git GIT_TAG ${commit})
     FetchContent_MakeAvailable(SDL2)
   endif()
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "commands.h"
 #include "evenlift/formats.h"
@@ -40,12 +41,12 @@ std::string point(const Vec2& p, int decimals) {
 
 // Enough to find the place on the object: four digits of its size.
 int coordinate_decimals(const Points& vertices) {
-  double least = vertices[0].x(), most = least;
+  Vec2 low = vertices[0], high = vertices[0];
   for (const Vec2& v : vertices) {
-    least = std::min({least, v.x(), v.y()});
-    most = std::max({most, v.x(), v.y()});
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
   }
-  return std::min(decimals_for(most - least) + 1, 9);
+  return std::min(decimals_for((high - low).maxCoeff()) + 1, 9);
 }
 
 std::string team_table(const Placement& placement) {
@@ -60,20 +61,20 @@ std::string team_table(const Placement& placement) {
 }
 
 std::string candidate_table(const Placement& placement) {
+  std::vector<std::string> team(placement.candidates.size(), "-");
+  for (std::size_t i = 0; i < placement.team_candidates.size(); ++i)
+    if (placement.team_candidates[i] >= 0)
+      team[static_cast<std::size_t>(placement.team_candidates[i])] = std::to_string(i + 1);
   const int coordinates = coordinate_decimals(placement.vertices);
   std::vector<Row> rows = {{"candidate", "ratio", "kind", "from", "to", "team"}};
   for (std::size_t i = 0; i < placement.candidates.size(); ++i) {
     const Candidate& candidate = placement.candidates[i];
-    const auto team = std::find(placement.team_candidates.begin(), placement.team_candidates.end(),
-                                static_cast<std::int64_t>(i));
-    const auto number = static_cast<std::size_t>(team - placement.team_candidates.begin()) + 1;
     rows.push_back({std::to_string(i + 1), fixed(candidate.chord.ratio, 3),
                     std::string(name(candidate.kind)),
                     point(candidate.chord.r1.position, coordinates),
-                    point(candidate.chord.r2.position, coordinates),
-                    number <= placement.teams.size() ? std::to_string(number) : "-"});
+                    point(candidate.chord.r2.position, coordinates), team[i]});
   }
-  return rows.size() == 1 ? "" : table(rows);
+  return table(rows);
 }
 
 std::string facts(const Placement& placement) {
@@ -96,7 +97,10 @@ std::string facts(const Placement& placement) {
   const Closure& closure = placement.closure;
   text += "  closure         ";
   text += closure.form_closure ? "form closure" : closure.second_order ? "second order" : "none";
-  if (closure.margin) text += ", margin " + fixed(*closure.margin, 3);
+  if (closure.margin) {
+    const double size = std::fabs(*closure.margin);
+    text += ", margin " + fixed(*closure.margin, size < 1e-9 ? 0 : std::max(3, decimals_for(size)));
+  }
   return text + "\n";
 }
 

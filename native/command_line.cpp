@@ -13,7 +13,7 @@ bool among(const std::vector<std::string>& options, const std::string& option) {
   return std::find(options.begin(), options.end(), option) != options.end();
 }
 
-// "Options:" before what they are for, aligned; CLI11's own layout otherwise.
+// CLI11's layout, but with a usage line that names the arguments and options without "REQUIRED".
 class Layout : public CLI::Formatter {
  public:
   std::string make_usage(const CLI::App* app, std::string name) const override {

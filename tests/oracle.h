@@ -70,9 +70,10 @@ struct Candidate {
   std::array<Point, 2> ends;  // which end comes first means nothing
   double ratio = 0;           // (0, 1]
   Kind kind = Kind::vertex;
-  // Of duplicates that were merged into it, how much less the least ratio was: which one stands is
-  // then a matter of less than the tolerance, and so is its exact ratio.
-  double ratio_slack = 0;
+  // Of duplicates that were merged into it: how much less the least ratio was, and how far the ends
+  // were apart, at most. Both are matters of less than the tolerance, and which of equal ratios
+  // stands is one of rounding.
+  double ratio_slack = 0, ends_slack = 0;
 };
 
 struct ExactShape;   // the polygon relative to C, in rationals
@@ -134,6 +135,10 @@ struct Closure {
   bool second_order = false;
   std::optional<double> margin;  // absent without contacts
   ClosestCall closest_call;
+  // The least sine, above the tolerance, between two opposite normals. If it is small, the centre
+  // of a region without area lies where two lines cross that are nearly one, and no rounding may
+  // come before that.
+  double flattest_crossing = 1;
 };
 
 struct Judgement {

@@ -197,6 +197,7 @@ ExactChord standing_one(std::vector<ExactChord> same, Calls& calls) {
   for (const ExactChord& c : same) {
     best.kind = std::min(best.kind, c.kind);
     best.ratio_slack = std::max<Real>(best.ratio_slack, best.ratio - c.ratio);
+    best.ends_slack = std::max<Real>(best.ends_slack, apart(best, c));
   }
   return best;
 }
@@ -236,7 +237,8 @@ CandidateList packed(CandidateList list, std::vector<ExactChord> chords) {
     list.candidates.push_back({{rounded(*list.shape, c.ends[0]), rounded(*list.shape, c.ends[1])},
                                static_cast<double>(c.ratio),
                                c.kind,
-                               static_cast<double>(c.ratio_slack)});
+                               static_cast<double>(c.ratio_slack),
+                               static_cast<double>(c.ends_slack)});
   list.chords = std::make_shared<ExactChords>(ExactChords{std::move(chords)});
   return list;
 }
@@ -244,7 +246,7 @@ CandidateList packed(CandidateList list, std::vector<ExactChord> chords) {
 }  // namespace
 
 ExactChord exact_chord(const ExactVec& end0, const ExactVec& end1, Kind kind, const Real& ratio) {
-  ExactChord c{{end0, end1}, {real(end0), real(end1)}, ratio, 0, {0, 0}, kind, 0};
+  ExactChord c{{end0, end1}, {real(end0), real(end1)}, ratio, 0, {0, 0}, kind, 0, 0};
   c.direction = c.real_ends[1] - c.real_ends[0];
   if (c.direction.x < 0 || (c.direction.x == 0 && c.direction.y < 0)) c.direction = -c.direction;
   c.length = length(c.direction);

@@ -149,46 +149,46 @@ Region region(const std::vector<Contact>& contacts, const std::vector<Balance>& 
   return r;
 }
 
-/// Where the points on the line through `from` along the unit vector `way` leave the region widened
-/// by w.
+/// The points from + s way, s in [first, last], that lie in the region widened by w; an end that
+/// nothing sets is absent.
 struct Stretch {
-  Real first, last;
-};
-std::optional<Stretch> stretch_on_line(const std::vector<Contact>& contacts, const Region& r,
-                                       const RealVec& from, const RealVec& way, const Real& w,
-                                       const std::vector<std::size_t>& except) {
   std::optional<Real> first, last;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (std::find(except.begin(), except.end(), i) != except.end()) continue;
-    const Real slope = r.side * cross(contacts[i].normal, way);
-    const Real slack = r.side * left_of_normal(contacts[i], from) + w;  // slack + slope * s >= 0
-    if (abs(slope) <= tau) continue;
-    const Real s = -slack / slope;
-    if (slope > 0 && (!first || s > *first)) first = s;
-    if (slope < 0 && (!last || s < *last)) last = s;
+  bool endless() const { return !first || !last; }
+  bool longer_than(const Real& least) const { return endless() || *last - *first > least; }
+};
+Stretch stretch_on_line(const std::vector<Contact>& contacts, const Region& r, const RealVec& from,
+                        const RealVec& way, const Real& w) {
+  Stretch s;
+  for (const Contact& c : contacts) {
+    const Real slope = r.side * cross(c.normal, way);
+    if (abs(slope) <= tau) continue;  // along the line, within the tolerance
+    const Real at = -(r.side * left_of_normal(c, from) + w) / slope;
+    if (slope > 0 && (!s.first || at > *s.first)) s.first = at;
+    if (slope < 0 && (!s.last || at < *s.last)) s.last = at;
   }
-  if (!first || !last || *first > *last) return std::nullopt;
-  return Stretch{*first, *last};
+  return s;
 }
 
-/// A segment: two normals that are opposite within the tolerance, on one line within the tolerance.
-/// Its midpoint.
-std::optional<RealVec> middle_of_segment(const std::vector<Contact>& contacts, const Region& r,
-                                         const Real& size, Calls& calls) {
+/// Two normals that are opposite and on one line, both within the tolerance: the region is a
+/// segment there.
+struct Segment {
+  RealVec from, way;
+  Stretch stretch;
+};
+std::optional<Segment> segment_of(const std::vector<Contact>& contacts, const Region& r,
+                                  const Real& size, Calls& calls) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     for (std::size_t j = i + 1; j < contacts.size(); ++j) {
-      const RealVec &ni = contacts[i].normal, &nj = contacts[j].normal;
-      if (dot(ni, nj) >= 0 || !calls.within(abs(cross(ni, nj)), tau, "opposite normals")) continue;
-      const RealVec way = (ni - nj) * (1 / length(ni - nj));
-      const RealVec between = (contacts[i].at + contacts[j].at) * (Real(1) / 2);
-      const auto along = stretch_on_line(contacts, r, between, way, tau * size, {i, j});
-      if (!along || along->last - along->first <= tau * size) continue;
-      const RealVec middle = between + way * ((along->first + along->last) / 2);
-      const auto passes = [&](const Contact& c) {
-        return calls.within(abs(left_of_normal(c, middle)), tau * size,
-                            "opposite normals on one line");
-      };
-      if (passes(contacts[i]) && passes(contacts[j])) return middle;
+      const Contact &a = contacts[i], &b = contacts[j];
+      if (dot(a.normal, b.normal) >= 0) continue;
+      if (!calls.within(abs(cross(a.normal, b.normal)), tau, "opposite normals")) continue;
+      const RealVec way = (a.normal - b.normal) * (1 / length(a.normal - b.normal));
+      const RealVec from = (a.at + b.at) * (Real(1) / 2);
+      // Half the distance between the lines; measured at `from`, so that both are as near as they
+      // can be.
+      if (!calls.within(abs(left_of_normal(a, from)), tau * size, "normals on one line")) continue;
+      const Segment s{from, way, stretch_on_line(contacts, r, from, way, tau * size)};
+      if (s.stretch.longer_than(tau * size)) return s;
     }
   }
   return std::nullopt;
@@ -219,13 +219,6 @@ std::optional<RealVec> last_point(const std::vector<Contact>& contacts, const Re
   return best;
 }
 
-/// The point of a region without area at which it is tested.
-std::optional<RealVec> middle(const std::vector<Contact>& contacts, const Region& r,
-                              const Real& size, Calls& calls) {
-  const auto of_segment = middle_of_segment(contacts, r, size, calls);
-  return of_segment ? of_segment : last_point(contacts, r, size);
-}
-
 /// Whether the contacts whose normals pass through c stop every finite motion about it.
 bool immobile_about(const std::vector<Contact>& contacts, const RealVec& c, const Real& size,
                     Calls& calls) {
@@ -242,6 +235,20 @@ bool immobile_about(const std::vector<Contact>& contacts, const RealVec& c, cons
     if (sum > 0) return true;
   }
   return false;
+}
+
+/// The same about the points of a region without area: about a segment's midpoint, or about the one
+/// point. A segment without an end is a translation that rounding alone keeps from being free.
+bool immobile_in(const std::vector<Contact>& contacts, const Region& r, const Real& size,
+                 Calls& calls) {
+  if (const auto segment = segment_of(contacts, r, size, calls)) {
+    const Stretch& s = segment->stretch;
+    if (s.endless()) return false;
+    return immobile_about(contacts, segment->from + segment->way * ((*s.first + *s.last) / 2), size,
+                          calls);
+  }
+  const auto point = last_point(contacts, r, size);
+  return point && immobile_about(contacts, *point, size, calls);
 }
 
 using Vec3 = std::array<Real, 3>;
@@ -343,12 +350,15 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
 
   if (!result.form_closure && !result.translation && degenerate) {
     result.second_order = true;
-    for (const Region& r : open) {
-      const auto c = middle(contacts, r, shape.size, calls);
-      result.second_order =
-          result.second_order && c && immobile_about(contacts, *c, shape.size, calls);
-    }
+    for (const Region& r : open)
+      result.second_order = result.second_order && immobile_in(contacts, r, shape.size, calls);
   }
+
+  for (const Contact& a : contacts)
+    for (const Contact& b : contacts)
+      if (const Real sine = abs(cross(a.normal, b.normal));
+          sine > tau && dot(a.normal, b.normal) < 0)
+        result.flattest_crossing = std::min(result.flattest_crossing, static_cast<double>(sine));
 
   std::vector<Vec3> wrenches;
   for (const Contact& c : contacts)

@@ -93,7 +93,7 @@ struct ExactChord {
   Real length;
   RealVec direction;  // from one end to the other, pointing right, or up if exactly vertical
   Kind kind = Kind::vertex;
-  Real ratio_slack;
+  Real ratio_slack, ends_slack;
 };
 
 struct ExactChords {

@@ -1,6 +1,7 @@
 // The program as a script meets it. EVENLIFT_COMMAND in the environment names another program to
 // try, such as "node build/bin/evenlift.js".
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <sstream>

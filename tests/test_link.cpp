@@ -8,20 +8,19 @@
 #include "data_table.h"
 #include "evenlift/link.h"
 #include "evenlift/random.h"
+#include "link_checksum.h"
 #include "random_documents.h"
 
 using namespace evenlift;
 using evenlift::testing::any_double;
 using evenlift::testing::bits_of;
-using evenlift::testing::double_of;
+using evenlift::testing::link_characters;
 using evenlift::testing::mutated;
 using evenlift::testing::random_document;
 using evenlift::testing::same_document;
+using evenlift::testing::with_checksum;
 
 namespace {
-
-constexpr std::string_view link_characters =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 std::string encode(const Document& document) {
   const Result<std::string> link = encode_link(document);
@@ -73,17 +72,6 @@ Document star(std::size_t n, std::uint64_t seed, bool integers) {
                                    integers ? std::round(vertex.y()) : vertex.y());
   }
   return document;
-}
-
-// The checksum as docs/link-format.md describes it.
-std::string with_checksum(std::string text) {
-  std::uint32_t crc = 0xb704ce;
-  for (const char c : text) {
-    crc ^= static_cast<std::uint32_t>(static_cast<unsigned char>(c)) << 16;
-    for (int i = 0; i < 8; ++i) crc = (crc << 1) ^ ((crc & 0x800000) != 0 ? 0x1864cfbu : 0u);
-  }
-  for (int shift = 18; shift >= 0; shift -= 6) text += link_characters[crc >> shift & 63];
-  return text;
 }
 
 std::string without_checksum(const std::string& link) { return link.substr(0, link.size() - 4); }

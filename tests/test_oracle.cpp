@@ -28,7 +28,7 @@ Judgement judge_all(const Problem& problem, const std::vector<std::array<Point, 
   std::vector<Candidate> given;
   std::vector<std::size_t> teams;
   for (const auto& ends : chords) {
-    given.push_back({ends, 1, Kind::midpoint, 0});
+    given.push_back({.ends = ends, .ratio = 1, .kind = Kind::midpoint});
     teams.push_back(teams.size());
   }
   return judge(problem, given_candidates(problem, given), teams);

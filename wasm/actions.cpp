@@ -44,9 +44,10 @@ void toggle(const AppState& s, Commands& out) {
 }
 
 // Escape takes away the topmost thing that is in the way.
-bool anything_open(const AppState& s) { return s.help_open || s.selected || !s.notice.text.empty(); }
+bool anything_open(const AppState& s) { return s.list_open || s.help_open || s.selected || !s.notice.text.empty(); }
 void dismiss(const AppState& s, Commands& out) {
-  if (s.help_open) out.push_back(SetHelpOpen{false});
+  if (s.list_open) out.push_back(CloseList{});
+  else if (s.help_open) out.push_back(SetHelpOpen{false});
   else if (!s.notice.text.empty()) out.push_back(ShowNotice{});
   else out.push_back(SelectVertex{});
 }

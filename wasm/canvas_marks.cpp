@@ -20,23 +20,29 @@ bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index) {
   return state.hover.kind == kind && state.hover.index == index;
 }
 
-// A ring that can be taken hold of; a dot where there are many; nothing but the one under the pointer where
-// there are so many that they would hide the shape.
+// A ring that can be taken hold of, or a dot; nothing where they would stand so close that they hide the
+// shape.
 void draw_vertices(const Painter& painter, const AppState& state, const Theme& theme) {
   const Points& vertices = state.document.vertices;
-  const bool rings = vertices.size() <= 40 && !state.screen.embed, dots = vertices.size() <= 250 && !state.screen.embed;
+  const std::size_t n = vertices.size();
   const Colour outline = state.refusal ? theme.amber : theme.object_outline;
   ImDrawList& list = painter.list();
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const ImVec2 at = painter.at(vertices[i]);
     if (is_hovered(state, Pick::Kind::vertex, i) || state.selected == i) {
       list.AddCircleFilled(at, 18, theme.accent.at(0.22f).packed(), 36);
       list.AddCircleFilled(at, 6, theme.panel.packed(), 24);
       list.AddCircle(at, 6, theme.accent.packed(), 24, 2);
-    } else if (rings) {
+      continue;
+    }
+    if (n > 1000 || state.screen.embed) continue;
+    const double before = length(vertices[i] - vertices[i == 0 ? n - 1 : i - 1]);
+    const double after = length(vertices[i] - vertices[i + 1 == n ? 0 : i + 1]);
+    const double room = std::min(before, after) * state.camera.scale;
+    if (n <= 40 && room >= 18) {
       list.AddCircleFilled(at, 4, theme.panel.packed(), 24);
       list.AddCircle(at, 4, outline.packed(), 24, 2);
-    } else if (dots) {
+    } else if (room >= 24) {
       list.AddCircleFilled(at, 2.5f, outline.packed(), 12);
     }
   }

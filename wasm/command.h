@@ -31,6 +31,8 @@ struct FitView {};
 struct ZoomView { double factor; };                              // about the middle
 struct SetPanelOpen { bool open; };
 struct SetHelpOpen { bool open; };
+struct ListIsOpen { bool open; };                                // the panels tell what they find
+struct CloseList {};
 struct SetSheet { Sheet sheet; };
 struct MeasureSheet { double closed_height; };
 struct CopyLink {};
@@ -38,7 +40,7 @@ struct ShowNotice { Notice notice; };
 
 using Command = std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
                              OpenDocument, EndEdit, Undo, Redo, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-                             ZoomView, SetPanelOpen, SetHelpOpen, SetSheet, MeasureSheet, CopyLink, ShowNotice>;
+                             ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet, CopyLink, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -14,6 +14,7 @@ bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 ancho
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6, 6));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   if (ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove)) {
+    if (ui.state.close_list) ImGui::CloseCurrentPopup();
     sharpen(*ImGui::GetWindowDrawList(), ui.state);
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     soft_shadow(ui, low, ImVec2(low.x + size.x, low.y + size.y));
@@ -23,7 +24,8 @@ bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 ancho
   return false;
 }
 
-void end_choices() {
+void end_choices(const Ui& ui) {
+  scroll_by_finger(ui);
   ImGui::EndPopup();
   ImGui::PopStyleVar(2);
 }
@@ -40,7 +42,7 @@ bool choice(const Ui& ui, const std::string& label, const char* about, bool curr
   const float height = std::max(ui.control(), about ? 50.0f : 0.0f);
   const float width = std::max(ImGui::GetContentRegionAvail().x, std::max(title.x, word.x) + 56);
   ImGui::PushID(label.c_str());
-  const bool chosen = ImGui::InvisibleButton("choice", ImVec2(width, height));
+  const bool chosen = tapped(ui, ImGui::InvisibleButton("choice", ImVec2(width, height)));
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) {
@@ -58,7 +60,7 @@ bool choice(const Ui& ui, const std::string& label, const char* about, bool curr
 
 void dropdown_button(const Ui& ui, const char* id, const std::string& label, float width) {
   ImGui::PushID(id);
-  const bool pressed = ImGui::InvisibleButton("open", ImVec2(width, ui.control()));
+  const bool pressed = tapped(ui, ImGui::InvisibleButton("open", ImVec2(width, ui.control())));
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const bool hovered = ImGui::IsItemHovered();

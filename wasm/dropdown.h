@@ -12,7 +12,7 @@ namespace evenlift::view {
 bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high, float least_width);
 // One choice, with a word about it; true when chosen.
 bool choice(const Ui& ui, const std::string& label, const char* about, bool current);
-void end_choices();
+void end_choices(const Ui& ui);
 
 // A word above the choices that belong together.
 void choice_heading(const Ui& ui, const std::string& text);

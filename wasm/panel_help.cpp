@@ -42,7 +42,7 @@ void draw_help(const Ui& ui) {
              "Drag a vertex or the centre of mass. Drag the ground to move the view; scroll or pinch to zoom. "
              "Double-click an edge to add a vertex. Ctrl is Cmd on a Mac.");
   ImGui::PopStyleVar();
-  end_card();
+  end_card(ui);
 }
 
 }  // namespace evenlift::view

@@ -45,7 +45,7 @@ void draw_method(const Ui& ui) {
     if (!offers_all(m.metric) && !changed.teams) changed.teams = placed_teams(ui.state);
     ui.push(SetSettings{changed});
   }
-  end_choices();
+  end_choices(ui);
 }
 
 void draw_ratio(const Ui& ui) {
@@ -125,7 +125,7 @@ void draw_teams_stepper(const Ui& ui) {
   }
   if (!can_have_all) return;
   ImGui::SameLine(0, 8);
-  if (ImGui::InvisibleButton("all", ImVec2(for_all, ui.control()))) {
+  if (tapped(ui, ImGui::InvisibleButton("all", ImVec2(for_all, ui.control())))) {
     changed = settings(ui.state);
     changed.teams = all ? std::optional<std::uint32_t>(placed_teams(ui.state)) : std::nullopt;
     ui.push(SetSettings{changed});

@@ -11,15 +11,24 @@ namespace {
 
 // Top to bottom.
 constexpr Panel side_panel[] = {
-    {"verdict", draw_verdict}, {"settings", draw_settings}, {"overlays", draw_overlays},
-    {"teams", draw_teams},     {"numbers", draw_numbers},
+    {"verdict", draw_verdict, false}, {"settings", draw_settings, false}, {"overlays", draw_overlays, false},
+    {"teams", draw_teams, true},      {"numbers", draw_numbers, true},
 };
 
-void draw_sections(const Ui& ui, std::size_t from) {
-  for (std::size_t i = from; i < std::size(side_panel); ++i) {
-    if (i > from) rule(ui);
+// The last result stands, dimmed, while the document is refused.
+void dim(const Ui& ui, ImVec2 from) {
+  const float right = from.x + ImGui::GetContentRegionAvail().x + 6;
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(from.x - 6, from.y), ImVec2(right, ImGui::GetCursorScreenPos().y),
+                                            ui.theme.panel.at(0.65f).packed());
+}
+
+void draw_sections(const Ui& ui, std::size_t first) {
+  for (std::size_t i = first; i < std::size(side_panel); ++i) {
+    if (i > first) rule(ui);
     ImGui::PushID(side_panel[i].name);
+    const ImVec2 from = ImGui::GetCursorScreenPos();
     side_panel[i].draw(ui);
+    if (side_panel[i].of_result && ui.state.refusal) dim(ui, from);
     ImGui::PopID();
   }
 }
@@ -37,14 +46,14 @@ void draw_side_panel(const Ui& ui) {
   begin_card(ui, "panel", ui.layout.panel);
   draw_fold_button(ui, Icon::fold, false, "Fold the panel away (P)");
   draw_sections(ui, 0);
-  end_card();
+  end_card(ui);
 }
 
 void draw_rail(const Ui& ui) {
   const Rect place{ui.layout.panel.left, ui.layout.panel.top, ui.layout.panel.right, ui.layout.panel.top + 48};
   begin_card(ui, "rail", place, {.fixed_height = true, .padding = 8});
   if (icon_button(ui, "unfold", Icon::unfold, true, "Show the panel (P)", 32)) ui.push(SetPanelOpen{true});
-  end_card();
+  end_card(ui);
 }
 
 // The handle of the sheet: pressed it opens a step or closes, dragged it follows the finger.
@@ -80,7 +89,7 @@ void draw_sheet(const Ui& ui) {
     rule(ui);
     draw_sections(ui, 1);
   }
-  end_card();
+  end_card(ui);
 }
 
 }  // namespace
@@ -98,6 +107,8 @@ void draw_panels(const AppState& state, Commands& commands) {
   }
   draw_toolbar(ui);
   draw_notice(ui);
+  const bool list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (list_open != state.list_open) ui.push(ListIsOpen{list_open});
 }
 
 }  // namespace evenlift::view

@@ -9,6 +9,7 @@ namespace evenlift::view {
 struct Panel {
   const char* name;
   void (*draw)(const Ui&);
+  bool of_result;  // shows the last good placement
 };
 
 void draw_panels(const AppState& state, Commands& commands);

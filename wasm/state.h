@@ -68,6 +68,8 @@ struct AppState {
   Screen screen;
   bool panel_open = true;
   bool help_open = false;
+  bool list_open = false;               // a list of choices, as drawn last
+  bool close_list = false;              // asked for, and not yet drawn
   Sheet sheet = Sheet::closed;
   double closed_sheet_height = 172;     // what it holds when closed, as drawn last
   Notice notice;

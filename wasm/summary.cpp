@@ -41,7 +41,8 @@ Verdict of_placement(const Placement& placement) {
   }
   Verdict v;
   const std::string few = shortage(placement);
-  v.mood = few.empty() && placement.hull.size() >= 3 ? Mood::good : Mood::not_quite;
+  // Less than half of the object safe to push on is nothing to be content with.
+  v.mood = few.empty() && placement.coverage >= 0.5 ? Mood::good : Mood::not_quite;
   v.headline = robots(placement);
   v.detail = join(join(few, safety(placement)), freedom(placement.closure));
   return v;

@@ -51,7 +51,7 @@ void samples(const Ui& ui, float height) {
     group = sample.group;
     if (choice(ui, sample.title, nullptr, false)) open_sample(ui, sample);
   }
-  end_choices();
+  end_choices(ui);
 }
 
 void divider(const Ui& ui, float height) {
@@ -66,7 +66,7 @@ void divider(const Ui& ui, float height) {
 void draw_embedded_bar(const Ui& ui) {
   begin_card(ui, "bar", ui.layout.toolbar, {.fixed_width = false, .padding = 4});
   if (text_button(ui, "out", Icon::open_out, "Open in evenlift", nullptr, 32)) browser::open_page();
-  end_card();
+  end_card(ui);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ void draw_toolbar(const Ui& ui) {
   }
   ImGui::SameLine(0, 2);
   action_button(ui, ActionId::help, height);
-  end_card();
+  end_card(ui);
 }
 
 void draw_view_tools(const Ui& ui) {
@@ -108,7 +108,7 @@ void draw_view_tools(const Ui& ui) {
     ImGui::SameLine(0, 2);
   }
   action_button(ui, ActionId::fit, ui.control());
-  end_card();
+  end_card(ui);
 }
 
 void draw_notice(const Ui& ui) {
@@ -130,7 +130,7 @@ void draw_notice(const Ui& ui) {
   if (icon_button(ui, "close", Icon::close, true, "Close (Esc)", 24)) ui.push(ShowNotice{});
   ImGui::SetCursorScreenPos(after);
   ImGui::Dummy(ImVec2(0, 0));
-  end_card();
+  end_card(ui);
 }
 
 }  // namespace evenlift::view

@@ -159,6 +159,11 @@ struct Applier {
   void operator()(const ZoomView& c) const { zoom_view(state, layout(state).room.middle(), c.factor); }
   void operator()(const SetPanelOpen& c) const { state.panel_open = c.open; }
   void operator()(const SetHelpOpen& c) const { state.help_open = c.open; }
+  void operator()(const ListIsOpen& c) const {
+    state.list_open = c.open;
+    state.close_list = state.close_list && c.open;
+  }
+  void operator()(const CloseList&) const { state.close_list = true; }
   void operator()(const SetSheet& c) const { state.sheet = c.sheet; }
   void operator()(const MeasureSheet& c) const { state.closed_sheet_height = c.closed_height; }
   void operator()(const CopyLink&) const {

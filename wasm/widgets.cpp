@@ -8,6 +8,9 @@
 namespace evenlift::view {
 namespace {
 
+constexpr float shake = 8;  // CSS pixels that a finger may move and still mean a tap
+bool slider_held = false;   // a slider takes the finger's way for itself
+
 ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 // A pressable area at the cursor.
@@ -17,9 +20,9 @@ struct Area {
   ImVec2 middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 };
 
-Area area(const char* id, ImVec2 size, bool enabled = true) {
+Area area(const Ui& ui, const char* id, ImVec2 size, bool enabled = true) {
   Area a;
-  a.pressed = ImGui::InvisibleButton(id, size) && enabled;
+  a.pressed = tapped(ui, ImGui::InvisibleButton(id, size)) && enabled;
   a.low = ImGui::GetItemRectMin();
   a.high = ImGui::GetItemRectMax();
   a.hovered = ImGui::IsItemHovered() && enabled;
@@ -121,13 +124,25 @@ void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high) {
   }
 }
 
-void end_card() {
+void scroll_by_finger(const Ui& ui) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ui.state.screen.touch || slider_held || !io.MouseDown[0] || ImGui::GetScrollMaxY() <= 0) return;
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) return;
+  if (io.MouseDragMaxDistanceSqr[0] > shake * shake) ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
+}
+
+bool tapped(const Ui& ui, bool pressed) {
+  return pressed && !(ui.state.screen.touch && ImGui::GetIO().MouseDragMaxDistanceSqr[0] > shake * shake);
+}
+
+void end_card(const Ui& ui) {
+  scroll_by_finger(ui);
   ImGui::End();
   ImGui::PopStyleVar(2);
 }
 
 bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* about, float size) {
-  const Area a = area(id, ImVec2(size, size), enabled);
+  const Area a = area(ui, id, ImVec2(size, size), enabled);
   ground(ui, a, 7, ui.theme.panel.at(0));
   const Colour colour = enabled ? ui.theme.text : ui.theme.quiet.at(0.6f);
   draw_icon(*ImGui::GetWindowDrawList(), icon, a.middle(), 18, colour);
@@ -139,7 +154,7 @@ bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, con
                  Icon after) {
   const ImVec2 text = text_size(Face::text, label);
   const float before = icon == Icon::none ? 12.0f : 38.0f, behind = after == Icon::none ? 12.0f : 30.0f;
-  const Area a = area(id, ImVec2(before + text.x + behind, height));
+  const Area a = area(ui, id, ImVec2(before + text.x + behind, height));
   ground(ui, a, 7, ui.theme.panel.at(0));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = a.middle().y;
@@ -158,7 +173,7 @@ int stepper(const Ui& ui, const char* id, const std::string& value, bool can_low
   list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
   int change = 0;
   const auto end = [&](const char* name, Icon icon, bool enabled, int by) {
-    const Area a = area(name, ImVec2(side, height), enabled);
+    const Area a = area(ui, name, ImVec2(side, height), enabled);
     if (a.hovered || a.active) list.AddRectFilled(a.low, a.high, ui.theme.panel_line.packed(), 7);
     draw_icon(list, icon, a.middle(), 16, enabled ? ui.theme.text : ui.theme.quiet.at(0.6f));
     if (enabled && repeats(a)) change = by;
@@ -175,8 +190,10 @@ int stepper(const Ui& ui, const char* id, const std::string& value, bool can_low
 
 SliderResult slider(const Ui& ui, const char* id, double value, double low, double high, double step, float width) {
   const float height = ui.control(), knob = ui.control() > 40 ? 11.0f : 8.0f;
-  const Area a = area(id, ImVec2(width, height));
+  const Area a = area(ui, id, ImVec2(width, height));
   SliderResult result{false, ImGui::IsItemDeactivated(), value};
+  if (ImGui::IsItemActivated()) slider_held = true;
+  if (result.released) slider_held = false;
   const float from = a.low.x + knob, to = a.high.x - knob;
   if (a.active && ImGui::IsMouseDown(0)) {
     const double share = std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - from) / (to - from)), 0.0, 1.0);
@@ -199,7 +216,7 @@ SliderResult slider(const Ui& ui, const char* id, double value, double low, doub
 bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on) {
   const ImVec2 text = text_size(Face::label, label);
   const float height = ui.control() - 2;
-  const Area a = area(id, ImVec2(16 + 9 + 6 + text.x + 11, height));
+  const Area a = area(ui, id, ImVec2(16 + 9 + 6 + text.x + 11, height));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Colour fill = a.hovered ? ui.theme.panel_line : on ? ui.theme.well : ui.theme.panel;
   list.AddRectFilled(a.low, a.high, fill.packed(), height / 2);

@@ -16,7 +16,13 @@ struct CardOptions {
   bool scrolls = true;
 };
 void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options = {});
-void end_card();
+void end_card(const Ui& ui);
+
+// Lets a finger scroll the window that is being filled, as it does everywhere else.
+void scroll_by_finger(const Ui& ui);
+
+// Whether a press was meant as one, and did not scroll.
+bool tapped(const Ui& ui, bool pressed);
 
 // Under what floats.
 void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high);

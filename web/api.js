@@ -1,4 +1,4 @@
-// window.evenlift, the page's scripting interface (docs: README, "From another page").
+// window.evenlift, the page's scripting interface (docs/page.md).
 
 // What set() takes: each turns a value into a word for the program, or says what it expects.
 const writers = {

@@ -75,26 +75,43 @@ Points clip_square(const Grasp& grasp, const std::vector<HalfPlane>& planes) {
   return region;
 }
 
-// The part of the line through `point` along `direction` that lies in all half-planes and in the
-// square: its ends, or nothing.
-Points clip_line(const Grasp& grasp, const std::vector<HalfPlane>& planes, const Vec2& point, const Vec2& direction) {
+// The part of the line through `point` along `direction` that lies in all half-planes and no farther than
+// `reach` from C along either axis: its ends, or nothing.
+Points clip_line(const std::vector<HalfPlane>& planes, double reach, const Vec2& point, const Vec2& direction) {
   const Vec2 unit = direction / length(direction);
-  const double side = square_half_side * grasp.diagonal;
-  double low = -4 * side, high = 4 * side;
+  double low = -4 * reach, high = 4 * reach;
   const auto keep = [&](const Vec2& normal, double bound) {
     const double slope = dot(normal, unit), rest = bound - dot(normal, point);
     if (std::fabs(slope) <= tau * length(normal)) return;
-    if (slope > 0) high = std::min(high, rest / slope);
-    else low = std::max(low, rest / slope);
+    if (slope > 0) {
+      high = std::min(high, rest / slope);
+    } else {
+      low = std::max(low, rest / slope);
+    }
   };
   for (const HalfPlane& plane : planes) keep(plane.normal(), plane.bound);
-  for (const Vec2& axis : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) keep(axis, side);
+  for (const Vec2& axis : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) keep(axis, reach);
   if (low > high) return {};
   return {point + low * unit, point + high * unit};
 }
 
-// The least widening at which a bounded region that vanishes when narrowed by `near` exists, to far below
-// the tolerance; and the region there.
+// Two half-planes whose normals are opposite and whose lines are one, within tolerance.
+std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(const std::vector<HalfPlane>& planes, double near) {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Vec2 ni = planes[i].normal();
+    for (std::size_t j = i + 1; j < planes.size(); ++j) {
+      const Vec2 nj = planes[j].normal();
+      if (!directions_agree(ni, -nj)) continue;
+      // Both are widened by `near` already: lines that coincide leave a strip of twice that.
+      const double width = planes[i].bound / length(ni) + planes[j].bound / length(nj);
+      if (width >= 0 && width <= 4 * near) return std::pair(i, j);
+    }
+  }
+  return std::nullopt;
+}
+
+// The least widening, to far below the tolerance, at which a bounded region exists that vanishes when
+// narrowed by `near`; and the region there.
 Points sharpest_region(const Grasp& grasp, Sense sense) {
   double empty = -grasp.near, full = grasp.near;
   for (int i = 0; i < 40; ++i) {
@@ -104,35 +121,23 @@ Points sharpest_region(const Grasp& grasp, Sense sense) {
   return bounded_intersection(rotation_centres(grasp, sense, full));
 }
 
-// The two corners farthest apart.
-std::pair<Vec2, Vec2> longest_extent(const Points& corners) {
-  std::pair<Vec2, Vec2> ends{corners.front(), corners.front()};
-  for (const Vec2& a : corners) {
-    for (const Vec2& b : corners) {
-      if (length(b - a) > length(ends.second - ends.first)) ends = {a, b};
-    }
-  }
-  return ends;
-}
-
-// One point or two ends of a region without area, relative to C; nothing beyond the square.
-Points degenerate_region(const Grasp& grasp, Sense sense) {
+// One point or the two ends of a region without area, relative to C, no farther from it than `reach`
+// along either axis.
+Points degenerate_region(const Grasp& grasp, Sense sense, double reach) {
   const auto planes = rotation_centres(grasp, sense, grasp.near);
-  const NormalGap gap = widest_gap(planes);
-  if (gap.excess == 0) {
-    // Two opposite normals: along their line, as far as the others let it.
-    const HalfPlane &a = planes[gap.before], &b = planes[gap.after];
-    const Vec2 na = a.normal() / length(a.normal());
+  if (const auto pair = coinciding_lines(planes, grasp.near)) {
+    const HalfPlane &a = planes[pair->first], &b = planes[pair->second];
+    const Vec2 normal = a.normal() / length(a.normal());
     const double middle = 0.5 * (a.bound / length(a.normal()) - b.bound / length(b.normal()));
-    return clip_line(grasp, planes, middle * na, left_normal(na));
+    const Points ends = clip_line(planes, reach, middle * normal, left_normal(normal));
+    if (ends.empty() || length(ends[1] - ends[0]) > 4 * grasp.near) return ends;
+    return {0.5 * (ends[0] + ends[1])};
   }
   const Points corners = sharpest_region(grasp, sense);
   if (corners.empty()) return {};
-  const auto [p, q] = longest_extent(corners);
-  const double side = square_half_side * grasp.diagonal;
-  if (length(q - p) > grasp.near) return clip_line(grasp, planes, 0.5 * (p + q), q - p);
-  const Vec2 point = 0.5 * (p + q);
-  if (point.cwiseAbs().maxCoeff() > side) return {};
+  Vec2 point = Vec2::Zero();
+  for (const Vec2& corner : corners) point += corner / static_cast<double>(corners.size());
+  if (point.cwiseAbs().maxCoeff() > reach) return {};
   return {point};
 }
 
@@ -142,7 +147,9 @@ FreeRegion free_region(const Grasp& grasp, Sense sense) {
   region.exists = have_common_point(planes);
   if (!region.exists) return region;
   region.has_area = have_common_point(rotation_centres(grasp, sense, -grasp.near));
-  region.clipped = region.has_area ? clip_square(grasp, planes) : degenerate_region(grasp, sense);
+  region.clipped = region.has_area
+                       ? clip_square(grasp, planes)
+                       : degenerate_region(grasp, sense, square_half_side * grasp.diagonal);
   for (Vec2& corner : region.clipped) corner += grasp.centre;
   return region;
 }
@@ -164,9 +171,13 @@ std::optional<Vec2> free_translation(const Grasp& grasp) {
 
 // Whether contacts whose normals pass through c (relative to C) resist the second-order motion: some
 // balanced non-negative weights have a positive sum of signed distances to c. By Farkas' lemma that is so
-// just if no q has n . q <= -d for all of them.
+// just if no q has n . q <= -d for all of them. Keeping q within L / tau lets forces balance within
+// tolerance: nearly opposite normals would meet farther out.
 bool resists_at(const Grasp& grasp, const Vec2& c) {
+  const Vec2 origin = Vec2::Zero();
+  const double far = grasp.diagonal / tau;
   std::vector<HalfPlane> planes;
+  for (const Vec2& axis : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) planes.push_back({origin, axis, far});
   for (const Grasp::Touch& touch : grasp.touches) {
     const Vec2 to_c = c - (touch.position - grasp.centre);
     const double size = length(touch.direction());
@@ -175,7 +186,7 @@ bool resists_at(const Grasp& grasp, const Vec2& c) {
     const Vec2 from(-touch.from.y(), touch.from.x()), to(-touch.to.y(), touch.to.x());
     planes.push_back({from, to, (grasp.near - distance) * size});
   }
-  return !planes.empty() && !have_common_point(planes);
+  return !have_common_point(planes);
 }
 
 bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
@@ -184,10 +195,10 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
                                       std::pair(&closure.counterclockwise, Sense::counterclockwise)}) {
     if (!region->exists) continue;
     if (region->has_area) return false;
-    const Points corners = sharpest_region(grasp, sense);
-    if (corners.empty()) return false;
-    const auto [p, q] = longest_extent(corners);
-    if (!resists_at(grasp, 0.5 * (p + q))) return false;
+    // Bounded, since no translation is free; the reach is only a finite number beyond all it can be.
+    const Points region_at_rest = degenerate_region(grasp, sense, grasp.diagonal / tau);
+    if (region_at_rest.empty()) return false;
+    if (!resists_at(grasp, 0.5 * (region_at_rest.front() + region_at_rest.back()))) return false;
   }
   return true;
 }

@@ -27,7 +27,6 @@ struct Tap {
     return *this;
   }
   friend bool operator==(const Tap& a, const Tap& b) { return a.at == b.at; }
-  friend bool operator!=(const Tap& a, const Tap& b) { return a.at != b.at; }
 };
 
 // The part of the library's message that says what is wrong: it looks like

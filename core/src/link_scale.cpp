@@ -39,11 +39,14 @@ double Scale::value_of(std::int64_t number) const {
 }
 
 int decimals_of(double value) {
-  for (int k = 0; k <= Scale::most_decimals; ++k) {
-    if (Scale(k).number_of(value)) return k;
-    if (std::fabs(value) * powers[k] >= limit) break;
-  }
-  return Scale::doubles;
+  // What has k decimals has more, too, up to where its number becomes too large: mostly one look
+  // there tells that there are none.
+  int most = 0;
+  while (most < Scale::most_decimals && std::fabs(value) * powers[most + 1] < limit - 1) ++most;
+  if (!Scale(most).number_of(value)) return Scale::doubles;
+  int k = 0;
+  while (!Scale(k).number_of(value)) ++k;
+  return k;
 }
 
 }  // namespace evenlift

@@ -82,6 +82,8 @@ struct Limits {
 // Whether vertex i is written without odds, as nothing is known of it yet.
 inline bool stands_alone(Guess guess, std::size_t i) { return i == 0 && guess != Guess::nothing; }
 
+// The limits of the vertices, written in this way; numbers the coordinates that are off the scale.
+// O(n).
 inline Limits limits_of(const Way& way, Cells& cells) {
   const Classes classes(way);
   Limits limits;

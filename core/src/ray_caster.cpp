@@ -14,7 +14,13 @@ RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centr
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &p = polygon.edge_start(i), &q = polygon.edge_end(i);
     const double area = orient(centre, p, q);
-    edges_.push_back({p - centre, q - centre, area, std::fabs(area) <= near * length(q - p)});
+    const bool radial = std::fabs(area) <= near * length(q - p);
+    // Counter-clockwise about C, so that the order of the vertex list does not show in the rounding.
+    if (radial || area > 0) {
+      edges_.push_back({p - centre, q - centre, area, radial});
+    } else {
+      edges_.push_back({q - centre, p - centre, -area, radial});
+    }
   }
 }
 

@@ -27,7 +27,7 @@ class RayCaster {
 
  private:
   struct Edge {
-    Vec2 start, end;   // relative to C
+    Vec2 start, end;   // relative to C; counter-clockwise about it, unless radial
     double area = 0;   // start x end, accurate
     bool radial = false;
   };

@@ -6,6 +6,7 @@
 #include "evenlift/angles.h"
 #include "evenlift/predicates.h"
 #include "evenlift/random.h"
+#include "evenlift/tolerance.h"
 #include "radial_view.h"
 #include "ray_caster.h"
 #include "section.h"
@@ -65,6 +66,7 @@ std::vector<double> scores(const Polygon& polygon, const Vec2& centre, const std
 std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams) {
   double measure = 0;
   for_each_opening(polygon, centre, [&](double from, double to, const auto&, const auto&) { measure += to - from; });
+  if (measure <= tau) return {};  // nothing but what rounding leaves between radial edges
 
   const RayCaster rays(polygon, centre);
   std::vector<Chord> chords;

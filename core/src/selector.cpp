@@ -82,9 +82,16 @@ void Selector::take(std::uint32_t candidate) {
 
 double Selector::score(std::uint32_t candidate) {
   for (End* end : {&ends_[2 * candidate], &ends_[2 * candidate + 1]}) {
-    if (!end->gain.exact) end->gain = {wedges_[end->wedge].evaluate(end->position), true};
+    if (!end->gain.exact()) end->gain = {wedges_[end->wedge].evaluate(end->position), Certainty::exact};
   }
   return bound(candidate);
+}
+
+// Brings what is known of a candidate that is not exact one step further: the worse known end.
+void Selector::sharpen(Index candidate) {
+  End &first = ends_[2 * candidate], &second = ends_[2 * candidate + 1];
+  End& end = first.gain.certainty <= second.gain.certainty ? first : second;
+  end.gain = wedges_[end.wedge].sharpen(end.position, end.gain);
 }
 
 Selector::Index Selector::best_first_team() const {
@@ -122,11 +129,20 @@ Selector::Indices Selector::find_leaders() {
     return score >= largest - score_slack(std::fabs(largest), floor_);
   };
   const auto smaller_bound = [&](Index a, Index b) { return bound(a) != bound(b) ? bound(a) < bound(b) : a > b; };
+  // The one with the largest bound is examined first: what cannot tie with it need not stand in the heap.
+  if (!open.empty()) best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
+  std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
   std::make_heap(open.begin(), open.end(), smaller_bound);
   while (!open.empty() && ties(best, bound(open.front()))) {
     std::pop_heap(open.begin(), open.end(), smaller_bound);
-    best = std::max(best, score(open.back()));
-    open.pop_back();
+    const Index next = open.back();
+    sharpen(next);
+    if (exact(next)) best = std::max(best, bound(next));
+    if (exact(next) || !ties(best, bound(next))) {
+      open.pop_back();
+    } else {
+      std::push_heap(open.begin(), open.end(), smaller_bound);
+    }
   }
   best_score_ = best;
   Indices leaders;

@@ -11,7 +11,7 @@
 namespace evenlift {
 
 // Lazy in two ways. Each end of a candidate carries an upper bound of its gain; only those whose bound
-// can still win are evaluated, and only where the edge of H before them has changed. And while teams
+// can still win are looked at closer, in the end evaluated, and only where the edge of H before them has changed. And while teams
 // are taken that leave H as it is, scores stay too: those that tied for the best stand in line.
 class Selector {
  public:
@@ -41,7 +41,10 @@ class Selector {
   Index best_first_team() const;
   Indices find_leaders();
   double bound(Index candidate) const { return ends_[2 * candidate].gain.value + ends_[2 * candidate + 1].gain.value; }
-  bool exact(Index candidate) const { return ends_[2 * candidate].gain.exact && ends_[2 * candidate + 1].gain.exact; }
+  bool exact(Index candidate) const {
+    return ends_[2 * candidate].gain.exact() && ends_[2 * candidate + 1].gain.exact();
+  }
+  void sharpen(Index candidate);
   bool widen_base(Index candidate);
   void enter_wedge(Index wedge);
   bool gains(const Wedge& wedge, const Vec2& p) const;

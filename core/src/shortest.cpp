@@ -1,6 +1,5 @@
-// Shortest decimals by Schubfach: Raffaello Giulietti, The Schubfach way to render doubles (2020);
-// figure numbers below are that paper's. C++20's std::to_chars does the same, but is missing from
-// the standard library of older Emscripten.
+// Shortest decimals by Schubfach: Raffaello Giulietti, The Schubfach way to render doubles (2020).
+// C++20's std::to_chars does the same, but older Emscripten's standard library lacks it.
 #include <cassert>
 #include <cmath>
 
@@ -100,7 +99,7 @@ const Uint128& power_of_ten(int e) {
   return powers[e];
 }
 
-// floor(g * x / 2^128), with its lowest bit set if anything was cut off: "round to odd" (figure 8).
+// floor(g * x / 2^128), with its lowest bit set if anything was cut off: "round to odd".
 std::uint64_t product_rounded_to_odd(const Uint128& g, std::uint64_t x) {
   const Uint128 low = multiply(g.low, x);
   Uint128 high = multiply(g.high, x);
@@ -114,7 +113,7 @@ struct Digits {
   int exponent;
 };
 
-// The shortest decimal of significand * 2^exponent, perhaps with trailing zeros (figures 4 and 6).
+// The shortest decimal of significand * 2^exponent, perhaps with trailing zeros.
 // `at_binade` says that the next smaller double is nearer than the next larger one.
 Digits schubfach(std::uint64_t significand, int exponent, bool at_binade) {
   const bool even = significand % 2 == 0;  // then the ends of the rounding interval belong to it

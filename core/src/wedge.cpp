@@ -18,6 +18,17 @@ double distance_outside(const Vec2& a, const Vec2& b, const Vec2& v) {
   return -cross(line, v - a) / length(line);
 }
 
+// The same for many v and one line.
+class Outside {
+ public:
+  Outside(const Vec2& a, const Vec2& b) : start_(a), line_(b - a), length_(length(line_)) {}
+  double distance(const Vec2& v) const { return -cross(line_, v - start_) / length_; }
+
+ private:
+  Vec2 start_, line_;
+  double length_;
+};
+
 double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c) { return 0.5 * std::fabs(cross(b - a, c - a)); }
 
 double inscribed_circle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -77,15 +88,15 @@ double Wedge::distance(const Vec2& p) const { return distance_outside(h1_, h2_, 
 
 Gain Wedge::estimate(const Vec2& p) const {
   switch (metric_) {
-    case Metric::circle: return {inscribed_circle_area(h1_, h2_, p), true};
-    case Metric::distance: return {distance_bound(p), false};
+    case Metric::circle: return {inscribed_circle_area(h1_, h2_, p), Certainty::exact};
+    case Metric::distance: return {distance_bound(p), Certainty::bound};
     default: break;
   }
   const double triangle = triangle_area(h1_, h2_, p);
-  if (surroundings_->convex) return {triangle, true};
+  if (surroundings_->convex) return {triangle, Certainty::exact};
   // Clipping rounds: the bound leaves it room.
   const double room = 1e-13 * surroundings_->diagonal * surroundings_->diagonal;
-  return {std::min(triangle, outside_area_) * (1 + 1e-9) + room, false};
+  return {std::min(triangle, outside_area_) * (1 + 1e-9) + room, Certainty::bound};
 }
 
 double Wedge::evaluate(const Vec2& p) const {
@@ -97,7 +108,7 @@ double Wedge::evaluate(const Vec2& p) const {
 }
 
 double Wedge::area_gain(const Vec2& p) const {
-  return signed_area(clip_left(clip_left(outside_, h1_, p), p, h2_));
+  return area_left_of_both(outside_, h1_, p, h2_);
 }
 
 std::size_t Wedge::seen_up_to(const Vec2& p) const {
@@ -110,10 +121,10 @@ std::size_t Wedge::seen_up_to(const Vec2& p) const {
 
 double Wedge::distance_gain(const Vec2& p) const {
   const std::size_t split = seen_up_to(p);
+  const Outside before(h1_, p), behind(p, h2_);
   double gain = 0;
   for (std::size_t k = 0; k < outer_.size(); ++k) {
-    const Vec2& v = outer_[k].position;
-    const double left = k < split ? distance_outside(h1_, p, v) : distance_outside(p, h2_, v);
+    const double left = (k < split ? before : behind).distance(outer_[k].position);
     gain += outer_[k].distance - std::max(0.0, left);
   }
   return gain;
@@ -129,8 +140,45 @@ double Wedge::distance_bound(const Vec2& p) const {
   const std::size_t split = seen_up_to(p), n = outer_.size();
   const double left1 = sum_outside(h1_, p, sums_[split], split);
   const double left2 = sum_outside(p, h2_, sums_[n] - sums_[split], n - split);
-  const double room = 1e-12 * surroundings_->diagonal * static_cast<double>(n + 1);
-  return distance_sum_ - std::max(0.0, left1) - std::max(0.0, left2) + room;
+  return distance_sum_ - std::max(0.0, left1) - std::max(0.0, left2) + distance_room();
+}
+
+// For the rounding of sums.
+double Wedge::distance_room() const {
+  return 1e-12 * surroundings_->diagonal * static_cast<double>(outer_.size() + 1);
+}
+
+Gain Wedge::sharpen(const Vec2& p, const Gain& known) {
+  if (known.certainty == Certainty::bound && prepare_close_bounds()) {
+    return {std::min(known.value, close_bound(p)), Certainty::close_bound};
+  }
+  return {evaluate(p), Certainty::exact};
+}
+
+// Whether there are any, for it would be worth it.
+bool Wedge::prepare_close_bounds() {
+  if (area_bins_ || distance_blocks_) return true;
+  constexpr std::size_t few_vertices = 48;
+  constexpr int few_evaluations = 4;
+  constexpr double narrow = 1e-3;  // the rounding of bins would show
+  if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations) return false;
+  if (metric_ == Metric::area) {
+    if (key_from(key1_, direction_key(h2_)) < narrow) return false;
+    area_bins_.emplace(outside_, h1_, h2_, surroundings_->diagonal);
+  } else {
+    Points positions;
+    positions.reserve(outer_.size());
+    for (const Outer& outer : outer_) positions.push_back(outer.position);
+    distance_blocks_.emplace(std::move(positions));
+  }
+  return true;
+}
+
+double Wedge::close_bound(const Vec2& p) const {
+  if (area_bins_) return area_bins_->bound(p) * (1 + 1e-9);
+  const std::size_t split = seen_up_to(p);
+  return distance_sum_ - distance_blocks_->least_sum_beyond(h1_, p, 0, split) -
+         distance_blocks_->least_sum_beyond(p, h2_, split, outer_.size()) + distance_room();
 }
 
 }  // namespace evenlift

@@ -2,10 +2,12 @@
 // metric (algorithm.md, Selection: f(p)).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "evenlift/document.h"
 #include "evenlift/polygon.h"
+#include "wedge_bounds.h"
 
 namespace evenlift {
 
@@ -24,9 +26,11 @@ struct Surroundings {
 };
 
 // How much one end of a chord gains: the value, or an upper bound that costs less.
+enum class Certainty { bound, close_bound, exact };
 struct Gain {
   double value = 0;
-  bool exact = true;
+  Certainty certainty = Certainty::exact;
+  bool exact() const { return certainty == Certainty::exact; }
 };
 
 class Wedge {
@@ -44,6 +48,10 @@ class Wedge {
   // f(p) for a p that lies beyond, or a bound: never below f(p). O(log n).
   Gain estimate(const Vec2& p) const;
 
+  // From an estimate to a close bound, from there to f(p) itself; straight to f(p) while bounds have not paid for
+  // themselves. The first close bound costs as much as a few evaluations, the others O(sqrt(m) log m).
+  Gain sharpen(const Vec2& p, const Gain& known);
+
   // f(p) itself. O(m) for the m vertices and crossings of P in the wedge beyond the edge.
   double evaluate(const Vec2& p) const;
 
@@ -53,6 +61,9 @@ class Wedge {
   double area_gain(const Vec2& p) const;
   double distance_gain(const Vec2& p) const;
   double distance_bound(const Vec2& p) const;
+  bool prepare_close_bounds();
+  double close_bound(const Vec2& p) const;
+  double distance_room() const;
   std::size_t seen_up_to(const Vec2& p) const;
 
   const Surroundings* surroundings_;
@@ -71,6 +82,10 @@ class Wedge {
   std::vector<Outer> outer_;   // distance: vertices of P in the wedge beyond the edge, by direction
   Points sums_;                // sums_[k]: of the first k positions
   double distance_sum_ = 0;
+
+  int evaluations_ = 0;  // before close bounds were made
+  std::optional<AreaBins> area_bins_;
+  std::optional<DistanceBlocks> distance_blocks_;
 };
 
 }  // namespace evenlift

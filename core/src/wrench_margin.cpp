@@ -22,7 +22,7 @@ using Triangle = std::array<Index, 3>;
 int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) {
   const Wrench p = b - a, q = c - a, r = d - a;
   const double value = p.dot(q.cross(r));
-  const double size = p.cwiseAbs().dot((q.cwiseAbs().cwiseProduct(Wrench::Ones())).sum() * r.cwiseAbs().sum() * Wrench::Ones());
+  const double size = p.cwiseAbs().sum() * q.cwiseAbs().sum() * r.cwiseAbs().sum();
   if (std::fabs(value) > 0x1p-48 * size) return value > 0 ? 1 : -1;
   using Row = std::array<Dyadic, 3>;
   const auto difference = [&](const Wrench& v) {
@@ -80,6 +80,24 @@ std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
     }
   }
   return facets;
+}
+
+// Distance of the plane through three points from the origin, positive if they turn counter-clockwise
+// seen from beyond it. Wrenches of parallel edges are on one line but for rounding, which leaves facets
+// that are slivers: only exactly do these lie outside the hull.
+double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
+  const Wrench p = b - a, q = c - a;
+  const Wrench normal = p.cross(q);
+  constexpr double wide_enough = 1e-6;
+  if (normal.squaredNorm() > wide_enough * p.squaredNorm() * q.squaredNorm()) return normal.dot(a) / normal.norm();
+
+  const auto difference = [&](const Wrench& v, int i) { return Dyadic(v[i]) - Dyadic(a[i]); };
+  const auto component = [&](int i, int j) {
+    return difference(b, i) * difference(c, j) - difference(b, j) * difference(c, i);
+  };
+  const std::array<Dyadic, 3> exact{component(1, 2), component(2, 0), component(0, 1)};
+  const Dyadic height = exact[0] * Dyadic(a[0]) + exact[1] * Dyadic(a[1]) + exact[2] * Dyadic(a[2]);
+  return height.to_double() / Wrench(exact[0].to_double(), exact[1].to_double(), exact[2].to_double()).norm();
 }
 
 // The point of least length in the affine hull of the corral, as weights of its points.
@@ -152,11 +170,13 @@ double distance_from_origin(const std::vector<Wrench>& w) {
 double wrench_margin(const std::vector<Wrench>& wrenches) {
   const std::vector<Triangle> facets = hull_facets(wrenches);
   double least = facets.empty() ? 0 : std::numeric_limits<double>::infinity();
-  for (const auto& [a, b, c] : facets) {
-    const Wrench normal = (wrenches[b] - wrenches[a]).cross(wrenches[c] - wrenches[a]);
-    least = std::min(least, normal.dot(wrenches[a]) / normal.norm());
+  for (Triangle facet : facets) {
+    // From its first wrench on: where std::partition leaves a facet, and so how it began, differs between
+    // standard libraries, and the rounding must not.
+    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+    least = std::min(least, distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]));
   }
-  return least > 0 ? least : -distance_from_origin(wrenches);
+  return least > 0 ? least : 0.0 - distance_from_origin(wrenches);  // never -0
 }
 
 }  // namespace evenlift

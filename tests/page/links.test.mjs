@@ -1,6 +1,6 @@
 // Links, the address bar, and work that survives a reload.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { asset, drag, evenlift, fragment, link, load, published, root, set, settled, startBrowser, state, toScreen } from "./browser.mjs";
@@ -71,8 +71,10 @@ test("a new fragment is opened, and undo leads back", async () => {
 test("hostile links give a message and leave the page working", async () => {
   const good = encoded("thesis-sample");
   const version = good.slice(0, good.indexOf("."));
-  const list = path.join(root, "tests/data/hostile_links.txt");
-  const listed = existsSync(list) ? readFileSync(list, "utf8").split("\n").filter((l) => l && !l.startsWith("#")).map((l) => JSON.parse(l.split("\t")[1])).filter((l) => l && l !== "#") : [];
+  // Line breaks and tabs are dropped by the browser before anybody sees them.
+  const listed = readFileSync(path.join(root, "tests/data/hostile_links.txt"), "utf8").split("\n")
+    .filter((line) => line && !line.startsWith("#")).map((line) => JSON.parse(line.split("\t")[1]))
+    .filter((l) => l && l !== "#" && !/[\t\r\n]/.test(l));
   const hostile = [...new Set([...listed, good.slice(0, -1), good.slice(0, 10), `${good}A`, `${version}.`, ".", "99999.AAAA", `9${good}`, "0.0",
     "<script>alert(1)</script>", "%00", "constructor", "__proto__", "1.%31", encodeURIComponent(`#${good}`), "x".repeat(3000),
     `${version}.${"_".repeat(20000)}`, good.split("").reverse().join(""), `${good.slice(0, 12)}z${good.slice(13)}`])];

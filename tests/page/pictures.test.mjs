@@ -42,13 +42,19 @@ test("phone: the first sample", async () => {
 
 test("candidates, and a robot under the pointer", async () => {
   const page = await browser.open({ viewport: wide });
-  await load(page, asset("thesis-sample"));
+  await load(page, asset("guitar"));
   await page.locator("#canvas").focus();
   await page.keyboard.press("a");
   await settled(page);
   const [x, y] = await page.evaluate(() => evenlift.view.to_screen(...evenlift.state().teams[0].ends[0]));
   await page.mouse.move(x, y);
   await check(page, "candidates");
+});
+
+test("the thesis's sample, dark", async () => {
+  const page = await browser.open({ colorScheme: "dark" });
+  await load(page, asset("thesis-sample"));
+  await check(page, "thesis-dark");
 });
 
 test("a polygon that is refused", async () => {

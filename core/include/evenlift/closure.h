@@ -37,9 +37,9 @@ struct Closure {
   FreeRegion clockwise, counterclockwise;
 };
 
-// Analyses the grasp of robots at `points`. Emptiness of the regions and free translations are
-// decided exactly from the edges' directions and the rounded points. O(m log m) for m contacts, but
-// the margin, expected O(m log m) and at worst O(m^2) in the number of different edges touched.
+// Analyses the grasp of robots at `points`. Emptiness of the regions and free translations are decided
+// exactly from the edges' directions and the rounded points. O(m log m) for m contacts; O(e^2) for the
+// margin, e the number of different edges touched; O(m^2) where a free region has no area.
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre, const std::vector<LiftingPoint>& points);
 
 }  // namespace evenlift

@@ -15,7 +15,8 @@ namespace evenlift {
 //   thesis   `CoM:(x,y)` on the first line, optional; then a `(x,y)` a line; blank lines and
 //            spaces do not matter
 //   WKT      `POLYGON ((x y, ...))`; a closing vertex equal to the first is dropped; any case
-//   GeoJSON  a `Polygon`, or a `Feature` of one, whose property `centre_of_mass: [x, y]` is taken
+//   GeoJSON  a `Polygon`, or a `Feature` of one, whose property `centre_of_mass: [x, y]` is taken;
+//            other members are left out, but none of these may stand there twice
 // Settings are the defaults. Holes, other geometries and third coordinates are refused as unsupported;
 // an error names the line. Nothing of the geometry is checked (see Polygon::create). Bounded by
 // max_text_bytes and max_vertices. O(bytes).

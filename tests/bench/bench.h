@@ -1,0 +1,45 @@
+// What the benchmarks share: shapes by family and size, and the counters by which complexity shows.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "evenlift/chords.h"
+#include "evenlift/document.h"
+#include "evenlift/generate.h"
+#include "evenlift/polygon.h"
+
+namespace evenlift::bench {
+
+inline constexpr std::uint64_t seed = 1;
+
+inline Document document_of(Family family, std::int64_t n) {
+  Document document;
+  document.vertices = *generate(family, static_cast<std::size_t>(n), seed);
+  return document;
+}
+
+inline Polygon polygon_of(Family family, std::int64_t n) {
+  return *Polygon::create(document_of(family, n).vertices);
+}
+
+// A counter `name`: nanoseconds an iteration for each of `units`. Flat over n if the time grows as units do.
+inline void count_ns_per(benchmark::State& state, const char* name, double units) {
+  using benchmark::Counter;
+  state.counters[name] = Counter(1e-9 * units, Counter::kIsIterationInvariantRate | Counter::kInvert);
+}
+
+inline double n_log_n(const Polygon& polygon) {
+  const auto n = static_cast<double>(polygon.size());
+  return n * std::log2(n);
+}
+
+// K, the number of edge-pairs, and the time for each of n log2 n + K.
+inline void count_pairs(benchmark::State& state, const Polygon& polygon) {
+  const auto pairs = static_cast<double>(count_edge_pairs(polygon, polygon.centroid()));
+  state.counters["K"] = pairs;
+  count_ns_per(state, "ns/(n_log_n+K)", n_log_n(polygon) + pairs);
+}
+
+}  // namespace evenlift::bench

@@ -1,0 +1,49 @@
+// A whole placement, as the program and the page ask for it: from vertices to loads and closure.
+#include "bench.h"
+#include "evenlift/placement.h"
+
+namespace evenlift::bench {
+namespace {
+
+void place(benchmark::State& state, Family family, Metric metric) {
+  Document document = document_of(family, state.range(0));
+  document.settings.metric = metric;
+  document.settings.teams = static_cast<std::uint32_t>(state.range(1));
+  std::size_t found = 0;
+  for (auto _ : state) {
+    const auto placement = evenlift::place(document);
+    found = placement->candidates.size();
+    benchmark::DoNotOptimize(found);
+  }
+  state.counters["candidates"] = static_cast<double>(found);
+}
+
+void for_20_teams(benchmark::internal::Benchmark* metric) {
+  metric->ArgNames({"n", "teams"})->Unit(benchmark::kMillisecond)->Args({1000, 20});
+}
+void for_20_teams_twice(benchmark::internal::Benchmark* metric) {
+  for_20_teams(metric);
+  metric->Args({10000, 20});
+}
+
+BENCHMARK_CAPTURE(place, random_by_area, Family::random, Metric::area)->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, random_by_circle, Family::random, Metric::circle)->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, random_by_distance, Family::random, Metric::distance)->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, random_distributed, Family::random, Metric::distributed)->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, random_at_random, Family::random, Metric::random)->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, comb_by_area, Family::comb, Metric::area)->Apply(for_20_teams);
+BENCHMARK_CAPTURE(place, comb_by_circle, Family::comb, Metric::circle)->Apply(for_20_teams);
+BENCHMARK_CAPTURE(place, comb_by_distance, Family::comb, Metric::distance)->Apply(for_20_teams);
+BENCHMARK_CAPTURE(place, comb_distributed, Family::comb, Metric::distributed)->Apply(for_20_teams);
+BENCHMARK_CAPTURE(place, comb_at_random, Family::comb, Metric::random)->Apply(for_20_teams);
+
+// Hard for the bounds by area and distance: the radii are random, so that nearly all ends gain about as much.
+void hard_for_bounds(benchmark::internal::Benchmark* metric) {
+  metric->ArgNames({"n", "teams"})->Unit(benchmark::kMillisecond);
+  for (const std::int64_t n : {1000, 3000, 10000, 30000}) metric->Args({n, 3});
+}
+BENCHMARK_CAPTURE(place, star_by_area, Family::star, Metric::area)->Apply(hard_for_bounds);
+BENCHMARK_CAPTURE(place, star_by_distance, Family::star, Metric::distance)->Apply(hard_for_bounds);
+
+}  // namespace
+}  // namespace evenlift::bench

@@ -1,0 +1,364 @@
+// The view without a window: Dear ImGui draws into nothing, the pointer is made up.
+#include <imgui.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "actions.h"
+#include "app.h"
+#include "catch.h"
+#include "evenlift/formats.h"
+#include "history.h"
+#include "labels.h"
+#include "layout.h"
+#include "set_settings.h"
+#include "summary.h"
+#include "theme.h"
+#include "triangulate.h"
+#include "update.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+
+namespace {
+
+Document document(const std::string& text) {
+  Result<Document> read = read_polygon(text);
+  REQUIRE(read.ok());
+  return *read;
+}
+
+const std::string l_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
+
+std::string asset(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::filesystem::path> assets() {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(EVENLIFT_ASSETS_DIR "/polygons")) {
+    if (entry.path().extension() == ".txt" && entry.path().stem() != "index") paths.push_back(entry.path());
+  }
+  REQUIRE(paths.size() > 10);
+  return paths;
+}
+
+// A page without a window.
+class Page {
+ public:
+  explicit Page(const std::string& text = l_shape) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    load_fonts(1);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    start_with(app.state, document(text), std::nullopt);
+  }
+  ~Page() { ImGui::DestroyContext(); }
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+
+  void frame(const Pointer& pointer = {}) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(static_cast<float>(app.state.screen.width), static_cast<float>(app.state.screen.height));
+    io.DeltaTime = 1.0f / 60;
+    ImGui::NewFrame();
+    draw_frame(app, pointer);
+    ImGui::Render();
+    settle(app);
+  }
+
+  Pointer at(const Vec2& world) const {
+    Pointer p;
+    p.at = app.state.camera.to_screen(world);
+    p.present = true;
+    return p;
+  }
+
+  void drag(const Vec2& from, const Vec2& to) {
+    Pointer p = at(from);
+    p.pressed = p.down = true;
+    frame(p);
+    p.pressed = false;
+    const Vec2 start = p.at, end = app.state.camera.to_screen(to);
+    for (int i = 1; i <= 4; ++i) {
+      p.at = start + (end - start) * i / 4;
+      p.moved = length(p.at - start);
+      frame(p);
+    }
+    p.down = false;
+    p.released = true;
+    frame(p);
+  }
+
+  void press(const Key& key) {
+    const Action* found = action_for(app.state, key);
+    REQUIRE(found != nullptr);
+    found->run(app.state, app.commands);
+    settle(app);
+  }
+
+  App app;
+};
+
+double area_of(const Points& polygon, const std::vector<std::uint32_t>& triangles) {
+  double area = 0;
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const Vec2 &a = polygon[triangles[i]], &b = polygon[triangles[i + 1]], &c = polygon[triangles[i + 2]];
+    area += std::abs(cross(b - a, c - a)) / 2;
+  }
+  return area;
+}
+
+double area_of(const Points& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    twice += cross(polygon[i] - polygon[0], polygon[i + 1 == polygon.size() ? 0 : i + 1] - polygon[0]);
+  }
+  return std::abs(twice) / 2;
+}
+
+}  // namespace
+
+TEST_CASE("every panel draws for every sample on every kind of screen, and then comes to rest", "[view]") {
+  Page page;
+  for (const auto& path : assets()) {
+    INFO(path.string());
+    page.app.commands.push_back(OpenDocument{document(asset(path))});
+    settle(page.app);
+    for (const auto& [width, height] : {std::pair{1280, 800}, {844, 390}, {390, 844}}) {
+      for (const bool embed : {false, true}) {
+        Screen& screen = page.app.state.screen;
+        screen.width = width;
+        screen.height = height;
+        screen.embed = embed;
+        screen.dark = !screen.dark;
+        for (int i = 0; i < 4; ++i) page.frame();
+        page.frame();
+        CHECK_FALSE(settle(page.app));  // nothing asks for another frame
+        CHECK(page.app.commands.empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("triangles fill a polygon exactly", "[view]") {
+  for (const auto& path : assets()) {
+    INFO(path.string());
+    const Points polygon = document(asset(path)).vertices;
+    const auto triangles = triangulate(polygon);
+    CHECK(triangles.size() == 3 * (polygon.size() - 2));
+    CHECK(area_of(polygon, triangles) == Approx(area_of(polygon)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("triangulation of a large star and of nonsense ends soon", "[view]") {
+  Points star;
+  for (int i = 0; i < 30000; ++i) {
+    const double a = 2 * 3.14159265358979 * i / 30000, r = i % 2 ? 100 : 99.9;
+    star.emplace_back(r * std::cos(a), r * std::sin(a));
+  }
+  CHECK(area_of(star, triangulate(star)) == Approx(area_of(star)).epsilon(1e-6));
+  CHECK(triangulate({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).size() == 6);
+  CHECK(triangulate({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}}).size() == 9);
+  CHECK(triangulate({}).empty());
+}
+
+TEST_CASE("a drag of a vertex is one step of undo", "[view]") {
+  Page page;
+  page.frame();
+  const Points before = page.app.state.document.vertices;
+  page.drag({400, 150}, {430, 190});
+  const AppState& state = page.app.state;
+  CHECK(length(state.document.vertices[2] - Vec2(430, 190)) < 2);
+  CHECK(state.selected == 2u);
+  CHECK_FALSE(state.edit_open);
+  page.press({"z", true});
+  CHECK(state.document.vertices == before);
+  CHECK_FALSE(state.history.can_undo());
+  page.press({"z", true, true});
+  CHECK(length(state.document.vertices[2] - Vec2(430, 190)) < 2);
+}
+
+TEST_CASE("a refused polygon keeps the last good placement, link and reason", "[view]") {
+  Page page;
+  page.frame();
+  page.drag({400, 150}, {75, 350});
+  const AppState& state = page.app.state;
+  REQUIRE(state.refusal);
+  CHECK(state.refusal->code == ErrorCode::edges_cross);
+  REQUIRE(state.placement);
+  CHECK(check_settings(state.placement->settings) == std::nullopt);
+  CHECK(verdict(state).mood == Mood::refused);
+  CHECK(place(state.placed).ok());
+  for (int i = 0; i < 3; ++i) page.frame();
+  page.press({"z", true});
+  CHECK_FALSE(state.refusal);
+  CHECK(verdict(state).mood != Mood::refused);
+}
+
+TEST_CASE("a double press on an edge adds a vertex that can be dragged at once, Delete takes it away", "[view]") {
+  Page page;
+  page.frame();
+  Pointer p = page.at({200, 0});
+  p.pressed = p.down = p.double_pressed = true;
+  page.frame(p);
+  const AppState& state = page.app.state;
+  REQUIRE(state.document.vertices.size() == 7);
+  CHECK(state.held.kind == Pick::Kind::vertex);
+  CHECK(state.held.index == 1);
+  p.pressed = p.double_pressed = p.down = false;
+  page.frame(p);
+  page.press({"Delete"});
+  CHECK(state.document.vertices.size() == 6);
+}
+
+TEST_CASE("the last three vertices stay", "[view]") {
+  Page page("(0,0)\n(10,0)\n(0,10)\n");
+  page.app.commands = {SelectVertex{0}, RemoveVertex{0}};
+  settle(page.app);
+  CHECK(page.app.state.document.vertices.size() == 3);
+  CHECK_FALSE(page.app.state.notice.text.empty());
+}
+
+TEST_CASE("the centre of mass can be dragged and given back", "[view]") {
+  Page page;
+  page.frame();
+  const Vec2 centroid = page.app.state.placement->centre_of_mass;
+  page.drag(centroid, centroid + Vec2(20, 10));
+  REQUIRE(page.app.state.document.centre_of_mass);
+  page.app.commands = {ReleaseCentre{}};
+  settle(page.app);
+  CHECK(page.app.state.placement->centre_of_mass == centroid);
+}
+
+TEST_CASE("zooming keeps the point under the pointer", "[view]") {
+  Camera camera;
+  camera.centre = {3, 4};
+  camera.anchor = {400, 300};
+  camera.scale = 7;
+  const Vec2 about(123, 456), world = camera.to_world(about);
+  const Camera zoomed = zoom(camera, about, 1.7, 0.1, 1000);
+  CHECK(length(zoomed.to_screen(world) - about) < 1e-9);
+  CHECK(zoomed.scale == Approx(7 * 1.7));
+  CHECK(length(pan(camera, {10, -5}).to_screen(world) - (about + Vec2(10, -5))) < 1e-9);
+}
+
+TEST_CASE("dragged coordinates are short decimals within a pixel", "[view]") {
+  Camera camera;
+  for (const double scale : {0.003, 0.7, 1.0, 3.3, 250.0}) {
+    camera.scale = scale;
+    const Vec2 p(123.456789123, -0.000123456), rounded = rounded_to_pixels(camera, p);
+    CHECK(length(rounded - p) * scale <= 1);
+    CHECK(shortest(rounded.x()).size() <= 9);
+  }
+}
+
+TEST_CASE("settings by name change together or say which is wrong", "[view]") {
+  const Document before = document(l_shape);
+  const auto changed = with_settings(before, "teams=max\nmin_ratio=0.25\nmetric=distance\ncom=12.5,-3e-1\nstep=4");
+  REQUIRE(changed.ok());
+  CHECK_FALSE(changed->settings.teams);
+  CHECK(changed->settings.min_ratio == 0.25);
+  CHECK(changed->settings.metric == Metric::distance);
+  CHECK(changed->centre_of_mass == Vec2(12.5, -0.3));
+  CHECK(changed->settings.step == 4u);
+  for (const char* bad : {"teams=x", "teams=", "teams", "metric=Area", "min_ratio=2", "weight=0", "seed=-1", "com=1", "x=1", "=",
+                          "teams=99999999999999999999", "min_ratio=nan", "weight=inf"}) {
+    INFO(bad);
+    CHECK_FALSE(with_settings(before, bad).ok());
+  }
+}
+
+TEST_CASE("history gives back whole documents, without limit", "[view]") {
+  History history;
+  Document now = document(l_shape);
+  for (int i = 0; i < 500; ++i) {
+    history.record(now);
+    now.settings.weight += 1;
+  }
+  for (int i = 0; i < 500; ++i) now = history.undo(now);
+  CHECK(now.settings.weight == 100);
+  CHECK_FALSE(history.can_undo());
+  for (int i = 0; i < 500; ++i) now = history.redo(now);
+  CHECK(now.settings.weight == 600);
+  CHECK(now.vertices == document(l_shape).vertices);
+}
+
+TEST_CASE("labels stand clear of each other, of robots and of what covers the drawing", "[view]") {
+  std::vector<LabelRequest> requests;
+  for (int i = 0; i < 6; ++i) requests.push_back({Vec2(200 + 60 * i, 200), Vec2(0, -1), Vec2(58, 20)});
+  const Rect window{0, 0, 800, 600}, covered{0, 100, 300, 170};
+  const auto places = place_labels(requests, window, covered, 15);
+  const auto apart = [](const Rect& a, const Rect& b) {
+    return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+  };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i]) continue;
+    CHECK(apart(*places[i], covered));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (places[j]) CHECK(apart(*places[i], *places[j]));
+    }
+  }
+}
+
+TEST_CASE("the verdict is a sentence", "[view]") {
+  Page page;
+  const AppState& state = page.app.state;
+  CHECK(verdict(state).headline.find("6 robots, each ") == 0);
+  CHECK(summary(state).find("Team 3 at ") != std::string::npos);
+  Settings one = state.document.settings;
+  one.teams = 1;
+  page.app.commands = {SetSettings{one}};
+  settle(page.app);
+  CHECK(verdict(state).mood == Mood::not_quite);
+  Closure closure;
+  closure.translation_free = false;
+  closure.clockwise.exists = true;
+  CHECK(freedom(closure) == "It can still turn clockwise.");
+  closure.translation_free = true;
+  closure.counterclockwise.exists = true;
+  CHECK(freedom(closure) == "It can still turn both ways and slide.");
+  closure = {};
+  CHECK(freedom(closure) == "It can still slide.");
+  closure.translation_free = false;
+  closure.form_closure = true;
+  CHECK(freedom(closure) == "It cannot move.");
+}
+
+TEST_CASE("no two actions share a key, and every key in the list does something", "[view]") {
+  std::vector<Key> seen;
+  for (const Action& a : actions()) {
+    for (const Key& key : a.keys) {
+      if (key.name.empty()) continue;
+      for (const Key& other : seen) {
+        CHECK_FALSE((other.name == key.name && other.command == key.command && other.shift == key.shift));
+      }
+      seen.push_back(key);
+    }
+  }
+  CHECK(seen.size() > 20);
+}
+
+TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leaves most of it free", "[view]") {
+  AppState state;
+  state.screen.width = 390;
+  state.screen.height = 844;
+  CHECK_FALSE(layout(state).wide);
+  CHECK(layout(state).panel.top >= 0.55 * 844);
+  state.sheet = Sheet::half;
+  CHECK(layout(state).panel.top >= 0.55 * 844 - 1);
+  state.screen.width = 1280;
+  state.screen.height = 800;
+  CHECK(layout(state).wide);
+  CHECK(layout(state).room.right < layout(state).panel.left);
+}
