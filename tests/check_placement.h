@@ -447,6 +447,10 @@ class Checker {
         for (int k = -2; k <= 2; ++k) try_direction(i, j, k);
     for (std::size_t i = 0; i < w.size(); ++i) {
       try_both(w[i][0], w[i][1], w[i][2]);
+      // Directions at a right angle to a wrench: what two opposite ones leave free.
+      try_both(0, w[i][2], -w[i][1]);
+      try_both(-w[i][2], 0, w[i][0]);
+      try_both(w[i][1], -w[i][0], 0);
       for (std::size_t j = i + 1; j < w.size(); ++j) {
         const Wrench &a = w[i], &b = w[j];
         try_both(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);

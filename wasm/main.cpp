@@ -68,8 +68,10 @@ int SDLCALL on_event(void*, SDL_Event* event) {
 
 void load_fonts_for(double ratio) {
   if (page.fonts_for_ratio == ratio) return;
+#if IMGUI_VERSION_NUM >= 19200
+  if (page.fonts_for_ratio == 0) load_fonts(ratio);  // from then on it rasterises for whatever scale it finds
+#else
   load_fonts(ratio);
-#if IMGUI_VERSION_NUM < 19200
   // Before the first frame there is nothing to replace; the backend makes the texture by itself.
   if (page.fonts_for_ratio != 0) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();

@@ -144,7 +144,6 @@ void apply_style(const AppState& state, double control_height) {
   s.Colors[ImGuiCol_ScrollbarGrabActive] = t.quiet.vec();
   s.Colors[ImGuiCol_TextSelectedBg] = t.accent.at(0.30f).vec();
   s.Colors[ImGuiCol_Separator] = t.panel_line.vec();
-  s.Colors[ImGuiCol_NavHighlight] = t.accent.vec();
 }
 
 void sharpen(ImDrawList& list, const AppState& state) {

@@ -23,6 +23,7 @@ void show(AppState& state, Notice notice) {
 // Takes over what place() says of the document.
 void adopt(AppState& state, Result<Placement> placement) {
   ++state.revision;
+  const std::string before = state.refusal ? sentence(*state.refusal) : std::string();
   if (placement) {
     state.placement = std::move(placement).value();
     state.placed = state.document;
@@ -31,6 +32,8 @@ void adopt(AppState& state, Result<Placement> placement) {
     state.refusal = placement.error();
   }
   show(state, {});
+  const std::string now = state.refusal ? sentence(*state.refusal) : std::string();
+  if (now != before) browser::announce(now);
   browser::document_changed();
 }
 

@@ -83,7 +83,7 @@ Way code_content(Coder& coder, Content& content, Way way) {
   const std::uint64_t count = code_integer(coder, content.cells.size(), widest_count);
   if (count > max_link_vertices) coder.fail();
   if (coder.failed()) return way;
-  if (count > 0) way = code_vertices(coder, way, content.cells, count);
+  if (count > 0) way = code_vertices(coder, way, content.cells, static_cast<std::size_t>(count));
 
   std::optional<Vec2>& centre = content.centre_of_mass;
   const bool has_centre = coder.uniform(centre ? 1 : 0, 2) != 0;
