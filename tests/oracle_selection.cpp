@@ -132,6 +132,7 @@ using Tie =
 void keep_best(std::vector<std::size_t>& remaining, const Key& key, const Tie& tie, Calls& calls,
                const char* what) {
   std::vector<Real> keys;
+  keys.reserve(remaining.size());
   for (std::size_t i : remaining) keys.push_back(key(i));
   const Real best = *std::max_element(keys.begin(), keys.end());
   const Real allowed = tie(best);

@@ -8,6 +8,7 @@ namespace {
 
 std::vector<ExactVec> exact_points(const std::vector<Point>& points) {
   std::vector<ExactVec> result;
+  result.reserve(points.size());
   for (const Point& p : points) result.push_back(exact(p));
   return result;
 }

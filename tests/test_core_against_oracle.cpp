@@ -99,17 +99,19 @@ double size_of(const std::vector<Point>& v) {
   return distance(low, high);
 }
 
-/// How far p is from the convex hull with these corners, 0 inside.
-double outside(const Point& p, const std::vector<Point>& hull) {
+/// How far p is from the convex hull with these corners, in units of `size`; 0 inside.
+double outside(const Point& p, const std::vector<Point>& hull, double size) {
+  const auto seen_from_p = [&](const Point& q) {
+    return Point{(q[0] - p[0]) / size, (q[1] - p[1]) / size};
+  };
   double least = std::numeric_limits<double>::infinity();
   bool inside = hull.size() >= 3;
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Point &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    const Point a = seen_from_p(hull[i]), b = seen_from_p(hull[(i + 1) % hull.size()]);
     const double ux = b[0] - a[0], uy = b[1] - a[1], squared = ux * ux + uy * uy;
-    const double s =
-        squared > 0 ? std::clamp(((p[0] - a[0]) * ux + (p[1] - a[1]) * uy) / squared, 0.0, 1.0) : 0;
-    least = std::min(least, distance(p, {a[0] + s * ux, a[1] + s * uy}));
-    inside = inside && ux * (p[1] - a[1]) - uy * (p[0] - a[0]) >= 0;
+    const double s = squared > 0 ? std::clamp(-(a[0] * ux + a[1] * uy) / squared, 0.0, 1.0) : 0;
+    least = std::min(least, std::hypot(a[0] + s * ux, a[1] + s * uy));
+    inside = inside && uy * a[0] - ux * a[1] >= 0;
   }
   return inside ? 0 : least;
 }
@@ -213,9 +215,9 @@ class Comparison {
     for (const evenlift::Vec2& v : core_.hull) mine.push_back(point(v));
     d.same("a hull", mine.empty(), exact.empty());
     for (const Point& p : mine)
-      d.near("hull corner outside the oracle's", outside(p, exact), 0, tolerance * size_);
+      d.near("hull corner outside the oracle's", outside(p, exact, size_), 0, tolerance);
     for (const Point& p : exact)
-      d.near("oracle's hull corner outside", outside(p, mine), 0, tolerance * size_);
+      d.near("oracle's hull corner outside", outside(p, mine, size_), 0, tolerance);
   }
 
   void loads(Differences& d, const oracle::CandidateList& list,

@@ -21,7 +21,7 @@ void SdlInput::take(const Screen& screen) {
         take_finger(event, screen);
         break;
       case SDL_WINDOWEVENT:
-        if (event.window.event == SDL_WINDOWEVENT_LEAVE) queue_.push_back({What::leave, Vec2(0, 0), false});
+        if (event.window.event == SDL_WINDOWEVENT_LEAVE) queue_.push_back({What::leave, Vec2(0, 0), false, event.common.timestamp});
         break;
       default:
         break;  // keys come by way of page_key()
@@ -35,12 +35,12 @@ void SdlInput::take_mouse(const SDL_Event& event) {
     return;
   }
   if (event.type == SDL_MOUSEMOTION) {
-    queue_.push_back({What::move, Vec2(event.motion.x, event.motion.y), false});
+    queue_.push_back({What::move, Vec2(event.motion.x, event.motion.y), false, event.common.timestamp});
     return;
   }
   if (event.button.button != SDL_BUTTON_LEFT) return;
   const What what = event.type == SDL_MOUSEBUTTONDOWN ? What::down : What::up;
-  queue_.push_back({what, Vec2(event.button.x, event.button.y), false});
+  queue_.push_back({what, Vec2(event.button.x, event.button.y), false, event.common.timestamp});
 }
 
 void SdlInput::take_finger(const SDL_Event& event, const Screen& screen) {
@@ -49,7 +49,7 @@ void SdlInput::take_finger(const SDL_Event& event, const Screen& screen) {
   const auto finger = std::find_if(fingers_.begin(), fingers_.end(), [&](const Finger& f) { return f.id == touched.fingerId; });
   if (event.type == SDL_FINGERDOWN) {
     if (finger == fingers_.end()) fingers_.push_back({touched.fingerId, at});
-    if (fingers_.size() == 1) queue_.push_back({What::down, at, true});
+    if (fingers_.size() == 1) queue_.push_back({What::down, at, true, touched.timestamp});
     if (fingers_.size() == 2) begin_pinch();
     return;
   }
@@ -57,21 +57,21 @@ void SdlInput::take_finger(const SDL_Event& event, const Screen& screen) {
   finger->at = at;
   if (event.type == SDL_FINGERMOTION) {
     if (two_fingers_) follow_pinch();
-    else queue_.push_back({What::move, at, true});
+    else queue_.push_back({What::move, at, true, touched.timestamp});
     return;
   }
   fingers_.erase(finger);
   if (!two_fingers_) {
-    queue_.push_back({What::up, at, true});
-    queue_.push_back({What::leave, at, true});  // nothing hovers where no finger is
+    queue_.push_back({What::up, at, true, touched.timestamp});
+    queue_.push_back({What::leave, at, true, touched.timestamp});  // nothing hovers where no finger is
   }
   if (fingers_.empty()) two_fingers_ = false;
 }
 
 void SdlInput::begin_pinch() {
   two_fingers_ = true;
-  queue_.push_back({What::up, fingers_[0].at, true});
-  queue_.push_back({What::leave, fingers_[0].at, true});
+  queue_.push_back({What::up, fingers_[0].at, true, 0});
+  queue_.push_back({What::leave, fingers_[0].at, true, 0});
   pinch_middle_ = (fingers_[0].at + fingers_[1].at) / 2;
   pinch_spread_ = length(fingers_[0].at - fingers_[1].at);
 }
@@ -93,6 +93,11 @@ void SdlInput::pinch(const Vec2& at, double factor) {
   pinched_ = true;
 }
 
+bool SdlInput::is_second(const Event& press) const {
+  const double reach = press.touch ? 24 : 8;
+  return pressed_time_ != 0 && press.time - pressed_time_ <= 450 && length(press.at - pressed_at_) <= reach;
+}
+
 void SdlInput::feed() {
   bool dragged = false;
   while (!queue_.empty()) {
@@ -102,6 +107,11 @@ void SdlInput::feed() {
     dragged = down_ && event.what == What::move;
     touch_ = event.touch;
     at_ = event.what == What::leave ? Vec2(-1e6, -1e6) : event.at;
+    if (event.what == What::down) {
+      second_press_ = is_second(event);
+      pressed_time_ = second_press_ ? 0 : event.time;
+      pressed_at_ = event.at;
+    }
     if (event.what == What::down || event.what == What::up) {
       down_ = event.what == What::down;
       break;
@@ -128,7 +138,7 @@ Pointer SdlInput::pointer() {
   p.present = at_.x() > -1e5;
   p.over_panel = io.WantCaptureMouse;
   p.pressed = ImGui::IsMouseClicked(0);
-  p.double_pressed = ImGui::IsMouseDoubleClicked(0);
+  p.double_pressed = p.pressed && second_press_;
   p.released = ImGui::IsMouseReleased(0);
   p.down = ImGui::IsMouseDown(0);
   const ImVec2 moved = ImGui::GetMouseDragDelta(0, 0);
@@ -138,6 +148,7 @@ Pointer SdlInput::pointer() {
   p.pinch_at = pinch_middle_;
   p.pinch_moved = pinch_moved_;
   p.pinch_factor = pinch_factor_;
+  second_press_ = false;
   wheel_ = 0;
   pinched_ = false;
   pinch_moved_ = Vec2::Zero();

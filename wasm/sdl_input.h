@@ -35,6 +35,7 @@ class SdlInput {
     What what;
     Vec2 at;
     bool touch;
+    Uint32 time;  // milliseconds, when it came: a slow frame must not part the two presses of a double one
   };
   struct Finger {
     SDL_FingerID id;
@@ -42,6 +43,7 @@ class SdlInput {
   };
   void take_mouse(const SDL_Event& event);
   void take_finger(const SDL_Event& event, const Screen& screen);
+  bool is_second(const Event& press) const;
   void begin_pinch();
   void follow_pinch();
 
@@ -49,6 +51,9 @@ class SdlInput {
   std::vector<Finger> fingers_;
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false;
+  bool second_press_ = false;  // of a double press, in this frame
+  Vec2 pressed_at_ = Vec2::Zero();
+  Uint32 pressed_time_ = 0;    // 0: the next press is a first one
   float wheel_ = 0;
   bool two_fingers_ = false;  // until all are lifted: the last finger of a pinch drags nothing
   bool pinched_ = false;      // since the last frame

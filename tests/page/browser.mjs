@@ -164,5 +164,5 @@ export async function drag(page, from, to, steps = 8) {
 
 // Waits until the address bar holds the current link.
 export async function published(page) {
-  await page.waitForFunction(() => location.hash === `#${evenlift.link()}`, undefined, { timeout: 5000 });
+  await page.waitForFunction(() => location.hash === `#${evenlift.link()}`, undefined, { timeout: 30000 });
 }
