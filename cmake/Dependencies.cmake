@@ -86,7 +86,7 @@ evenlift_headers(
   include)
 
 # --- Dear ImGui: the sources, built with our configuration (wasm/imgui_config.h) -------------------------------------
-# imgui::imgui is the library, which the tests use without a window; imgui::backends adds SDL2 and WebGL for the page.
+# imgui::imgui is the library, which the tests use without a window; imgui::backends adds WebGL for the page.
 if(EVENLIFT_VIEW)
   evenlift_cached(FETCHCONTENT_SOURCE_DIR_IMGUI "imgui-*")
   evenlift_fetch(
@@ -102,9 +102,9 @@ if(EVENLIFT_VIEW)
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
 endif()
 
-# --- SDL2 and ImGui's backends: the page only ------------------------------------------------------------------------
+# --- SDL2 and ImGui's backend: the page only ------------------------------------------------------------------------
 if(EVENLIFT_VIEW AND EMSCRIPTEN)
-  evenlift_cached(SDL2_DIR "sdl2-*-emscripten-${EMSCRIPTEN_VERSION}/lib/cmake/SDL2")
+  evenlift_cached(SDL2_DIR "sdl2-*-lean-emscripten-${EMSCRIPTEN_VERSION}/lib/cmake/SDL2")
   find_package(SDL2 QUIET CONFIG)
   if(NOT TARGET SDL2::SDL2-static)
     if(NOT EVENLIFT_DOWNLOADS AND NOT FETCHCONTENT_SOURCE_DIR_SDL2)
@@ -114,7 +114,8 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
     endif()
     set(SDL_SHARED OFF CACHE BOOL "" FORCE)
     set(SDL_STATIC ON CACHE BOOL "" FORCE)
-    foreach(part TEST AUDIO HAPTIC JOYSTICK SENSOR POWER)
+    # What the page does not use; the same list is in ./dev.
+    foreach(part TEST AUDIO RENDER HAPTIC JOYSTICK HIDAPI SENSOR POWER FILESYSTEM LOADSO LOCALE MISC DUMMYVIDEO OFFSCREEN)
       set(SDL_${part} OFF CACHE BOOL "" FORCE)
     endforeach()
     # From 3.1.31 on, Emscripten leaves out JavaScript functions that nobody names; SDL2 names them from 2.28.4 on, in
@@ -126,16 +127,12 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
     endif()
     FetchContent_Declare(SDL2 GIT_REPOSITORY https://github.com/libsdl-org/SDL.git GIT_TAG ${commit})
     FetchContent_MakeAvailable(SDL2)
+    target_compile_definitions(SDL2-static PRIVATE SDL_LEAN_AND_MEAN=1)
   endif()
 
-  # 1.87 renamed the backend.
+  # ImGui's backend for WebGL. Its backend for SDL2 is not used: wasm/sdl_input.cpp does what a page needs.
   set(imgui_backends "${imgui_SOURCE_DIR}/backends")
-  if(EXISTS "${imgui_backends}/imgui_impl_sdl2.cpp")
-    set(imgui_sdl "${imgui_backends}/imgui_impl_sdl2.cpp")
-  else()
-    set(imgui_sdl "${imgui_backends}/imgui_impl_sdl.cpp")
-  endif()
-  add_library(imgui_backends STATIC EXCLUDE_FROM_ALL "${imgui_sdl}" "${imgui_backends}/imgui_impl_opengl3.cpp")
+  add_library(imgui_backends STATIC EXCLUDE_FROM_ALL "${imgui_backends}/imgui_impl_opengl3.cpp")
   add_library(imgui::backends ALIAS imgui_backends)
   target_include_directories(imgui_backends SYSTEM PUBLIC "${imgui_backends}")
   target_compile_definitions(imgui_backends PUBLIC IMGUI_IMPL_OPENGL_ES3)

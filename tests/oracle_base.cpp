@@ -40,7 +40,8 @@ Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>
   // fro, which have no area.
   std::vector<RealVec> rest = polygon;
   for (std::size_t i = 0; i < convex.size() && !rest.empty(); ++i) {
-    const RealVec a = convex[i], along = convex[(i + 1) % convex.size()] - a;
+    const RealVec& a = convex[i];
+    const RealVec along = convex[(i + 1) % convex.size()] - a;
     std::vector<RealVec> kept;
     RealVec p = rest.back();
     Real p_side = cross(along, p - a);

@@ -74,6 +74,7 @@ Points on_ellipse(Draw& draw) {
   std::sort(f.begin(), f.end());
   const double flat = draw.between(0.2, 1.0);
   Points p;
+  p.reserve(f.size());
   for (double g : f) {
     const Point q = polar(g, 10);
     p.push_back({q[0], q[1] * flat});
@@ -176,6 +177,7 @@ Points staircase(Draw& draw) {
   const int columns = draw.between(1, 5);
   const bool mirrored = draw.chance(50);
   std::vector<int> top;
+  top.reserve(static_cast<std::size_t>(columns));
   for (int i = 0; i < columns; ++i) top.push_back(draw.between(1, 5));
   if (mirrored)
     for (int i = 0; i < columns; ++i)

@@ -24,10 +24,10 @@ inline Polygon polygon_of(Family family, std::int64_t n) {
   return *Polygon::create(document_of(family, n).vertices);
 }
 
-// A counter `name`: nanoseconds an iteration for each of `units`. Flat over n if the time grows as units do.
-inline void count_ns_per(benchmark::State& state, const char* name, double units) {
+// A counter `name`: the time of an iteration for each of `units`. Flat over n if the time grows as units do.
+inline void count_time_per(benchmark::State& state, const char* name, double units) {
   using benchmark::Counter;
-  state.counters[name] = Counter(1e-9 * units, Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters[name] = Counter(units, Counter::kIsIterationInvariantRate | Counter::kInvert);
 }
 
 inline double n_log_n(const Polygon& polygon) {
@@ -39,7 +39,7 @@ inline double n_log_n(const Polygon& polygon) {
 inline void count_pairs(benchmark::State& state, const Polygon& polygon) {
   const auto pairs = static_cast<double>(count_edge_pairs(polygon, polygon.centroid()));
   state.counters["K"] = pairs;
-  count_ns_per(state, "ns/(n_log_n+K)", n_log_n(polygon) + pairs);
+  count_time_per(state, "per_(n_log_n+K)", n_log_n(polygon) + pairs);
 }
 
 }  // namespace evenlift::bench

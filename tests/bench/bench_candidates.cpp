@@ -8,7 +8,7 @@ namespace {
 void validate(benchmark::State& state, Family family) {
   const Document document = document_of(family, state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(Polygon::create(document.vertices));
-  count_ns_per(state, "ns/(n_log_n)", n_log_n(polygon_of(family, state.range(0))));
+  count_time_per(state, "per_(n_log_n)", n_log_n(polygon_of(family, state.range(0))));
 }
 
 void pairs(benchmark::State& state, Family family) {
