@@ -14,7 +14,8 @@ bool has_teams_number(const AppState& s) { return editing(s) && s.placement.has_
 
 // From "max" one step down is the number of teams that there are.
 std::uint32_t teams_now(const AppState& s) {
-  return settings(s).teams.value_or(static_cast<std::uint32_t>(s.placement ? s.placement->teams.size() : 3));
+  return settings(s).teams.value_or(
+      static_cast<std::uint32_t>(s.placement ? s.placement->teams.size() : 3));
 }
 
 void set_teams(const AppState& s, Commands& out, std::int64_t teams) {
@@ -44,52 +45,176 @@ void toggle(const AppState& s, Commands& out) {
 }
 
 // Escape takes away the topmost thing that is in the way.
-bool anything_open(const AppState& s) { return s.list_open || s.help_open || s.selected || !s.notice.text.empty(); }
+bool anything_open(const AppState& s) {
+  return s.list_open || s.help_open || s.selected || !s.notice.text.empty();
+}
 void dismiss(const AppState& s, Commands& out) {
-  if (s.list_open) out.push_back(CloseList{});
-  else if (s.help_open) out.push_back(SetHelpOpen{false});
-  else if (!s.notice.text.empty()) out.push_back(ShowNotice{});
-  else out.push_back(SelectVertex{});
+  if (s.list_open)
+    out.push_back(CloseList{});
+  else if (s.help_open)
+    out.push_back(SetHelpOpen{false});
+  else if (!s.notice.text.empty())
+    out.push_back(ShowNotice{});
+  else
+    out.push_back(SelectVertex{});
+}
+
+template <browser::Dialog dialog>
+void show(const AppState&, Commands& out) {
+  out.push_back(OpenDialog{dialog});
 }
 
 const std::vector<Action> table = {
-    {ActionId::undo, Icon::undo, "Undo", "Ctrl+Z", {{"z", true}},
-     [](const AppState& s) { return s.history.can_undo(); }, [](const AppState&, Commands& out) { out.push_back(Undo{}); }},
-    {ActionId::redo, Icon::redo, "Redo", "Ctrl+Shift+Z", {{"z", true, true}, {"y", true}},
-     [](const AppState& s) { return s.history.can_redo(); }, [](const AppState&, Commands& out) { out.push_back(Redo{}); }},
-    {ActionId::copy_link, Icon::link, "Copy link", "Ctrl+C", {{"c", true}}, always,
+    {ActionId::samples,
+     Icon::shapes,
+     "Samples",
+     "G",
+     {{"g"}},
+     editing,
+     show<browser::Dialog::samples>},
+    {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, editing, show<browser::Dialog::open>},
+    {ActionId::save, Icon::save, "Save", "S", {{"s"}}, editing, show<browser::Dialog::save>},
+    {ActionId::table,
+     Icon::table,
+     "Coordinates",
+     "E",
+     {{"e"}},
+     editing,
+     show<browser::Dialog::table>},
+    {ActionId::undo,
+     Icon::undo,
+     "Undo",
+     "Ctrl+Z",
+     {{"z", true}},
+     [](const AppState& s) { return s.history.can_undo(); },
+     [](const AppState&, Commands& out) { out.push_back(Undo{}); }},
+    {ActionId::redo,
+     Icon::redo,
+     "Redo",
+     "Ctrl+Shift+Z",
+     {{"z", true, true}, {"y", true}},
+     [](const AppState& s) { return s.history.can_redo(); },
+     [](const AppState&, Commands& out) { out.push_back(Redo{}); }},
+    {ActionId::copy_link,
+     Icon::link,
+     "Copy link",
+     "Ctrl+C",
+     {{"c", true}},
+     always,
      [](const AppState&, Commands& out) { out.push_back(CopyLink{}); }},
-    {ActionId::remove_vertex, Icon::close, "Remove the selected vertex", "Delete", {{"Delete"}, {"Backspace"}},
+    {ActionId::remove_vertex,
+     Icon::close,
+     "Remove the selected vertex",
+     "Delete",
+     {{"Delete"}, {"Backspace"}},
      [](const AppState& s) { return s.selected.has_value(); },
      [](const AppState& s, Commands& out) { out.push_back(RemoveVertex{*s.selected}); }},
-    {ActionId::more_teams, Icon::plus, "One team more", "T", {{"t"}}, has_teams_number,
+    {ActionId::more_teams,
+     Icon::plus,
+     "One team more",
+     "T",
+     {{"t"}},
+     has_teams_number,
      [](const AppState& s, Commands& out) { set_teams(s, out, std::int64_t{teams_now(s)} + 1); }},
-    {ActionId::fewer_teams, Icon::minus, "One team fewer", "Shift+T", {{"T"}}, has_teams_number,
+    {ActionId::fewer_teams,
+     Icon::minus,
+     "One team fewer",
+     "Shift+T",
+     {{"T"}},
+     has_teams_number,
      [](const AppState& s, Commands& out) { set_teams(s, out, std::int64_t{teams_now(s)} - 1); }},
     {ActionId::next_method, Icon::none, "Next method", "M", {{"m"}}, editing, next_method},
-    {ActionId::higher_ratio, Icon::none, "Raise the minimum load ratio", ".", {{"."}}, editing,
+    {ActionId::higher_ratio,
+     Icon::none,
+     "Raise the minimum load ratio",
+     ".",
+     {{"."}},
+     editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, 1); }},
-    {ActionId::lower_ratio, Icon::none, "Lower the minimum load ratio", ",", {{","}}, editing,
+    {ActionId::lower_ratio,
+     Icon::none,
+     "Lower the minimum load ratio",
+     ",",
+     {{","}},
+     editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, -1); }},
-    {ActionId::toggle_hull, Icon::none, "Show the lifting base", "H", {{"h"}}, always, toggle<&Overlays::hull>},
-    {ActionId::toggle_clockwise, Icon::none, "Show free clockwise turns", "R", {{"r"}}, always,
+    {ActionId::toggle_hull,
+     Icon::none,
+     "Show the lifting base",
+     "H",
+     {{"h"}},
+     always,
+     toggle<&Overlays::hull>},
+    {ActionId::toggle_clockwise,
+     Icon::none,
+     "Show free clockwise turns",
+     "R",
+     {{"r"}},
+     always,
      toggle<&Overlays::clockwise>},
-    {ActionId::toggle_counterclockwise, Icon::none, "Show free counter-clockwise turns", "L", {{"l"}}, always,
+    {ActionId::toggle_counterclockwise,
+     Icon::none,
+     "Show free counter-clockwise turns",
+     "L",
+     {{"l"}},
+     always,
      toggle<&Overlays::counterclockwise>},
-    {ActionId::toggle_chords, Icon::none, "Show the teams' chords", "C", {{"c"}}, always, toggle<&Overlays::chords>},
-    {ActionId::toggle_candidates, Icon::none, "Show the candidates", "A", {{"a"}}, always,
+    {ActionId::toggle_chords,
+     Icon::none,
+     "Show the teams' chords",
+     "C",
+     {{"c"}},
+     always,
+     toggle<&Overlays::chords>},
+    {ActionId::toggle_candidates,
+     Icon::none,
+     "Show the candidates",
+     "A",
+     {{"a"}},
+     always,
      toggle<&Overlays::candidates>},
-    {ActionId::zoom_in, Icon::plus, "Zoom in", "+", {{"+"}, {"="}}, always,
+    {ActionId::zoom_in,
+     Icon::plus,
+     "Zoom in",
+     "+",
+     {{"+"}, {"="}},
+     always,
      [](const AppState&, Commands& out) { out.push_back(ZoomView{1.25}); }},
-    {ActionId::zoom_out, Icon::minus, "Zoom out", "−", {{"-"}}, always,
+    {ActionId::zoom_out,
+     Icon::minus,
+     "Zoom out",
+     "−",
+     {{"-"}},
+     always,
      [](const AppState&, Commands& out) { out.push_back(ZoomView{0.8}); }},
-    {ActionId::fit, Icon::fit, "Show all of the object", "0", {{"0"}}, always,
+    {ActionId::fit,
+     Icon::fit,
+     "Show all of the object",
+     "0",
+     {{"0"}},
+     always,
      [](const AppState&, Commands& out) { out.push_back(FitView{}); }},
-    {ActionId::fold_panel, Icon::fold, "Fold the panel away", "P", {{"p"}}, editing,
+    {ActionId::fold_panel,
+     Icon::fold,
+     "Fold the panel away",
+     "P",
+     {{"p"}},
+     editing,
      [](const AppState& s, Commands& out) { out.push_back(SetPanelOpen{!s.panel_open}); }},
-    {ActionId::help, Icon::help, "Keys", "?", {{"?"}}, always,
+    {ActionId::help,
+     Icon::help,
+     "Keys",
+     "?",
+     {{"?"}},
+     always,
      [](const AppState& s, Commands& out) { out.push_back(SetHelpOpen{!s.help_open}); }},
-    {ActionId::dismiss, Icon::close, "Close, or select nothing", "Esc", {{"Escape"}}, anything_open, dismiss},
+    {ActionId::dismiss,
+     Icon::close,
+     "Close, or select nothing",
+     "Esc",
+     {{"Escape"}},
+     anything_open,
+     dismiss},
 };
 
 bool same(const Key& wanted, const Key& pressed) {

@@ -12,24 +12,45 @@
 namespace evenlift::view {
 
 enum class ActionId : std::uint8_t {
-  undo, redo, copy_link, remove_vertex, more_teams, fewer_teams, next_method, higher_ratio, lower_ratio,
-  toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, zoom_in, zoom_out, fit,
-  fold_panel, help, dismiss
+  samples,
+  open,
+  save,
+  table,
+  undo,
+  redo,
+  copy_link,
+  remove_vertex,
+  more_teams,
+  fewer_teams,
+  next_method,
+  higher_ratio,
+  lower_ratio,
+  toggle_hull,
+  toggle_clockwise,
+  toggle_counterclockwise,
+  toggle_chords,
+  toggle_candidates,
+  zoom_in,
+  zoom_out,
+  fit,
+  fold_panel,
+  help,
+  dismiss
 };
 
 // A key as KeyboardEvent.key names it; `command` is Ctrl, or Cmd on a Mac.
 struct Key {
   std::string_view name;
   bool command = false;
-  bool shift = false;   // looked at for named keys and with command; "?" says it by itself
+  bool shift = false;  // looked at for named keys and with command; "?" says it by itself
 };
 
 struct Action {
   ActionId id;
   Icon icon;
   const char* label;
-  const char* shown;     // its key in words, "" for none of its own
-  Key keys[3];           // any of them
+  const char* shown;  // its key in words, "" for none of its own
+  Key keys[3];        // any of them
   bool (*enabled)(const AppState&);
   void (*run)(const AppState&, Commands&);
 };

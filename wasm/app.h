@@ -14,8 +14,8 @@ struct App {
   Commands commands;
 };
 
-// Everything between ImGui::NewFrame() and ImGui::Render(): what the pointer does takes effect at once,
-// what a panel asks for after the frame, by settle().
+// Everything between ImGui::NewFrame() and ImGui::Render(): what the pointer does takes effect at
+// once, what a panel asks for after the frame, by settle().
 void draw_frame(App& app, const Pointer& pointer);
 
 // Applies what was asked for. Returns whether another frame is due.

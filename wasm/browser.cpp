@@ -1,13 +1,19 @@
-// The browser, by way of web/host.js: each function here only hands over to the one of its name there.
+// The browser, by way of web/host.js: each function here only hands over to the one of its name
+// there.
 #include "browser.h"
 
 #include <emscripten/emscripten.h>
 
+#include <cstddef>
 #include <string>
 
 EM_JS(void, evenlift_document_changed, (), { Module["host"]["documentChanged"](); })
-EM_JS(void, evenlift_copy_address, (const char* link), { Module["host"]["copyAddress"](UTF8ToString(link)); })
-EM_JS(void, evenlift_announce, (const char* text), { Module["host"]["announce"](UTF8ToString(text)); })
+EM_JS(void, evenlift_copy_address, (const char* link),
+      { Module["host"]["copyAddress"](UTF8ToString(link)); })
+EM_JS(void, evenlift_open_dialog, (const char* name),
+      { Module["host"]["openDialog"](UTF8ToString(name)); })
+EM_JS(void, evenlift_announce, (const char* text),
+      { Module["host"]["announce"](UTF8ToString(text)); })
 EM_JS(void, evenlift_open_page, (), { Module["host"]["openPage"](); })
 EM_JS(void, evenlift_measure_screen, (), { Module["host"]["measureScreen"](); })
 
@@ -15,6 +21,10 @@ namespace evenlift::view::browser {
 
 void document_changed() { evenlift_document_changed(); }
 void copy_address(std::string_view link) { evenlift_copy_address(std::string(link).c_str()); }
+void open_dialog(Dialog dialog) {
+  constexpr const char* names[] = {"samples", "open", "save", "table"};
+  evenlift_open_dialog(names[static_cast<std::size_t>(dialog)]);
+}
 void announce(std::string_view text) { evenlift_announce(std::string(text).c_str()); }
 void open_page() { evenlift_open_page(); }
 void measure_screen() { evenlift_measure_screen(); }

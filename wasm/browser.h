@@ -1,17 +1,22 @@
-// What the view asks of the browser. browser.cpp hands it to web/page.js; browser_native.cpp stands in
-// where there is no browser.
+// What the view asks of the browser. browser.cpp hands it to web/page.js; browser_native.cpp stands
+// in where there is no browser.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 namespace evenlift::view::browser {
 
-// The document changed: the page brings address bar, storage and live region up to date, not at once
-// but at most a few times a second.
+// The document changed: the page brings address bar, storage and live region up to date, not at
+// once but at most a few times a second.
 void document_changed();
 
 // Puts the page's address with this link on the clipboard. The page answers with a notice.
 void copy_address(std::string_view link);
+
+// A window of the page itself, of HTML: text is typed there, files are chosen, lists are read out.
+enum class Dialog : std::uint8_t { samples, open, save, table };
+void open_dialog(Dialog dialog);
 
 // Says a notice to those who cannot see it; nothing takes it back.
 void announce(std::string_view text);

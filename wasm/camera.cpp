@@ -6,11 +6,13 @@
 namespace evenlift::view {
 
 Vec2 Camera::to_screen(const Vec2& world) const {
-  return {anchor.x() + (world.x() - centre.x()) * scale, anchor.y() - (world.y() - centre.y()) * scale};
+  return {anchor.x() + (world.x() - centre.x()) * scale,
+          anchor.y() - (world.y() - centre.y()) * scale};
 }
 
 Vec2 Camera::to_world(const Vec2& screen) const {
-  return {centre.x() + (screen.x() - anchor.x()) / scale, centre.y() - (screen.y() - anchor.y()) / scale};
+  return {centre.x() + (screen.x() - anchor.x()) / scale,
+          centre.y() - (screen.y() - anchor.y()) / scale};
 }
 
 Camera fit(const Points& points, const Rect& room) {
@@ -24,12 +26,15 @@ Camera fit(const Points& points, const Rect& room) {
   }
   camera.centre = low + (high - low) / 2;
   // A shape without extent (an edit passes through such states) is shown as if it had some.
-  const double width = std::max(high.x() - low.x(), 1e-9), height = std::max(high.y() - low.y(), 1e-9);
-  camera.scale = std::min(std::max(room.width(), 40.0) / width, std::max(room.height(), 40.0) / height);
+  const double width = std::max(high.x() - low.x(), 1e-9),
+               height = std::max(high.y() - low.y(), 1e-9);
+  camera.scale =
+      std::min(std::max(room.width(), 40.0) / width, std::max(room.height(), 40.0) / height);
   return camera;
 }
 
-Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest, double largest) {
+Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest,
+            double largest) {
   Camera zoomed = camera;
   zoomed.centre = camera.to_world(about);
   zoomed.anchor = about;

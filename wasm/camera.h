@@ -30,12 +30,13 @@ struct Camera {
 Camera fit(const Points& points, const Rect& room);
 
 // The point under `about` (CSS pixels) stays there. `smallest` and `largest` bound the scale.
-Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest, double largest);
+Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest,
+            double largest);
 
 Camera pan(const Camera& camera, const Vec2& pixels);
 
-// The coordinates nearest to `world` with no more decimals than a pixel needs (a step of at most one
-// pixel): what is dragged gets numbers that people can read and links that stay short.
+// The coordinates nearest to `world` with no more decimals than a pixel needs (a step of at most
+// one pixel): what is dragged gets numbers that people can read and links that stay short.
 Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world);
 
 }  // namespace evenlift::view

@@ -9,7 +9,8 @@
 namespace evenlift::view {
 namespace {
 
-constexpr std::size_t most_dashed = 300;  // beyond that, thin lines: dashes by the ten thousand are slow
+constexpr std::size_t most_dashed =
+    300;  // beyond that, thin lines: dashes by the ten thousand are slow
 
 Rect window_of(const AppState& state) { return {0, 0, state.screen.width, state.screen.height}; }
 
@@ -22,9 +23,11 @@ void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
     step = nice * power;
     if (step >= wanted) break;
   }
-  const Vec2 low = camera.to_world(Vec2(0, state.screen.height)), high = camera.to_world(Vec2(state.screen.width, 0));
+  const Vec2 low = camera.to_world(Vec2(0, state.screen.height)),
+             high = camera.to_world(Vec2(state.screen.width, 0));
   const ImU32 colour = theme.dots.packed();
-  const float half = std::max(0.75f, std::round(static_cast<float>(state.screen.ratio)) / static_cast<float>(state.screen.ratio) * 0.75f);
+  const float half = std::max(0.75f, std::round(static_cast<float>(state.screen.ratio)) /
+                                         static_cast<float>(state.screen.ratio) * 0.75f);
   for (double i = std::floor(low.x() / step); i * step <= high.x(); ++i) {
     for (double j = std::floor(low.y() / step); j * step <= high.y(); ++j) {
       const Vec2 p = camera.to_screen(Vec2(i * step, j * step));
@@ -34,7 +37,8 @@ void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
   }
 }
 
-void draw_region(const Painter& painter, const Shape& shape, Colour fill, Colour line, bool rising) {
+void draw_region(const Painter& painter, const Shape& shape, Colour fill, Colour line,
+                 bool rising) {
   if (shape.points.size() == 1) {
     painter.list().AddCircle(painter.at(shape.points[0]), 6, line.packed(), 24, 2);
   } else if (shape.points.size() == 2) {
@@ -46,8 +50,8 @@ void draw_region(const Painter& painter, const Shape& shape, Colour fill, Colour
   }
 }
 
-void draw_shape(const Painter& painter, const AppState& state, const Scene& scene, const Shape& shape,
-                const Theme& theme, bool dash) {
+void draw_shape(const Painter& painter, const AppState& state, const Scene& scene,
+                const Shape& shape, const Theme& theme, bool dash) {
   switch (shape.role) {
     case Role::object:
       painter.fill(shape.points, scene.triangles, theme.object);
@@ -63,13 +67,17 @@ void draw_shape(const Painter& painter, const AppState& state, const Scene& scen
       draw_region(painter, shape, theme.counter, theme.counter_line, false);
       break;
     case Role::candidate:
-      if (dash) painter.dashes(shape.points[0], shape.points[1], theme.candidate, 1.2f);
-      else painter.line(shape.points[0], shape.points[1], theme.candidate.at(0.5f), 1);
+      if (dash)
+        painter.dashes(shape.points[0], shape.points[1], theme.candidate, 1.2f);
+      else
+        painter.line(shape.points[0], shape.points[1], theme.candidate.at(0.5f), 1);
       break;
     case Role::chord: {
-      const bool named = (state.hover.kind == Pick::Kind::chord || state.hover.kind == Pick::Kind::robot) &&
-                         static_cast<std::int32_t>(state.hover.index) == shape.team;
-      painter.line(shape.points[0], shape.points[1], named ? theme.accent : theme.chord, named ? 3.0f : 2.0f);
+      const bool named =
+          (state.hover.kind == Pick::Kind::chord || state.hover.kind == Pick::Kind::robot) &&
+          static_cast<std::int32_t>(state.hover.index) == shape.team;
+      painter.line(shape.points[0], shape.points[1], named ? theme.accent : theme.chord,
+                   named ? 3.0f : 2.0f);
       break;
     }
     case Role::robot:
@@ -78,7 +86,8 @@ void draw_shape(const Painter& painter, const AppState& state, const Scene& scen
   }
 }
 
-void draw_picture(const Painter& painter, const AppState& state, const Scene& scene, const Theme& theme) {
+void draw_picture(const Painter& painter, const AppState& state, const Scene& scene,
+                  const Theme& theme) {
   const auto candidates = std::count_if(scene.shapes.begin(), scene.shapes.end(),
                                         [](const Shape& s) { return s.role == Role::candidate; });
   const bool dash = static_cast<std::size_t>(candidates) <= most_dashed;
@@ -92,7 +101,8 @@ void draw_refused(const Painter& painter, const AppState& state, const Theme& th
   if (vertices.empty()) return;
   const Place& place = state.refusal->place;
   const auto mark_edge = [&](std::size_t edge) {
-    painter.line(vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()], theme.amber, 5);
+    painter.line(vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()],
+                 theme.amber, 5);
   };
   if (place.kind == Place::Kind::edge) {
     mark_edge(place.index);

@@ -16,12 +16,13 @@ ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<floa
 
 bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index) {
   const Pick& held = state.held;
-  if (held.kind != Pick::Kind::none && held.kind != Pick::Kind::ground) return held.kind == kind && held.index == index;
+  if (held.kind != Pick::Kind::none && held.kind != Pick::Kind::ground)
+    return held.kind == kind && held.index == index;
   return state.hover.kind == kind && state.hover.index == index;
 }
 
-// A ring that can be taken hold of, or a dot; nothing where they would stand so close that they hide the
-// shape.
+// A ring that can be taken hold of, or a dot; nothing where they would stand so close that they
+// hide the shape.
 void draw_vertices(const Painter& painter, const AppState& state, const Theme& theme) {
   const Points& vertices = state.document.vertices;
   const std::size_t n = vertices.size();
@@ -49,7 +50,9 @@ void draw_vertices(const Painter& painter, const AppState& state, const Theme& t
 }
 
 void draw_edge_offer(const Painter& painter, const AppState& state, const Theme& theme) {
-  if (state.hover.kind != Pick::Kind::edge || state.held.kind != Pick::Kind::none || state.screen.embed) return;
+  if (state.hover.kind != Pick::Kind::edge || state.held.kind != Pick::Kind::none ||
+      state.screen.embed)
+    return;
   const ImVec2 at = painter.at(state.hover.at);
   painter.list().AddCircleFilled(at, 5, theme.panel.packed(), 24);
   painter.list().AddCircle(at, 5, theme.accent.packed(), 24, 1.5f);
@@ -67,8 +70,8 @@ RobotSize robot_size(std::size_t teams) {
   return {4, 5.5f, false, false};
 }
 
-void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size, const Vec2& world, std::size_t team,
-                double share) {
+void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
+                const Vec2& world, std::size_t team, double share) {
   ImDrawList& list = painter.list();
   const ImVec2 at = painter.at(world);
   const float pi = 3.14159265f, start = -pi / 2;
@@ -79,11 +82,12 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
   if (!size.numbered) return;
   const std::string number = std::to_string(team + 1);
   const ImVec2 text = text_size(Face::tiny, number);
-  draw_text(list, Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2), theme.robot_text, number);
+  draw_text(list, Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2), theme.robot_text,
+            number);
 }
 
-void draw_loads(const Painter& painter, const AppState& state, const Layout& layout, const Theme& theme,
-                const RobotSize& size) {
+void draw_loads(const Painter& painter, const AppState& state, const Layout& layout,
+                const Theme& theme, const RobotSize& size) {
   const Placement& placement = *state.placement;
   const int decimals = decimals_for(placement.loads->max);
   const Vec2 middle = state.camera.to_screen(placement.centre_of_mass);
@@ -91,24 +95,30 @@ void draw_loads(const Painter& painter, const AppState& state, const Layout& lay
   std::vector<std::string> texts;
   for (const Team& team : placement.teams) {
     for (std::size_t end = 0; end < 2; ++end) {
-      const Vec2 robot = state.camera.to_screen(end == 0 ? team.chord.r1.position : team.chord.r2.position);
+      const Vec2 robot =
+          state.camera.to_screen(end == 0 ? team.chord.r1.position : team.chord.r2.position);
       const Vec2 away = robot - middle;
       texts.push_back(weight(team.loads[end], decimals));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
-      requests.push_back({robot, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
+      requests.push_back(
+          {robot, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
     }
   }
-  const Rect window{layout.free.left + 4, layout.free.top + 4, layout.free.right - 4, layout.free.bottom - 4};
+  const Rect window{layout.free.left + 4, layout.free.top + 4, layout.free.right - 4,
+                    layout.free.bottom - 4};
   const auto places = place_labels(requests, window, layout.tools, size.ring + 5);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
     const Rect& box = *places[i];
-    painter.list().AddRectFilled(vec(box.left, box.top), vec(box.right, box.bottom), theme.panel.at(0.88f).packed(), 6);
-    draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3), theme.text, texts[i]);
+    painter.list().AddRectFilled(vec(box.left, box.top), vec(box.right, box.bottom),
+                                 theme.panel.at(0.88f).packed(), 6);
+    draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3), theme.text,
+              texts[i]);
   }
 }
 
-void draw_robots(const Painter& painter, const AppState& state, const Layout& layout, const Theme& theme) {
+void draw_robots(const Painter& painter, const AppState& state, const Layout& layout,
+                 const Theme& theme) {
   const Placement& placement = *state.placement;
   if (placement.teams.empty()) return;
   const RobotSize size = robot_size(placement.teams.size());
@@ -116,17 +126,19 @@ void draw_robots(const Painter& painter, const AppState& state, const Layout& la
   for (std::size_t i = placement.teams.size(); i-- > 0;) {
     const Team& team = placement.teams[i];
     for (std::size_t end = 0; end < 2; ++end) {
-      draw_robot(painter, theme, size, end == 0 ? team.chord.r1.position : team.chord.r2.position, i,
-                 team.loads[end] / placement.loads->max);
+      draw_robot(painter, theme, size, end == 0 ? team.chord.r1.position : team.chord.r2.position,
+                 i, team.loads[end] / placement.loads->max);
     }
   }
 }
 
-void draw_coverage(const Painter& painter, const AppState& state, const Scene& scene, const Theme& theme) {
+void draw_coverage(const Painter& painter, const AppState& state, const Scene& scene,
+                   const Theme& theme) {
   if (!settings(state).overlays.hull || scene.coverage.room * state.camera.scale < 24) return;
   const std::string share = percent(state.placement->coverage);
   const ImVec2 at = painter.at(scene.coverage.at), text = text_size(Face::verdict, share);
-  draw_text(painter.list(), Face::verdict, ImVec2(at.x - text.x / 2, at.y - text.y / 2), theme.hull_text, share);
+  draw_text(painter.list(), Face::verdict, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
+            theme.hull_text, share);
 }
 
 void draw_centre(const Painter& painter, const AppState& state, const Theme& theme) {
@@ -135,15 +147,21 @@ void draw_centre(const Painter& painter, const AppState& state, const Theme& the
   if (hovered) painter.list().AddCircleFilled(at, 16, theme.accent.at(0.22f).packed(), 32);
   const bool wrong = state.refusal && state.refusal->place.kind == Place::Kind::centre_of_mass;
   painter.list().AddCircleFilled(at, 11.5f, theme.object.packed(), 32);
-  draw_centre_mark(painter.list(), at, 9, wrong ? theme.amber : hovered ? theme.accent : theme.robot, theme.object);
+  draw_centre_mark(painter.list(), at, 9,
+                   wrong     ? theme.amber
+                   : hovered ? theme.accent
+                             : theme.robot,
+                   theme.object);
 }
 
-void draw_hint(const Painter& painter, const AppState& state, const Layout& layout, const Theme& theme) {
+void draw_hint(const Painter& painter, const AppState& state, const Layout& layout,
+               const Theme& theme) {
   const std::string text = hint(state);
   // A phone has neither the room nor the wheel that it speaks of.
   if (text.empty() || !layout.wide || state.screen.finger || state.screen.height < 560) return;
   const ImVec2 size = text_size(Face::label, text);
-  const double left = layout.free.middle().x() - size.x / 2, top = state.screen.height - layout.margin - 24;
+  const double left = layout.free.middle().x() - size.x / 2,
+               top = state.screen.height - layout.margin - 24;
   painter.list().AddRectFilled(vec(left - 10, top - 5), vec(left + size.x + 10, top + size.y + 5),
                                theme.ground.at(0.85f).packed(), 8);
   draw_text(painter.list(), Face::label, vec(left, top), theme.second_text, text);
@@ -153,30 +171,37 @@ void draw_hint(const Painter& painter, const AppState& state, const Layout& layo
 
 std::string hint(const AppState& state) {
   if (state.screen.embed) return {};
-  const Pick& at = state.held.kind == Pick::Kind::none || state.held.kind == Pick::Kind::ground ? state.hover : state.held;
+  const Pick& at = state.held.kind == Pick::Kind::none || state.held.kind == Pick::Kind::ground
+                       ? state.hover
+                       : state.held;
   const Points& vertices = state.document.vertices;
   switch (at.kind) {
     case Pick::Kind::vertex:
       if (at.index >= vertices.size()) return {};
-      return "Vertex " + std::to_string(at.index + 1) + " " + point(vertices[at.index]) + " · drag to move, Delete to remove";
-    case Pick::Kind::centre: return "Centre of mass " + point(centre_of_mass(state)) + " · drag to move";
-    case Pick::Kind::edge: return "Double-click the edge to add a vertex";
+      return "Vertex " + std::to_string(at.index + 1) + " " + point(vertices[at.index]) +
+             " · drag to move, Delete to remove";
+    case Pick::Kind::centre:
+      return "Centre of mass " + point(centre_of_mass(state)) + " · drag to move";
+    case Pick::Kind::edge:
+      return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
     case Pick::Kind::chord: {
       if (!state.placement || at.index >= state.placement->teams.size()) return {};
       const Team& team = state.placement->teams[at.index];
       const int decimals = decimals_for(state.placement->loads->max);
-      return "Team " + std::to_string(at.index + 1) + " · load ratio " + fixed(team.chord.ratio, 3) + " · " +
-             fixed(team.loads[0], decimals) + " and " + weight(team.loads[1], decimals);
+      return "Team " + std::to_string(at.index + 1) + " · load ratio " +
+             fixed(team.chord.ratio, 3) + " · " + fixed(team.loads[0], decimals) + " and " +
+             weight(team.loads[1], decimals);
     }
     case Pick::Kind::none:
-    case Pick::Kind::ground: break;
+    case Pick::Kind::ground:
+      break;
   }
   return "Drag a vertex or the centre of mass · scroll to zoom · ? for keys";
 }
 
-void draw_marks(const Painter& painter, const AppState& state, const Scene& scene, const Layout& layout,
-                const Theme& theme) {
+void draw_marks(const Painter& painter, const AppState& state, const Scene& scene,
+                const Layout& layout, const Theme& theme) {
   const bool current = state.placement && !state.refusal;
   if (current) draw_coverage(painter, state, scene, theme);
   draw_edge_offer(painter, state, theme);

@@ -8,8 +8,8 @@
 
 namespace evenlift::view {
 
-void draw_marks(const Painter& painter, const AppState& state, const Scene& scene, const Layout& layout,
-                const Theme& theme);
+void draw_marks(const Painter& painter, const AppState& state, const Scene& scene,
+                const Layout& layout, const Theme& theme);
 
 // What can be done with what is under the pointer; empty if there is nothing to say.
 std::string hint(const AppState& state);

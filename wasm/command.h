@@ -5,42 +5,85 @@
 #include <variant>
 #include <vector>
 
+#include "browser.h"
 #include "state.h"
 
 namespace evenlift::view {
 
 // Edits of the document, each a step of undo. While `live`, further live edits belong to the same
 // step, until EndEdit.
-struct SetSettings { Settings settings; bool live = false; };
-struct MoveVertex { std::size_t vertex; Vec2 to; };              // live
-struct MoveCentre { Vec2 to; };                                  // live
-struct ReleaseCentre {};                                         // back to the centroid
-struct InsertVertex { std::size_t edge; Vec2 at; };              // and selects it
-struct RemoveVertex { std::size_t vertex; };
-struct OpenDocument { Document document; };
+struct SetSettings {
+  Settings settings;
+  bool live = false;
+};
+struct MoveVertex {
+  std::size_t vertex;
+  Vec2 to;
+};  // live
+struct MoveCentre {
+  Vec2 to;
+};                        // live
+struct ReleaseCentre {};  // back to the centroid
+struct InsertVertex {
+  std::size_t edge;
+  Vec2 at;
+};  // and selects it
+struct RemoveVertex {
+  std::size_t vertex;
+};
+struct OpenDocument {
+  Document document;
+};
 struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
 // The rest leaves the document alone.
-struct SelectVertex { std::optional<std::size_t> vertex; };
-struct SetHover { Pick pick; };
-struct SetHeld { Pick pick; };
-struct SetCamera { Camera camera; };
+struct SelectVertex {
+  std::optional<std::size_t> vertex;
+};
+struct SetHover {
+  Pick pick;
+};
+struct SetHeld {
+  Pick pick;
+};
+struct SetCamera {
+  Camera camera;
+};
 struct FitView {};
-struct ZoomView { double factor; };                              // about the middle
-struct SetPanelOpen { bool open; };
-struct SetHelpOpen { bool open; };
-struct ListIsOpen { bool open; };                                // the panels tell what they find
+struct ZoomView {
+  double factor;
+};  // about the middle
+struct SetPanelOpen {
+  bool open;
+};
+struct SetHelpOpen {
+  bool open;
+};
+struct ListIsOpen {
+  bool open;
+};  // the panels tell what they find
 struct CloseList {};
-struct SetSheet { Sheet sheet; };
-struct MeasureSheet { double closed_height; };
+struct SetSheet {
+  Sheet sheet;
+};
+struct MeasureSheet {
+  double closed_height;
+};
 struct CopyLink {};
-struct ShowNotice { Notice notice; };
+struct OpenDialog {
+  browser::Dialog dialog;
+};
+struct ShowNotice {
+  Notice notice;
+};
 
-using Command = std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-                             OpenDocument, EndEdit, Undo, Redo, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-                             ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet, CopyLink, ShowNotice>;
+using Command =
+    std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
+                 OpenDocument, EndEdit, Undo, Redo, SelectVertex, SetHover, SetHeld, SetCamera,
+                 FitView, ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet,
+                 MeasureSheet, CopyLink, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -4,13 +4,15 @@
 
 namespace evenlift::view {
 
-bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high, float least_width) {
+bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high,
+                   float least_width) {
   const float room = static_cast<float>(ui.state.screen.height) - anchor_high.y - 16;
   const bool below = room > 220;
-  ImGui::SetNextWindowPos(ImVec2(anchor_low.x, below ? anchor_high.y + 6 : anchor_low.y - 6), ImGuiCond_Always,
-                          ImVec2(0, below ? 0.0f : 1.0f));
+  ImGui::SetNextWindowPos(ImVec2(anchor_low.x, below ? anchor_high.y + 6 : anchor_low.y - 6),
+                          ImGuiCond_Always, ImVec2(0, below ? 0.0f : 1.0f));
   const float highest = below ? room : anchor_low.y - 16;
-  ImGui::SetNextWindowSizeConstraints(ImVec2(least_width, 0), ImVec2(420, std::max(highest, 120.0f)));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(least_width, 0),
+                                      ImVec2(420, std::max(highest, 120.0f)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6, 6));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   if (ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove)) {
@@ -30,12 +32,6 @@ void end_choices(const Ui& ui) {
   ImGui::PopStyleVar(2);
 }
 
-void choice_heading(const Ui& ui, const std::string& text) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text(*ImGui::GetWindowDrawList(), Face::strong_label, ImVec2(at.x + 14, at.y + 12), ui.theme.second_text, text);
-  ImGui::Dummy(ImVec2(text_size(Face::strong_label, text).x + 28, 34));
-}
-
 bool choice(const Ui& ui, const std::string& label, const char* about, bool current) {
   const ImVec2 title = text_size(Face::text, label);
   const ImVec2 word = about ? text_size(Face::label, about) : ImVec2(0, 0);
@@ -49,10 +45,12 @@ bool choice(const Ui& ui, const std::string& label, const char* about, bool curr
     list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
-  if (current) draw_icon(list, Icon::check, ImVec2(low.x + 18, low.y + height / 2), 15, ui.theme.accent);
+  if (current)
+    draw_icon(list, Icon::check, ImVec2(low.x + 18, low.y + height / 2), 15, ui.theme.accent);
   const float text = title.y + (about ? word.y + 3 : 0), y = low.y + (height - text) / 2;
   draw_text(list, Face::text, ImVec2(low.x + 36, y), ui.theme.text, label);
-  if (about) draw_text(list, Face::label, ImVec2(low.x + 36, y + title.y + 3), ui.theme.second_text, about);
+  if (about)
+    draw_text(list, Face::label, ImVec2(low.x + 36, y + title.y + 3), ui.theme.second_text, about);
   ImGui::PopID();
   if (chosen) ImGui::CloseCurrentPopup();
   return chosen;
@@ -68,7 +66,8 @@ void dropdown_button(const Ui& ui, const char* id, const std::string& label, flo
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, (hovered ? ui.theme.panel_line : ui.theme.well).packed(), 7);
   const ImVec2 text = text_size(Face::text, label);
-  draw_text(list, Face::text, ImVec2(low.x + 12, (low.y + high.y - text.y) / 2), ui.theme.text, label);
+  draw_text(list, Face::text, ImVec2(low.x + 12, (low.y + high.y - text.y) / 2), ui.theme.text,
+            label);
   draw_icon(list, Icon::down, ImVec2(high.x - 18, (low.y + high.y) / 2), 12, ui.theme.second_text);
   if (pressed) ImGui::OpenPopup(id);
 }

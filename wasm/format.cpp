@@ -58,7 +58,8 @@ std::string point(const Vec2& p) {
 std::string sentence(const InputError& error) {
   std::string text = describe(error.place);
   text = text.empty() ? error.message : text + ": " + error.message;
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
 }
 

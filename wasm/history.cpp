@@ -10,10 +10,13 @@ History::Entry History::remember(const Document& document) const {
       return {entries->back().vertices, document.centre_of_mass, document.settings};
     }
   }
-  return {std::make_shared<const Points>(document.vertices), document.centre_of_mass, document.settings};
+  return {std::make_shared<const Points>(document.vertices), document.centre_of_mass,
+          document.settings};
 }
 
-Document History::recall(const Entry& entry) { return {*entry.vertices, entry.centre_of_mass, entry.settings}; }
+Document History::recall(const Entry& entry) {
+  return {*entry.vertices, entry.centre_of_mass, entry.settings};
+}
 
 Document History::step(std::vector<Entry>& from, std::vector<Entry>& to, Entry now) {
   to.push_back(std::move(now));

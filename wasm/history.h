@@ -1,4 +1,5 @@
-// Undo and redo without limit: whole Documents, which share their vertices while only settings change.
+// Undo and redo without limit: whole Documents, which share their vertices while only settings
+// change.
 #pragma once
 
 #include <memory>
@@ -16,8 +17,8 @@ class History {
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
 
-  // The document before the last edit (after the last undone one), given the one of now; call only if
-  // can_undo() (can_redo()).
+  // The document before the last edit (after the last undone one), given the one of now; call only
+  // if can_undo() (can_redo()).
   Document undo(const Document& now);
   Document redo(const Document& now);
 

@@ -10,7 +10,30 @@
 namespace evenlift::view {
 
 enum class Icon : std::uint8_t {
-  none, undo, redo, link, plus, minus, fit, fold, unfold, down, up, help, close, check, warning, stop, shapes, open_out
+  none,
+  undo,
+  redo,
+  link,
+  plus,
+  minus,
+  fit,
+  fold,
+  unfold,
+  down,
+  up,
+  help,
+  close,
+  check,
+  warning,
+  stop,
+  shapes,
+  open_out,
+  folder,
+  save,
+  table,
+  draw,
+  transform,
+  compare
 };
 
 // Within a square of `size` CSS pixels about `middle`.

@@ -1,4 +1,5 @@
-// Dear ImGui as evenlift uses it. Every file that includes imgui.h sees this one, by IMGUI_USER_CONFIG.
+// Dear ImGui as evenlift uses it. Every file that includes imgui.h sees this one, by
+// IMGUI_USER_CONFIG.
 #pragma once
 
 // Only today's names, so that the view builds with the versions to come as well.

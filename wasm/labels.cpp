@@ -13,7 +13,8 @@ bool overlap(const Rect& a, const Rect& b) {
 }
 
 Rect around(const Vec2& middle, const Vec2& size) {
-  return {middle.x() - size.x() / 2, middle.y() - size.y() / 2, middle.x() + size.x() / 2, middle.y() + size.y() / 2};
+  return {middle.x() - size.x() / 2, middle.y() - size.y() / 2, middle.x() + size.x() / 2,
+          middle.y() + size.y() / 2};
 }
 
 Vec2 turned(const Vec2& v, double degrees) {
@@ -47,7 +48,9 @@ bool inside_polygon(const Points& polygon, const Vec2& p) {
   return inside;
 }
 
-double away(const Vec2& a, const Vec2& b, const Vec2& p) { return length(p - nearest_on_segment(a, b, p)); }
+double away(const Vec2& a, const Vec2& b, const Vec2& p) {
+  return length(p - nearest_on_segment(a, b, p));
+}
 
 // How much room there is about p: the distance to what the number must not cover, 0 outside.
 double clearance(const Placement& placement, const Vec2& p) {
@@ -69,8 +72,9 @@ double clearance(const Placement& placement, const Vec2& p) {
 
 }  // namespace
 
-std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests, const Rect& window,
-                                              const Rect& covered, double reach) {
+std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests,
+                                              const Rect& window, const Rect& covered,
+                                              double reach) {
   std::vector<std::optional<Rect>> places(requests.size());
   const Vec2 robot_size(2 * reach, 2 * reach);
   constexpr double turns[] = {0, 40, -40, 80, -80, 120, -120, 180};
@@ -78,7 +82,8 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
     const LabelRequest& request = requests[i];
     if (!window.contains(request.robot)) continue;
     for (double turn : turns) {
-      const Rect box = around(beside(request.robot, turned(request.outward, turn), request.size, reach), request.size);
+      const Rect box = around(
+          beside(request.robot, turned(request.outward, turn), request.size, reach), request.size);
       bool free = box.left > window.left && box.right < window.right && box.top > window.top &&
                   box.bottom < window.bottom && !overlap(box, covered);
       for (std::size_t j = 0; j < requests.size() && free; ++j) {
@@ -95,7 +100,8 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
   // Beyond this there is no room for a number anyway, and looking for it would take long.
-  if (placement.hull.size() < 3 || placement.teams.size() > 40 || placement.vertices.size() > 400) return {};
+  if (placement.hull.size() < 3 || placement.teams.size() > 40 || placement.vertices.size() > 400)
+    return {};
   Vec2 low = placement.hull[0], high = low;
   for (const Vec2& p : placement.hull) {
     low = {std::min(low.x(), p.x()), std::min(low.y(), p.y())};
@@ -106,7 +112,8 @@ CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
   constexpr int steps = 28;
   for (int i = 1; i < steps; ++i) {
     for (int j = 1; j < steps; ++j) {
-      const Vec2 p(low.x() + (high.x() - low.x()) * i / steps, low.y() + (high.y() - low.y()) * j / steps);
+      const Vec2 p(low.x() + (high.x() - low.x()) * i / steps,
+                   low.y() + (high.y() - low.y()) * j / steps);
       const double room = clearance(placement, p);
       if (room > to_beat) {
         to_beat = room;

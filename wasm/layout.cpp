@@ -10,7 +10,8 @@ constexpr double panel_width = 328, rail_width = 48, toolbar_height = 48;
 // Room around the polygon for what stands beside it: robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
   const double x = std::min(beside, free.width() / 6), most = free.height() / 6;
-  return {free.left + x, free.top + std::min(above, most), free.right - x, free.bottom - std::min(below, most)};
+  return {free.left + x, free.top + std::min(above, most), free.right - x,
+          free.bottom - std::min(below, most)};
 }
 
 Layout embedded(const Screen& screen) {
@@ -27,10 +28,12 @@ Layout wide(const AppState& state) {
   const Screen& screen = state.screen;
   const double width = state.panel_open ? panel_width : rail_width;
   l.control = screen.finger ? 44 : 32;
-  l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin, screen.height - l.margin};
+  l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin,
+             screen.height - l.margin};
   l.toolbar = {l.margin, l.margin, l.panel.left - l.margin, l.margin + toolbar_height};
   const double tools_width = 3 * l.control + 4 + 16, tools_height = l.control + 16;
-  l.tools = {l.margin, screen.height - l.margin - tools_height, l.margin + tools_width, screen.height - l.margin};
+  l.tools = {l.margin, screen.height - l.margin - tools_height, l.margin + tools_width,
+             screen.height - l.margin};
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
   l.room = room_in(l.free, 88, 56, 84);
   return l;
@@ -50,7 +53,8 @@ Layout narrow(const AppState& state) {
   // Pulled up to the top, the sheet covers the drawing for a moment; the drawing does not follow.
   const double below = std::min(height, screen.height * 0.45);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
-  l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - 48, screen.width - l.margin, l.panel.top - l.margin};
+  l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - 48, screen.width - l.margin,
+             l.panel.top - l.margin};
   l.room = room_in(l.free, 60, 52, 52);
   return l;
 }

@@ -1,4 +1,5 @@
-// Where things stand on the screen: beside each other on a wide one, above each other on a narrow one.
+// Where things stand on the screen: beside each other on a wide one, above each other on a narrow
+// one.
 #pragma once
 
 #include "camera.h"
@@ -7,14 +8,14 @@
 namespace evenlift::view {
 
 struct Layout {
-  bool wide = true;      // panel at the side; otherwise a sheet at the bottom
-  double control = 32;   // height of a control: more under a finger
-  double margin = 16;    // between panels and the canvas's edge
-  Rect panel;            // panel or sheet
-  Rect toolbar;          // left and top count; it is as wide as its content
-  Rect tools;            // zoom and fit
-  Rect free;             // canvas that nothing covers for long
-  Rect room;             // where the polygon goes when the view fits it
+  bool wide = true;     // panel at the side; otherwise a sheet at the bottom
+  double control = 32;  // height of a control: more under a finger
+  double margin = 16;   // between panels and the canvas's edge
+  Rect panel;           // panel or sheet
+  Rect toolbar;         // left and top count; it is as wide as its content
+  Rect tools;           // zoom and fit
+  Rect free;            // canvas that nothing covers for long
+  Rect room;            // where the polygon goes when the view fits it
 };
 
 Layout layout(const AppState& state);

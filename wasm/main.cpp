@@ -1,7 +1,7 @@
-// The page's start-up and its frames: SDL2 gives the canvas, WebGL 2 and events, Dear ImGui draws. A
-// frame is drawn only when something asked for one. Dear ImGui's own backend for SDL2 is not used: it
-// reads the mouse where it is now, not where it was pressed, draws at whole CSS pixels and brings
-// gamepads along.
+// The page's start-up and its frames: SDL2 gives the canvas, WebGL 2 and events, Dear ImGui draws.
+// A frame is drawn only when something asked for one. Dear ImGui's own backend for SDL2 is not
+// used: it reads the mouse where it is now, not where it was pressed, draws at whole CSS pixels and
+// brings gamepads along.
 #include <GLES3/gl3.h>
 #include <SDL.h>
 #include <emscripten/emscripten.h>
@@ -20,8 +20,8 @@
 namespace evenlift::view {
 namespace {
 
-// Dear ImGui needs more than one frame to settle: what a click opens is measured in the next one and
-// hovered in the one after.
+// Dear ImGui needs more than one frame to settle: what a click opens is measured in the next one
+// and hovered in the one after.
 constexpr int frames_after_input = 3;
 
 struct Page {
@@ -33,7 +33,7 @@ struct Page {
   bool frame_scheduled = false;
   bool context_lost = false;
   double fonts_for_ratio = 0;
-  double last_frame_at = 0;                 // seconds
+  double last_frame_at = 0;  // seconds
   double frames = 0;
   ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
 };
@@ -69,7 +69,8 @@ int SDLCALL on_event(void*, SDL_Event* event) {
 void load_fonts_for(double ratio) {
   if (page.fonts_for_ratio == ratio) return;
 #if IMGUI_VERSION_NUM >= 19200
-  if (page.fonts_for_ratio == 0) load_fonts(ratio);  // from then on it rasterises for whatever scale it finds
+  if (page.fonts_for_ratio == 0)
+    load_fonts(ratio);  // from then on it rasterises for whatever scale it finds
 #else
   load_fonts(ratio);
   // Before the first frame there is nothing to replace; the backend makes the texture by itself.
@@ -94,12 +95,14 @@ void begin_frame(const Screen& screen) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
   const double now = emscripten_get_now() / 1000;
-  io.DeltaTime = page.last_frame_at > 0 ? static_cast<float>(std::max(now - page.last_frame_at, 1e-4)) : 1.0f / 60;
+  io.DeltaTime = page.last_frame_at > 0
+                     ? static_cast<float>(std::max(now - page.last_frame_at, 1e-4))
+                     : 1.0f / 60;
   page.last_frame_at = now;
   const auto width = static_cast<float>(screen.width), height = static_cast<float>(screen.height);
   io.DisplaySize = ImVec2(width, height);
-  io.DisplayFramebufferScale =
-      ImVec2(static_cast<float>(page.canvas_width) / width, static_cast<float>(page.canvas_height) / height);
+  io.DisplayFramebufferScale = ImVec2(static_cast<float>(page.canvas_width) / width,
+                                      static_cast<float>(page.canvas_height) / height);
   page.input.feed();
   ImGui::NewFrame();
 }
@@ -179,14 +182,16 @@ using namespace evenlift::view;
 extern "C" {
 
 // The canvas measures `width` by `height` CSS pixels, and so many device pixels.
-EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio, int device_width, int device_height) {
+EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio, int device_width,
+                                      int device_height) {
   Screen& screen = app().state.screen;
   screen.width = width;
   screen.height = height;
   screen.ratio = ratio;
   page.canvas_width = device_width;
   page.canvas_height = device_height;
-  SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)));
+  SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)),
+                    static_cast<int>(std::lround(height)));
   // At once: between the resize and the next frame the browser would show the old frame stretched.
   if (page.frames > 0) draw();
   ask_for_frames(frames_after_input);
@@ -197,8 +202,8 @@ EMSCRIPTEN_KEEPALIVE void page_pinch(double x, double y, double factor) {
   ask_for_frames(frames_after_input);
 }
 
-// Everything that was on a lost context is gone with it. The backend lets go while it is lost, when that
-// does no harm, and starts afresh when it is back.
+// Everything that was on a lost context is gone with it. The backend lets go while it is lost, when
+// that does no harm, and starts afresh when it is back.
 EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
   if (page.context_lost == (lost != 0)) return;
   page.context_lost = lost != 0;

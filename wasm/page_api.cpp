@@ -57,19 +57,23 @@ using evenlift::Result;
 
 extern "C" {
 
-// --- Start -----------------------------------------------------------------------------------------------------------
+// --- Start
+// -----------------------------------------------------------------------------------------------------------
 
-// Opens the fragment's link, else the work that was kept, else the first sample. Returns why the link
-// could not be read, or nothing. `draft` is what was being edited when it was refused.
-EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* work, const char* draft, int embed) {
+// Opens the fragment's link, else the work that was kept, else the first sample. Returns why the
+// link could not be read, or nothing. `draft` is what was being edited when it was refused.
+EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* work,
+                                            const char* draft, int embed) {
   AppState& state = app().state;
   state.screen.embed = embed != 0;
   std::string problem;
   std::optional<Document> linked, kept;
   if (*fragment) {
     Result<Document> read = read_link(fragment);
-    if (read) linked = std::move(read).value();
-    else problem = sentence(read.error());
+    if (read)
+      linked = std::move(read).value();
+    else
+      problem = sentence(read.error());
   }
   if (*work) {
     Result<Document> read = read_document(work);
@@ -87,11 +91,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* wo
   return hand_over(problem);
 }
 
-EMSCRIPTEN_KEEPALIVE void page_sample(const char* group, const char* title, const char* text) {
-  app().state.samples.push_back({group, title, text});
-}
-
-// --- window.evenlift -------------------------------------------------------------------------------------------------
+// --- window.evenlift
+// -------------------------------------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
   return hand_over(placement_json(*app().state.placement, true));
@@ -123,16 +124,31 @@ EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
   return no_error();
 }
 
-EMSCRIPTEN_KEEPALIVE const char* page_link() { return hand_over(link_or_nothing(app().state.placed)); }
-EMSCRIPTEN_KEEPALIVE const char* page_svg() { return hand_over(placement_svg(*app().state.placement)); }
-EMSCRIPTEN_KEEPALIVE const char* page_text() { return hand_over(evenlift::write_thesis(app().state.placed)); }
+EMSCRIPTEN_KEEPALIVE const char* page_link() {
+  return hand_over(link_or_nothing(app().state.placed));
+}
+EMSCRIPTEN_KEEPALIVE const char* page_svg() {
+  return hand_over(placement_svg(*app().state.placement));
+}
+EMSCRIPTEN_KEEPALIVE const char* page_text() {
+  return hand_over(evenlift::write_thesis(app().state.placed));
+}
 
-EMSCRIPTEN_KEEPALIVE double page_screen_x(double x, double y) { return app().state.camera.to_screen({x, y}).x(); }
-EMSCRIPTEN_KEEPALIVE double page_screen_y(double x, double y) { return app().state.camera.to_screen({x, y}).y(); }
-EMSCRIPTEN_KEEPALIVE double page_world_x(double x, double y) { return app().state.camera.to_world({x, y}).x(); }
-EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) { return app().state.camera.to_world({x, y}).y(); }
+EMSCRIPTEN_KEEPALIVE double page_screen_x(double x, double y) {
+  return app().state.camera.to_screen({x, y}).x();
+}
+EMSCRIPTEN_KEEPALIVE double page_screen_y(double x, double y) {
+  return app().state.camera.to_screen({x, y}).y();
+}
+EMSCRIPTEN_KEEPALIVE double page_world_x(double x, double y) {
+  return app().state.camera.to_world({x, y}).x();
+}
+EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
+  return app().state.camera.to_world({x, y}).y();
+}
 
-// --- The page around the canvas --------------------------------------------------------------------------------------
+// --- The page around the canvas
+// --------------------------------------------------------------------------------------
 
 // The link of what is being edited while it is refused, else nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_draft() {

@@ -28,7 +28,8 @@ Points cut(const Points& polygon, Inside inside) {
 
 ImVec2 Painter::at(const Vec2& world) const { return vec(camera_.to_screen(world)); }
 
-void Painter::fill(const Points& polygon, const std::vector<std::uint32_t>& triangles, Colour colour) const {
+void Painter::fill(const Points& polygon, const std::vector<std::uint32_t>& triangles,
+                   Colour colour) const {
   if (triangles.empty()) return;
   const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
   const ImU32 packed = colour.at(strength_).packed();
@@ -41,7 +42,8 @@ void Painter::fill(const Points& polygon, const std::vector<std::uint32_t>& tria
 Points Painter::clipped(const Points& counter_clockwise) const {
   Points area;
   area.reserve(counter_clockwise.size() + 4);
-  for (auto p = counter_clockwise.rbegin(); p != counter_clockwise.rend(); ++p) area.push_back(camera_.to_screen(*p));
+  for (auto p = counter_clockwise.rbegin(); p != counter_clockwise.rend(); ++p)
+    area.push_back(camera_.to_screen(*p));
   area = cut(area, [&](const Vec2& p) { return p.x() - (window_.left - margin); });
   area = cut(area, [&](const Vec2& p) { return window_.right + margin - p.x(); });
   area = cut(area, [&](const Vec2& p) { return p.y() - (window_.top - margin); });
@@ -58,7 +60,8 @@ void Painter::fill_convex(const Points& counter_clockwise, Colour colour) const 
 void Painter::outline(const Points& polygon, Colour colour, float width, bool closed) const {
   if (polygon.empty()) return;
   for (const Vec2& p : polygon) list_.PathLineTo(at(p));
-  list_.PathStroke(colour.at(strength_).packed(), closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+  list_.PathStroke(colour.at(strength_).packed(), closed ? ImDrawFlags_Closed : ImDrawFlags_None,
+                   width);
 }
 
 bool Painter::clip(Vec2& a, Vec2& b) const {
@@ -92,7 +95,8 @@ void Painter::dashes(const Vec2& a, const Vec2& b, Colour colour, float width) c
   const Vec2 along = (to - from) / std::max(all, 1e-9);
   const ImU32 packed = colour.at(strength_).packed();
   for (double s = 0; s < all; s += period) {
-    list_.AddLine(vec(from + along * s), vec(from + along * std::min(s + dash, all)), packed, width);
+    list_.AddLine(vec(from + along * s), vec(from + along * std::min(s + dash, all)), packed,
+                  width);
   }
 }
 

@@ -20,7 +20,8 @@ class Painter {
   ImDrawList& list() const { return list_; }
   ImVec2 at(const Vec2& world) const;
 
-  void fill(const Points& polygon, const std::vector<std::uint32_t>& triangles, Colour colour) const;
+  void fill(const Points& polygon, const std::vector<std::uint32_t>& triangles,
+            Colour colour) const;
   void fill_convex(const Points& counter_clockwise, Colour colour) const;
   void outline(const Points& polygon, Colour colour, float width, bool closed = true) const;
   void line(const Vec2& a, const Vec2& b, Colour colour, float width) const;

@@ -39,7 +39,8 @@ void draw_help(const Ui& ui) {
   }
   rule(ui);
   text_block(Face::label, ui.theme.second_text,
-             "Drag a vertex or the centre of mass. Drag the ground to move the view; scroll or pinch to zoom. "
+             "Drag a vertex or the centre of mass. Drag the ground to move the view; scroll or "
+             "pinch to zoom. "
              "Double-click an edge to add a vertex. Ctrl is Cmd on a Mac.");
   ImGui::PopStyleVar();
   end_card(ui);

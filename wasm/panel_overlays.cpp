@@ -12,10 +12,13 @@ struct Overlay {
   const char* about;
 };
 constexpr Overlay overlays[] = {
-    {&Overlays::hull, Swatch::hull, "Base", "Lifting base H, the hull of all robots: safe to push on (H)"},
-    {&Overlays::chords, Swatch::chord, "Chords", "The two robots of a team and the line between them (C)"},
+    {&Overlays::hull, Swatch::hull, "Base",
+     "Lifting base H, the hull of all robots: safe to push on (H)"},
+    {&Overlays::chords, Swatch::chord, "Chords",
+     "The two robots of a team and the line between them (C)"},
     {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were weighed (A)"},
-    {&Overlays::clockwise, Swatch::clockwise, "Clockwise", "Points about which it can still turn clockwise (R)"},
+    {&Overlays::clockwise, Swatch::clockwise, "Clockwise",
+     "Points about which it can still turn clockwise (R)"},
     {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise",
      "Points about which it can still turn counter-clockwise (L)"},
 };

@@ -28,7 +28,9 @@ constexpr Method methods[] = {
 bool offers_all(Metric metric) { return metric != Metric::distributed && metric != Metric::random; }
 
 std::uint32_t placed_teams(const AppState& state) {
-  return state.placement ? std::max<std::uint32_t>(1, static_cast<std::uint32_t>(state.placement->teams.size())) : 3;
+  return state.placement
+             ? std::max<std::uint32_t>(1, static_cast<std::uint32_t>(state.placement->teams.size()))
+             : 3;
 }
 
 void draw_method(const Ui& ui) {
@@ -37,7 +39,8 @@ void draw_method(const Ui& ui) {
   const auto current = std::find_if(std::begin(methods), std::end(methods),
                                     [&](const Method& m) { return m.metric == now.metric; });
   dropdown_button(ui, "methods", current->label, width);
-  if (!begin_choices(ui, "methods", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), width)) return;
+  if (!begin_choices(ui, "methods", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), width))
+    return;
   for (const Method& m : methods) {
     if (!choice(ui, m.label, m.about, &m == current)) continue;
     Settings changed = now;
@@ -53,10 +56,12 @@ void draw_ratio(const Ui& ui) {
   const float width = labelled(ui, "Min. load ratio"), number = 44;
   const SliderResult moved = slider(ui, "ratio", changed.min_ratio, 0, 1, 0.01, width - number);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  if (ImGui::IsItemHovered()) tip(ui, "How evenly the two robots of a team must share; 1 is perfectly even");
+  if (ImGui::IsItemHovered())
+    tip(ui, "How evenly the two robots of a team must share; 1 is perfectly even");
   const std::string value = fixed(moved.value, 2);
   const ImVec2 text = text_size(Face::strong, value);
-  draw_text(*ImGui::GetWindowDrawList(), Face::strong, ImVec2(low.x + width - text.x, (low.y + high.y - text.y) / 2),
+  draw_text(*ImGui::GetWindowDrawList(), Face::strong,
+            ImVec2(low.x + width - text.x, (low.y + high.y - text.y) / 2),
             offers_all(changed.metric) ? ui.theme.text : ui.theme.quiet, value);
   if (moved.changed) {
     changed.min_ratio = moved.value;
@@ -74,8 +79,8 @@ double weight_step(double weight, int direction) {
 void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width = labelled(ui, "Weight");
-  const int by = stepper(ui, "weight", plain(changed.weight) + "\u202fkg", changed.weight > 1e-3, changed.weight < 1e9,
-                         width);
+  const int by = stepper(ui, "weight", plain(changed.weight) + "\u202fkg", changed.weight > 1e-3,
+                         changed.weight < 1e9, width);
   if (by == 0) return;
   const double step = weight_step(changed.weight, by);
   const double steps = std::round(changed.weight / step) + by;
@@ -87,7 +92,8 @@ void draw_seed(const Ui& ui) {
   Settings changed = settings(ui.state);
   if (changed.metric != Metric::random) return;
   const float width = labelled(ui, "Seed");
-  const int by = stepper(ui, "seed", std::to_string(changed.seed), changed.seed > 0, changed.seed < UINT64_MAX, width);
+  const int by = stepper(ui, "seed", std::to_string(changed.seed), changed.seed > 0,
+                         changed.seed < UINT64_MAX, width);
   if (by == 0) return;
   changed.seed += by > 0 ? 1u : UINT64_MAX;  // unsigned: adds -1
   ui.push(SetSettings{changed});
@@ -102,12 +108,14 @@ void draw_centre(const Ui& ui) {
   const ImVec2 text = text_size(Face::text, value);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(at, ImVec2(at.x + width - reset, at.y + ui.control()), true);
-  draw_text(list, Face::text, ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.text, value);
+  draw_text(list, Face::text, ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.text,
+            value);
   list.PopClipRect();
   ImGui::Dummy(ImVec2(width - reset, ui.control()));
   if (!own) return;
   ImGui::SameLine(0, 0);
-  if (icon_button(ui, "centroid", Icon::close, true, "Back to the centroid", ui.control())) ui.push(ReleaseCentre{});
+  if (icon_button(ui, "centroid", Icon::close, true, "Back to the centroid", ui.control()))
+    ui.push(ReleaseCentre{});
 }
 
 }  // namespace
@@ -118,7 +126,8 @@ void draw_teams_stepper(const Ui& ui) {
   const float width = labelled(ui, "Teams"), for_all = 52;
   const std::uint32_t shown = all ? placed_teams(ui.state) : *changed.teams;
   const float stepper_width = can_have_all ? width - for_all - 8 : width;
-  const int by = stepper(ui, "teams", std::to_string(shown), shown > 1, shown < max_teams && !all, stepper_width);
+  const int by = stepper(ui, "teams", std::to_string(shown), shown > 1, shown < max_teams && !all,
+                         stepper_width);
   if (by != 0) {
     changed.teams = by > 0 ? shown + 1 : shown - 1;
     ui.push(SetSettings{changed});

@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t most_rows = 60;  // more is for the JSON
 
 struct Columns {
-  float left, middle, half, ratio;  // disc at the left; bars to both sides of the middle; number at the right
+  float left, middle, half,
+      ratio;  // disc at the left; bars to both sides of the middle; number at the right
 };
 
 Columns columns(float left, float width) {
@@ -20,7 +21,8 @@ Columns columns(float left, float width) {
   return {left, left + disc + bars / 2, bars / 2 - 4, left + width};
 }
 
-void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Colour colour, const std::string& text) {
+void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Colour colour,
+                   const std::string& text) {
   const ImVec2 size = text_size(face, text);
   draw_text(list, face, ImVec2(right - size.x, middle_y - size.y / 2), colour, text);
 }
@@ -30,20 +32,24 @@ void draw_heading(const Ui& ui, const Columns& c) {
   const float y = ImGui::GetCursorScreenPos().y + 8;
   const ImVec2 size = text_size(Face::label, "Loads in kg");
   draw_text(list, Face::label, ImVec2(c.left, y - size.y / 2), ui.theme.second_text, "Team");
-  draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, y - size.y / 2), ui.theme.second_text, "Loads in kg");
+  draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, y - size.y / 2), ui.theme.second_text,
+            "Loads in kg");
   right_aligned(list, Face::label, c.ratio, y, ui.theme.second_text, "Ratio");
   ImGui::Dummy(ImVec2(1, 18));
 }
 
-void draw_bar(const Ui& ui, const Columns& c, float y, double share, int side, const std::string& load) {
+void draw_bar(const Ui& ui, const Columns& c, float y, double share, int side,
+              const std::string& load) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float way = static_cast<float>(side), full = c.half - 40;
-  const float inner = c.middle + way * 1.5f, outer = c.middle + way * (1.5f + full * static_cast<float>(share));
+  const float inner = c.middle + way * 1.5f,
+              outer = c.middle + way * (1.5f + full * static_cast<float>(share));
   list.AddRectFilled(ImVec2(std::min(inner, outer), y - 6), ImVec2(std::max(inner, outer), y + 6),
                      ui.theme.chord.packed(), 3);
   const ImVec2 size = text_size(Face::label, load);
   const float x = c.middle + way * (full + 8);
-  draw_text(list, Face::label, ImVec2(side > 0 ? x : x - size.x, y - size.y / 2), ui.theme.text, load);
+  draw_text(list, Face::label, ImVec2(side > 0 ? x : x - size.x, y - size.y / 2), ui.theme.text,
+            load);
 }
 
 bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
@@ -55,18 +61,21 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const bool hovered = ImGui::IsItemHovered();
-  const bool named = (ui.state.hover.kind == Pick::Kind::chord || ui.state.hover.kind == Pick::Kind::robot) &&
-                     ui.state.hover.index == index;
+  const bool named =
+      (ui.state.hover.kind == Pick::Kind::chord || ui.state.hover.kind == Pick::Kind::robot) &&
+      ui.state.hover.index == index;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered || named) {
-    list.AddRectFilled(ImVec2(low.x - 6, low.y), ImVec2(high.x + 6, high.y), ui.theme.well.packed(), 7);
+    list.AddRectFilled(ImVec2(low.x - 6, low.y), ImVec2(high.x + 6, high.y), ui.theme.well.packed(),
+                       7);
   }
   const float y = (low.y + high.y) / 2;
   list.AddCircleFilled(ImVec2(c.left + 11, y), 10, ui.theme.robot.packed(), 24);
   list.AddCircle(ImVec2(c.left + 11, y), 10, ui.theme.robot_ring.packed(), 24, 1);
   const std::string number = std::to_string(index + 1);
   const ImVec2 size = text_size(Face::tiny, number);
-  draw_text(list, Face::tiny, ImVec2(c.left + 11 - size.x / 2, y - size.y / 2), ui.theme.robot_text, number);
+  draw_text(list, Face::tiny, ImVec2(c.left + 11 - size.x / 2, y - size.y / 2), ui.theme.robot_text,
+            number);
   const int decimals = decimals_for(placement.loads->max);
   for (int end = 0; end < 2; ++end) {
     const double load = team.loads[static_cast<std::size_t>(end)];
@@ -91,7 +100,8 @@ void draw_teams(const Ui& ui) {
     if (draw_row(ui, c, i)) ui.push(SetHover{{Pick::Kind::chord, i, 0, Vec2(0, 0)}});
   }
   if (count > most_rows) {
-    text_line(Face::label, ui.theme.second_text, "and " + std::to_string(count - most_rows) + " more");
+    text_line(Face::label, ui.theme.second_text,
+              "and " + std::to_string(count - most_rows) + " more");
   }
   ImGui::PopStyleVar();
 }

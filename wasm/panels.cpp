@@ -11,14 +11,16 @@ namespace {
 
 // Top to bottom.
 constexpr Panel side_panel[] = {
-    {"verdict", draw_verdict, false}, {"settings", draw_settings, false}, {"overlays", draw_overlays, false},
-    {"teams", draw_teams, true},      {"numbers", draw_numbers, true},
+    {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
+    {"overlays", draw_overlays, false}, {"teams", draw_teams, true},
+    {"numbers", draw_numbers, true},
 };
 
 // The last result stands, dimmed, while the document is refused.
 void dim(const Ui& ui, ImVec2 from) {
   const float right = from.x + ImGui::GetContentRegionAvail().x + 6;
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(from.x - 6, from.y), ImVec2(right, ImGui::GetCursorScreenPos().y),
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(from.x - 6, from.y),
+                                            ImVec2(right, ImGui::GetCursorScreenPos().y),
                                             ui.theme.panel.at(0.65f).packed());
 }
 
@@ -50,9 +52,11 @@ void draw_side_panel(const Ui& ui) {
 }
 
 void draw_rail(const Ui& ui) {
-  const Rect place{ui.layout.panel.left, ui.layout.panel.top, ui.layout.panel.right, ui.layout.panel.top + 48};
+  const Rect place{ui.layout.panel.left, ui.layout.panel.top, ui.layout.panel.right,
+                   ui.layout.panel.top + 48};
   begin_card(ui, "rail", place, {.fixed_height = true, .padding = 8});
-  if (icon_button(ui, "unfold", Icon::unfold, true, "Show the panel (P)", 32)) ui.push(SetPanelOpen{true});
+  if (icon_button(ui, "unfold", Icon::unfold, true, "Show the panel (P)", 32))
+    ui.push(SetPanelOpen{true});
   end_card(ui);
 }
 
@@ -62,7 +66,8 @@ void draw_handle(const Ui& ui) {
   const bool pressed = ImGui::InvisibleButton("handle", ImVec2(width, 24));
   const ImVec2 low = ImGui::GetItemRectMin();
   const float x = low.x + width / 2, y = low.y + 8;
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 20, y - 2), ImVec2(x + 20, y + 2), ui.theme.quiet.packed(), 2);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 20, y - 2), ImVec2(x + 20, y + 2),
+                                            ui.theme.quiet.packed(), 2);
   const float dragged = ImGui::GetIO().MousePos.y - ImGui::GetIO().MouseClickedPos[0].y;
   if (ImGui::IsItemDeactivated() && std::abs(dragged) > 24) {
     const int step = std::abs(dragged) > 260 ? 2 : 1;
@@ -76,14 +81,17 @@ void draw_handle(const Ui& ui) {
 }
 
 void draw_sheet(const Ui& ui) {
-  begin_card(ui, "sheet", ui.layout.panel, {.fixed_height = true, .padding = 16, .scrolls = ui.state.sheet != Sheet::closed});
+  begin_card(ui, "sheet", ui.layout.panel,
+             {.fixed_height = true, .padding = 16, .scrolls = ui.state.sheet != Sheet::closed});
   ImGui::SetCursorPosY(4);
   draw_handle(ui);
   ImGui::PushID("closed");
   draw_verdict(ui);
   draw_teams_stepper(ui);
   ImGui::PopID();
-  const double closed = static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y + ImGui::GetScrollY()) + 16;
+  const double closed = static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y +
+                                            ImGui::GetScrollY()) +
+                        16;
   if (std::abs(closed - ui.state.closed_sheet_height) > 0.5) ui.push(MeasureSheet{closed});
   if (ui.state.sheet != Sheet::closed) {
     rule(ui);
@@ -99,15 +107,19 @@ void draw_panels(const AppState& state, Commands& commands) {
   apply_style(state, places.control);
   const Ui ui{state, theme(state), places, commands};
   if (!state.screen.embed) {
-    if (!places.wide) draw_sheet(ui);
-    else if (state.panel_open) draw_side_panel(ui);
-    else draw_rail(ui);
+    if (!places.wide)
+      draw_sheet(ui);
+    else if (state.panel_open)
+      draw_side_panel(ui);
+    else
+      draw_rail(ui);
     draw_view_tools(ui);
     draw_help(ui);
   }
   draw_toolbar(ui);
   draw_notice(ui);
-  const bool list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  const bool list_open =
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (list_open != state.list_open) ui.push(ListIsOpen{list_open});
 }
 

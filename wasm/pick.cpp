@@ -23,10 +23,12 @@ Pick grip_at(const AppState& state, const Vec2& screen) {
   Nearest nearest{state.screen.touch ? 24.0 : 12.0};
   const Points& vertices = state.document.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    nearest.offer(distance(state.camera.to_screen(vertices[i]), screen), {Pick::Kind::vertex, i, 0, vertices[i]});
+    nearest.offer(distance(state.camera.to_screen(vertices[i]), screen),
+                  {Pick::Kind::vertex, i, 0, vertices[i]});
   }
   const Vec2 centre = centre_of_mass(state);
-  nearest.offer(distance(state.camera.to_screen(centre), screen), {Pick::Kind::centre, 0, 0, centre});
+  nearest.offer(distance(state.camera.to_screen(centre), screen),
+                {Pick::Kind::centre, 0, 0, centre});
   return nearest.pick;
 }
 
@@ -36,7 +38,8 @@ Pick robot_at(const AppState& state, const Vec2& screen) {
   for (std::size_t i = 0; i < teams.size(); ++i) {
     const Vec2 ends[2] = {teams[i].chord.r1.position, teams[i].chord.r2.position};
     for (int end = 0; end < 2; ++end) {
-      nearest.offer(distance(state.camera.to_screen(ends[end]), screen), {Pick::Kind::robot, i, end, ends[end]});
+      nearest.offer(distance(state.camera.to_screen(ends[end]), screen),
+                    {Pick::Kind::robot, i, end, ends[end]});
     }
   }
   return nearest.pick;
@@ -47,7 +50,8 @@ Pick edge_at(const AppState& state, const Vec2& screen) {
   const Points& vertices = state.document.vertices;
   const Vec2 world = state.camera.to_world(screen);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec2 at = nearest_on_segment(vertices[i], vertices[i + 1 == vertices.size() ? 0 : i + 1], world);
+    const Vec2 at =
+        nearest_on_segment(vertices[i], vertices[i + 1 == vertices.size() ? 0 : i + 1], world);
     nearest.offer(distance(state.camera.to_screen(at), screen), {Pick::Kind::edge, i, 0, at});
   }
   return nearest.pick;
@@ -58,7 +62,8 @@ Pick chord_at(const AppState& state, const Vec2& screen) {
   const std::vector<Team>& teams = state.placement->teams;
   const Vec2 world = state.camera.to_world(screen);
   for (std::size_t i = 0; i < teams.size(); ++i) {
-    const Vec2 at = nearest_on_segment(teams[i].chord.r1.position, teams[i].chord.r2.position, world);
+    const Vec2 at =
+        nearest_on_segment(teams[i].chord.r1.position, teams[i].chord.r2.position, world);
     nearest.offer(distance(state.camera.to_screen(at), screen), {Pick::Kind::chord, i, 0, at});
   }
   return nearest.pick;

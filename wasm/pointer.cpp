@@ -40,7 +40,8 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
 
 void release(const AppState& state, const Pointer& pointer, Commands& commands) {
   // A click on the ground lets go of the selection; a pan does not.
-  if (state.held.kind == Pick::Kind::ground && pointer.moved < still) commands.push_back(SelectVertex{});
+  if (state.held.kind == Pick::Kind::ground && pointer.moved < still)
+    commands.push_back(SelectVertex{});
   commands.push_back(EndEdit{});
   commands.push_back(SetHeld{});
 }
@@ -63,9 +64,12 @@ void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
 void interact(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (pointer.pinching) return pinch(state, pointer, commands);
   const bool holding = state.held.kind != Pick::Kind::none;
-  if (holding && pointer.down) drag(state, pointer, commands);
-  else if (holding) release(state, pointer, commands);
-  else if (pointer.pressed && !pointer.over_panel) press(state, pointer, commands);
+  if (holding && pointer.down)
+    drag(state, pointer, commands);
+  else if (holding)
+    release(state, pointer, commands);
+  else if (pointer.pressed && !pointer.over_panel)
+    press(state, pointer, commands);
   if (!holding) hover(state, pointer, commands);
   if (pointer.wheel != 0 && !pointer.over_panel) {
     const double factor = std::exp(pointer.wheel * 0.18);

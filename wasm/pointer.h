@@ -7,12 +7,12 @@
 namespace evenlift::view {
 
 struct Pointer {
-  Vec2 at = Vec2::Zero();       // CSS pixels
-  bool present = false;         // over the canvas, or holding something
-  bool over_panel = false;      // a panel or popup has it
+  Vec2 at = Vec2::Zero();   // CSS pixels
+  bool present = false;     // over the canvas, or holding something
+  bool over_panel = false;  // a panel or popup has it
   bool pressed = false, down = false, released = false, double_pressed = false;
-  double moved = 0;             // farthest from where it was pressed, CSS pixels
-  double wheel = 0;             // steps, > 0 to zoom in
+  double moved = 0;  // farthest from where it was pressed, CSS pixels
+  double wheel = 0;  // steps, > 0 to zoom in
   // Two fingers, or a trackpad's pinch.
   bool pinching = false;
   Vec2 pinch_at = Vec2::Zero(), pinch_moved = Vec2::Zero();

@@ -21,7 +21,8 @@ void SdlInput::take(const Screen& screen) {
         take_finger(event, screen);
         break;
       case SDL_WINDOWEVENT:
-        if (event.window.event == SDL_WINDOWEVENT_LEAVE) queue_.push_back({What::leave, Vec2(0, 0), false, event.common.timestamp});
+        if (event.window.event == SDL_WINDOWEVENT_LEAVE)
+          queue_.push_back({What::leave, Vec2(0, 0), false, event.common.timestamp});
         break;
       default:
         break;  // keys come by way of page_key()
@@ -35,7 +36,8 @@ void SdlInput::take_mouse(const SDL_Event& event) {
     return;
   }
   if (event.type == SDL_MOUSEMOTION) {
-    queue_.push_back({What::move, Vec2(event.motion.x, event.motion.y), false, event.common.timestamp});
+    queue_.push_back(
+        {What::move, Vec2(event.motion.x, event.motion.y), false, event.common.timestamp});
     return;
   }
   if (event.button.button != SDL_BUTTON_LEFT) return;
@@ -45,8 +47,10 @@ void SdlInput::take_mouse(const SDL_Event& event) {
 
 void SdlInput::take_finger(const SDL_Event& event, const Screen& screen) {
   const SDL_TouchFingerEvent& touched = event.tfinger;
-  const Vec2 at(static_cast<double>(touched.x) * screen.width, static_cast<double>(touched.y) * screen.height);
-  const auto finger = std::find_if(fingers_.begin(), fingers_.end(), [&](const Finger& f) { return f.id == touched.fingerId; });
+  const Vec2 at(static_cast<double>(touched.x) * screen.width,
+                static_cast<double>(touched.y) * screen.height);
+  const auto finger = std::find_if(fingers_.begin(), fingers_.end(),
+                                   [&](const Finger& f) { return f.id == touched.fingerId; });
   if (event.type == SDL_FINGERDOWN) {
     if (finger == fingers_.end()) fingers_.push_back({touched.fingerId, at});
     if (fingers_.size() == 1) queue_.push_back({What::down, at, true, touched.timestamp});
@@ -56,14 +60,17 @@ void SdlInput::take_finger(const SDL_Event& event, const Screen& screen) {
   if (finger == fingers_.end()) return;
   finger->at = at;
   if (event.type == SDL_FINGERMOTION) {
-    if (two_fingers_) follow_pinch();
-    else queue_.push_back({What::move, at, true, touched.timestamp});
+    if (two_fingers_)
+      follow_pinch();
+    else
+      queue_.push_back({What::move, at, true, touched.timestamp});
     return;
   }
   fingers_.erase(finger);
   if (!two_fingers_) {
     queue_.push_back({What::up, at, true, touched.timestamp});
-    queue_.push_back({What::leave, at, true, touched.timestamp});  // nothing hovers where no finger is
+    queue_.push_back(
+        {What::leave, at, true, touched.timestamp});  // nothing hovers where no finger is
   }
   if (fingers_.empty()) two_fingers_ = false;
 }
@@ -95,7 +102,8 @@ void SdlInput::pinch(const Vec2& at, double factor) {
 
 bool SdlInput::is_second(const Event& press) const {
   const double reach = press.touch ? 24 : 8;
-  return pressed_time_ != 0 && press.time - pressed_time_ <= 450 && length(press.at - pressed_at_) <= reach;
+  return pressed_time_ != 0 && press.time - pressed_time_ <= 450 &&
+         length(press.at - pressed_at_) <= reach;
 }
 
 void SdlInput::feed() {
@@ -119,7 +127,8 @@ void SdlInput::feed() {
   }
   ImGuiIO& io = ImGui::GetIO();
   const bool gone = at_.x() < -1e5;
-  const ImVec2 at(gone ? -FLT_MAX : static_cast<float>(at_.x()), gone ? -FLT_MAX : static_cast<float>(at_.y()));
+  const ImVec2 at(gone ? -FLT_MAX : static_cast<float>(at_.x()),
+                  gone ? -FLT_MAX : static_cast<float>(at_.y()));
 #if IMGUI_VERSION_NUM >= 18700
   io.AddMousePosEvent(at.x, at.y);
   io.AddMouseButtonEvent(0, down_);

@@ -35,7 +35,8 @@ class SdlInput {
     What what;
     Vec2 at;
     bool touch;
-    Uint32 time;  // milliseconds, when it came: a slow frame must not part the two presses of a double one
+    Uint32 time;  // milliseconds, when it came: a slow frame must not part the two presses of a
+                  // double one
   };
   struct Finger {
     SDL_FingerID id;
@@ -53,7 +54,7 @@ class SdlInput {
   bool down_ = false, touch_ = false;
   bool second_press_ = false;  // of a double press, in this frame
   Vec2 pressed_at_ = Vec2::Zero();
-  Uint32 pressed_time_ = 0;    // 0: the next press is a first one
+  Uint32 pressed_time_ = 0;  // 0: the next press is a first one
   float wheel_ = 0;
   bool two_fingers_ = false;  // until all are lifted: the last finger of a pinch drags nothing
   bool pinched_ = false;      // since the last frame

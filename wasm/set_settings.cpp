@@ -91,8 +91,9 @@ struct Setter {
   const char* (*set)(Document&, std::string_view);
 };
 constexpr Setter setters[] = {
-    {"teams", set_teams}, {"metric", set_metric}, {"min_ratio", set_min_ratio}, {"weight", set_weight},
-    {"seed", set_seed},   {"com", set_com},       {"step", set_step},
+    {"teams", set_teams},   {"metric", set_metric}, {"min_ratio", set_min_ratio},
+    {"weight", set_weight}, {"seed", set_seed},     {"com", set_com},
+    {"step", set_step},
 };
 
 }  // namespace
@@ -110,7 +111,8 @@ Result<Document> with_settings(const Document& document, std::string_view lines)
       if (known.name == name) setter = &known;
     }
     if (!setter || equals == std::string_view::npos) return wrong(name, "there is no such setting");
-    if (const char* problem = setter->set(changed, line.substr(equals + 1))) return wrong(name, problem);
+    if (const char* problem = setter->set(changed, line.substr(equals + 1)))
+      return wrong(name, problem);
   }
   if (const auto error = check_settings(changed.settings)) return *error;
   return changed;

@@ -1,4 +1,5 @@
-// Everything the view knows. Panels and the canvas read it; only update.cpp changes it. No ImGui here.
+// Everything the view knows. Panels and the canvas read it; only update.cpp changes it. No ImGui
+// here.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +18,8 @@ namespace evenlift::view {
 struct Pick {
   enum class Kind : std::uint8_t { none, vertex, centre, robot, chord, edge, ground };
   Kind kind = Kind::none;
-  std::size_t index = 0;  // of the vertex, the edge, or the team
-  int end = 0;            // of a robot: 0 for r1, 1 for r2
+  std::size_t index = 0;   // of the vertex, the edge, or the team
+  int end = 0;             // of a robot: 0 for r1, 1 for r2
   Vec2 at = Vec2::Zero();  // polygon coordinates: of an edge the nearest point on it
   bool operator==(const Pick&) const = default;
 };
@@ -29,9 +30,9 @@ struct Screen {
   double ratio = 1;                   // device pixels per CSS pixel
   bool dark = false;
   bool reduced_motion = false;
-  bool embed = false;                 // in somebody's <iframe>: no editing panels
-  bool finger = false;                // its main pointer is a finger: controls are larger
-  bool touch = false;                 // the last pointer was a finger: nothing hovers
+  bool embed = false;   // in somebody's <iframe>: no editing panels
+  bool finger = false;  // its main pointer is a finger: controls are larger
+  bool touch = false;   // the last pointer was a finger: nothing hovers
 };
 
 // How far the sheet of a narrow screen is pulled up.
@@ -43,20 +44,14 @@ struct Notice {
   std::string text;  // empty: no notice
 };
 
-struct Sample {
-  std::string group;  // may be empty
-  std::string title;
-  std::string text;  // in any format that read_polygon() takes
-};
-
 struct AppState {
-  Document document;                    // what is being edited; may be refused
-  std::optional<InputError> refusal;    // why, if it is
-  std::optional<Placement> placement;   // of the last document that was not refused
-  Document placed;                      // that document: what links and storage hold
+  Document document;                   // what is being edited; may be refused
+  std::optional<InputError> refusal;   // why, if it is
+  std::optional<Placement> placement;  // of the last document that was not refused
+  Document placed;                     // that document: what links and storage hold
   History history;
-  bool edit_open = false;               // a drag or slider is under way: one step of undo
-  std::uint64_t revision = 0;           // grows with every change of the document
+  bool edit_open = false;      // a drag or slider is under way: one step of undo
+  std::uint64_t revision = 0;  // grows with every change of the document
 
   Camera camera;
   bool camera_follows = true;           // until somebody pans or zooms, the view fits its window
@@ -68,12 +63,11 @@ struct AppState {
   Screen screen;
   bool panel_open = true;
   bool help_open = false;
-  bool list_open = false;               // a list of choices, as drawn last
-  bool close_list = false;              // asked for, and not yet drawn
+  bool list_open = false;   // a list of choices, as drawn last
+  bool close_list = false;  // asked for, and not yet drawn
   Sheet sheet = Sheet::closed;
-  double closed_sheet_height = 172;     // what it holds when closed, as drawn last
+  double closed_sheet_height = 172;  // what it holds when closed, as drawn last
   Notice notice;
-  std::vector<Sample> samples;
 };
 
 // The settings in force. O(1).

@@ -7,14 +7,16 @@
 namespace evenlift::view {
 namespace {
 
-bool selects_candidates(Metric metric) { return metric != Metric::distributed && metric != Metric::random; }
+bool selects_candidates(Metric metric) {
+  return metric != Metric::distributed && metric != Metric::random;
+}
 
 std::string robots(const Placement& placement) {
   const LoadSummary& loads = *placement.loads;
   const int decimals = decimals_for(loads.max);
   return count(placement.teams.size() * 2, "robot", "robots") + ", each " +
-         range(loads.min, loads.max, decimals) + "\u202fkg of " +
-         plain(placement.settings.weight) + ".";
+         range(loads.min, loads.max, decimals) + "\u202fkg of " + plain(placement.settings.weight) +
+         ".";
 }
 
 std::string safety(const Placement& placement) {
@@ -29,15 +31,19 @@ std::string shortage(const Placement& placement) {
     return "Only " + std::to_string(placement.teams.size()) + " of " + wanted +
            " teams find a chord with this load ratio.";
   }
-  return "Only " + std::to_string(placement.teams.size()) + " of " + wanted + " teams found a place.";
+  return "Only " + std::to_string(placement.teams.size()) + " of " + wanted +
+         " teams found a place.";
 }
 
-std::string join(const std::string& a, const std::string& b) { return a.empty() || b.empty() ? a + b : a + " " + b; }
+std::string join(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + " " + b;
+}
 
 Verdict of_placement(const Placement& placement) {
   if (placement.teams.empty()) {
     return {Mood::not_quite, "No team can stand here.",
-            "No chord through the centre of mass has this load ratio. Lower the minimum, or move the centre of mass."};
+            "No chord through the centre of mass has this load ratio. Lower the minimum, or move "
+            "the centre of mass."};
   }
   Verdict v;
   const std::string few = shortage(placement);
@@ -55,9 +61,12 @@ std::string freedom(const Closure& closure) {
   if (closure.second_order) return "It cannot move, though only just: to second order.";
   const bool clockwise = closure.clockwise.exists, counter = closure.counterclockwise.exists;
   std::string turn;
-  if (clockwise && counter) turn = "turn both ways";
-  else if (clockwise) turn = "turn clockwise";
-  else if (counter) turn = "turn counter-clockwise";
+  if (clockwise && counter)
+    turn = "turn both ways";
+  else if (clockwise)
+    turn = "turn clockwise";
+  else if (counter)
+    turn = "turn counter-clockwise";
   if (!closure.translation_free) return "It can still " + turn + ".";
   return "It can still " + (turn.empty() ? "slide" : turn + " and slide") + ".";
 }
@@ -76,8 +85,9 @@ std::string summary(const AppState& state) {
   std::string text = join(v.headline, v.detail);
   if (state.refusal || !state.placement) return text;
   const Placement& placement = *state.placement;
-  text += " " + count(placement.teams.size(), "team", "teams") + " of " + std::to_string(placement.requested_teams) +
-          " asked for, method " + std::string(name(placement.settings.metric)) + ", minimum load ratio " +
+  text += " " + count(placement.teams.size(), "team", "teams") + " of " +
+          std::to_string(placement.requested_teams) + " asked for, method " +
+          std::string(name(placement.settings.metric)) + ", minimum load ratio " +
           fixed(placement.settings.min_ratio, 2) + ".";
   // A screen reader is of no help with a hundred teams; the JSON is.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);

@@ -1,5 +1,5 @@
-// The result in words: the verdict at the top of the panel, and all of it for those who cannot see the
-// canvas.
+// The result in words: the verdict at the top of the panel, and all of it for those who cannot see
+// the canvas.
 #pragma once
 
 #include <string>

@@ -6,32 +6,64 @@ namespace evenlift::view {
 namespace {
 
 constexpr Theme light = {
-    .ground = {0xEEF1F4}, .dots = {0xD0D7DE},
-    .object = {0xFFFFFF}, .object_outline = {0x2B3540},
-    .panel = {0xFFFFFF}, .panel_line = {0xD5DBE1}, .well = {0xEEF1F4},
-    .text = {0x1B232B}, .second_text = {0x55616D}, .quiet = {0x8592A0},
-    .hull = {0x2FA36B, 0.24f}, .hull_outline = {0x1F7A4E}, .hull_text = {0x14603B},
-    .clockwise = {0xD1495B, 0.16f}, .clockwise_line = {0xD1495B},
-    .counter = {0x2D6CDF, 0.16f}, .counter_line = {0x2D6CDF},
-    .robot = {0x1B232B}, .robot_ring = {0x1B232B}, .robot_track = {0xFFFFFF}, .robot_text = {0xFFFFFF},
-    .chord = {0x55616D}, .candidate = {0xA5B0BB},
-    .accent = {0x5B4BDB}, .on_accent = {0xFFFFFF},
-    .amber = {0x9A5B00}, .amber_ground = {0xFFF4E0},
+    .ground = {0xEEF1F4},
+    .dots = {0xD0D7DE},
+    .object = {0xFFFFFF},
+    .object_outline = {0x2B3540},
+    .panel = {0xFFFFFF},
+    .panel_line = {0xD5DBE1},
+    .well = {0xEEF1F4},
+    .text = {0x1B232B},
+    .second_text = {0x55616D},
+    .quiet = {0x8592A0},
+    .hull = {0x2FA36B, 0.24f},
+    .hull_outline = {0x1F7A4E},
+    .hull_text = {0x14603B},
+    .clockwise = {0xD1495B, 0.16f},
+    .clockwise_line = {0xD1495B},
+    .counter = {0x2D6CDF, 0.16f},
+    .counter_line = {0x2D6CDF},
+    .robot = {0x1B232B},
+    .robot_ring = {0x1B232B},
+    .robot_track = {0xFFFFFF},
+    .robot_text = {0xFFFFFF},
+    .chord = {0x55616D},
+    .candidate = {0xA5B0BB},
+    .accent = {0x5B4BDB},
+    .on_accent = {0xFFFFFF},
+    .amber = {0x9A5B00},
+    .amber_ground = {0xFFF4E0},
     .shadow = {0x1B232B, 0.10f},
 };
 
 constexpr Theme dark = {
-    .ground = {0x14181D}, .dots = {0x2A323B},
-    .object = {0xE6EBF0}, .object_outline = {0xFFFFFF},
-    .panel = {0x1D232A}, .panel_line = {0x2D3640}, .well = {0x14181D},
-    .text = {0xE8EDF2}, .second_text = {0x9AA7B4}, .quiet = {0x6B7885},
-    .hull = {0x3BBF80, 0.30f}, .hull_outline = {0x1F9A60}, .hull_text = {0x0E5433},
-    .clockwise = {0xF0697B, 0.20f}, .clockwise_line = {0xF0697B},
-    .counter = {0x5B93FF, 0.20f}, .counter_line = {0x5B93FF},
-    .robot = {0x0B0E11}, .robot_ring = {0xFFFFFF}, .robot_track = {0x0B0E11}, .robot_text = {0xFFFFFF},
-    .chord = {0x6A7683}, .candidate = {0x8794A1},
-    .accent = {0x9C90FF}, .on_accent = {0x14181D},
-    .amber = {0xF2B04A}, .amber_ground = {0x33291A},
+    .ground = {0x14181D},
+    .dots = {0x2A323B},
+    .object = {0xE6EBF0},
+    .object_outline = {0xFFFFFF},
+    .panel = {0x1D232A},
+    .panel_line = {0x2D3640},
+    .well = {0x14181D},
+    .text = {0xE8EDF2},
+    .second_text = {0x9AA7B4},
+    .quiet = {0x6B7885},
+    .hull = {0x3BBF80, 0.30f},
+    .hull_outline = {0x1F9A60},
+    .hull_text = {0x0E5433},
+    .clockwise = {0xF0697B, 0.20f},
+    .clockwise_line = {0xF0697B},
+    .counter = {0x5B93FF, 0.20f},
+    .counter_line = {0x5B93FF},
+    .robot = {0x0B0E11},
+    .robot_ring = {0xFFFFFF},
+    .robot_track = {0x0B0E11},
+    .robot_text = {0xFFFFFF},
+    .chord = {0x6A7683},
+    .candidate = {0x8794A1},
+    .accent = {0x9C90FF},
+    .on_accent = {0x14181D},
+    .amber = {0xF2B04A},
+    .amber_ground = {0x33291A},
     .shadow = {0x000000, 0.35f},
 };
 
@@ -39,7 +71,8 @@ struct FaceSpec {
   bool semibold;
   float size;
 };
-constexpr FaceSpec faces[face_count] = {{true, 12}, {false, 13}, {true, 13}, {false, 15}, {true, 15}, {true, 20}};
+constexpr FaceSpec faces[face_count] = {{true, 12},  {false, 13}, {true, 13},
+                                        {false, 15}, {true, 15},  {true, 20}};
 
 ImFont* loaded[face_count];
 
@@ -52,7 +85,8 @@ constexpr ImWchar characters[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2212, 0x2265, 0}
 
 ImU32 Colour::packed() const {
   return (rgb >> 16 & 0xFF) << IM_COL32_R_SHIFT | (rgb >> 8 & 0xFF) << IM_COL32_G_SHIFT |
-         (rgb & 0xFF) << IM_COL32_B_SHIFT | static_cast<ImU32>(opacity * 255 + 0.5f) << IM_COL32_A_SHIFT;
+         (rgb & 0xFF) << IM_COL32_B_SHIFT |
+         static_cast<ImU32>(opacity * 255 + 0.5f) << IM_COL32_A_SHIFT;
 }
 
 ImVec4 Colour::vec() const {
@@ -66,7 +100,8 @@ void load_fonts(double ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
 #if IMGUI_VERSION_NUM >= 19200
-  const float density = 1;  // sizes are CSS pixels; the library rasterises for the framebuffer's scale
+  const float density =
+      1;  // sizes are CSS pixels; the library rasterises for the framebuffer's scale
   static_cast<void>(ratio);
 #else
   const float density = static_cast<float>(ratio);
@@ -99,11 +134,14 @@ ImFont* font(Face face) { return loaded[static_cast<int>(face)]; }
 float size(Face face) { return spec(face).size; }
 
 ImVec2 text_size(Face face, std::string_view text, float wrap_width) {
-  return font(face)->CalcTextSizeA(size(face), 1e9f, wrap_width, text.data(), text.data() + text.size());
+  return font(face)->CalcTextSizeA(size(face), 1e9f, wrap_width, text.data(),
+                                   text.data() + text.size());
 }
 
-void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text, float wrap_width) {
-  list.AddText(font(face), size(face), at, colour.packed(), text.data(), text.data() + text.size(), wrap_width);
+void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
+               float wrap_width) {
+  list.AddText(font(face), size(face), at, colour.packed(), text.data(), text.data() + text.size(),
+               wrap_width);
 }
 
 void apply_style(const AppState& state, double control_height) {

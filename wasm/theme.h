@@ -21,8 +21,8 @@ struct Colour {
 struct Theme {
   Colour ground, dots;
   Colour object, object_outline;
-  Colour panel, panel_line, well;          // well: what a control is sunk into
-  Colour text, second_text, quiet;         // quiet: lines and icons that are off
+  Colour panel, panel_line, well;   // well: what a control is sunk into
+  Colour text, second_text, quiet;  // quiet: lines and icons that are off
   Colour hull, hull_outline, hull_text;
   Colour clockwise, clockwise_line, counter, counter_line;
   Colour robot, robot_ring, robot_track, robot_text;
@@ -50,12 +50,14 @@ void pop_face();
 ImFont* font(Face face);
 float size(Face face);
 ImVec2 text_size(Face face, std::string_view text, float wrap_width = 0);
-void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text, float wrap_width = 0);
+void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
+               float wrap_width = 0);
 
 // Dear ImGui's own widgets in the theme's colours and measures.
 void apply_style(const AppState& state, double control_height);
 
-// Thin lines keep the sharpness of the screen: anti-aliasing as wide as one device pixel, not one CSS pixel.
+// Thin lines keep the sharpness of the screen: anti-aliasing as wide as one device pixel, not one
+// CSS pixel.
 void sharpen(ImDrawList& list, const AppState& state);
 
 }  // namespace evenlift::view

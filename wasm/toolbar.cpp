@@ -1,10 +1,7 @@
 // What floats over the drawing: the bar at the top, the view's tools, the notice.
 #include "actions.h"
 #include "browser.h"
-#include "dropdown.h"
-#include "format.h"
 #include "panels.h"
-#include "update.h"
 #include "widgets.h"
 
 namespace evenlift::view {
@@ -16,49 +13,32 @@ std::string about(const Action& a) {
 
 void action_button(const Ui& ui, ActionId id, float size) {
   const Action& a = action(id);
-  if (icon_button(ui, a.label, a.icon, a.enabled(ui.state), about(a).c_str(), size)) a.run(ui.state, ui.commands);
+  if (icon_button(ui, a.label, a.icon, a.enabled(ui.state), about(a).c_str(), size))
+    a.run(ui.state, ui.commands);
 }
 
 void wordmark(const Ui& ui, float height) {
   const ImVec2 size = text_size(Face::strong, "evenlift"), at = ImGui::GetCursorScreenPos();
-  draw_centre_mark(*ImGui::GetWindowDrawList(), ImVec2(at.x + 15, at.y + height / 2), 8, ui.theme.text,
-                   ui.theme.panel);
-  draw_text(*ImGui::GetWindowDrawList(), Face::strong, ImVec2(at.x + 30, at.y + (height - size.y) / 2), ui.theme.text,
-            "evenlift");
+  draw_centre_mark(*ImGui::GetWindowDrawList(), ImVec2(at.x + 15, at.y + height / 2), 8,
+                   ui.theme.text, ui.theme.panel);
+  draw_text(*ImGui::GetWindowDrawList(), Face::strong,
+            ImVec2(at.x + 30, at.y + (height - size.y) / 2), ui.theme.text, "evenlift");
   ImGui::Dummy(ImVec2(size.x + 38, height));
 }
 
-// A sample keeps method and teams, so that shapes can be compared.
-void open_sample(const Ui& ui, const Sample& sample) {
-  Result<Document> document = read_document(sample.text);
-  if (!document) {
-    ui.push(ShowNotice{{Notice::Kind::problem, sentence(document.error())}});
-    return;
-  }
-  document->settings = settings(ui.state);
-  document->settings.step.reset();
-  ui.push(OpenDocument{std::move(*document)});
-}
-
-void samples(const Ui& ui, float height) {
-  if (text_button(ui, "samples", ui.layout.wide ? Icon::shapes : Icon::none, "Samples", nullptr, height, Icon::down)) {
-    ImGui::OpenPopup("sample list");
-  }
-  if (!begin_choices(ui, "sample list", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), 240)) return;
-  std::string_view group;
-  for (const Sample& sample : ui.state.samples) {
-    if (sample.group != group) choice_heading(ui, sample.group);
-    group = sample.group;
-    if (choice(ui, sample.title, nullptr, false)) open_sample(ui, sample);
-  }
-  end_choices(ui);
+// With its name where there is room.
+void named_button(const Ui& ui, ActionId id, float size, bool named) {
+  const Action& a = action(id);
+  if (!named) return action_button(ui, id, size);
+  if (text_button(ui, a.label, a.icon, a.label, about(a).c_str(), size))
+    a.run(ui.state, ui.commands);
 }
 
 void divider(const Ui& ui, float height) {
   ImGui::SameLine(0, 6);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, at.y + 6), ImVec2(at.x + 1, at.y + height - 6),
-                                            ui.theme.panel_line.packed());
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      ImVec2(at.x, at.y + 6), ImVec2(at.x + 1, at.y + height - 6), ui.theme.panel_line.packed());
   ImGui::Dummy(ImVec2(1, height));
   ImGui::SameLine(0, 6);
 }
@@ -79,27 +59,25 @@ void draw_toolbar(const Ui& ui) {
     wordmark(ui, height);
     divider(ui, height);
   }
-  samples(ui, height);
+  const double width = ui.layout.toolbar.width();
+  for (const ActionId id : {ActionId::samples, ActionId::open, ActionId::save}) {
+    named_button(ui, id, height, width > 700);
+    ImGui::SameLine(0, 2);
+  }
   divider(ui, height);
   action_button(ui, ActionId::undo, height);
   ImGui::SameLine(0, 2);
   action_button(ui, ActionId::redo, height);
   divider(ui, height);
-  if (ui.state.screen.width > 720) {
-    const Action& copy = action(ActionId::copy_link);
-    if (text_button(ui, "copy", copy.icon, copy.label, about(copy).c_str(), height)) {
-      copy.run(ui.state, ui.commands);
-    }
-  } else {
-    action_button(ui, ActionId::copy_link, height);
-  }
+  named_button(ui, ActionId::copy_link, height, width > 560);
   ImGui::SameLine(0, 2);
   action_button(ui, ActionId::help, height);
   end_card(ui);
 }
 
 void draw_view_tools(const Ui& ui) {
-  begin_card(ui, "tools", ui.layout.tools, {.fixed_height = true, .padding = ui.layout.wide ? 8.0f : 2.0f, .scrolls = false});
+  begin_card(ui, "tools", ui.layout.tools,
+             {.fixed_height = true, .padding = ui.layout.wide ? 8.0f : 2.0f, .scrolls = false});
   // A wheel and two fingers do the same; narrow screens have no room to spare for it.
   if (ui.layout.wide) {
     action_button(ui, ActionId::zoom_out, ui.control());
@@ -116,13 +94,17 @@ void draw_notice(const Ui& ui) {
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
   const double widest = std::min(ui.layout.free.width() - 2 * ui.layout.margin, 560.0);
-  const float text = std::min(text_size(Face::text, notice.text).x, static_cast<float>(widest) - 84);
+  const float text =
+      std::min(text_size(Face::text, notice.text).x, static_cast<float>(widest) - 84);
   const double width = text + 84, x = ui.layout.free.middle().x() - width / 2;
-  begin_card(ui, "notice", {x, ui.layout.toolbar.bottom + 12, x + width, ui.layout.free.bottom}, {.padding = 10});
+  begin_card(ui, "notice", {x, ui.layout.toolbar.bottom + 12, x + width, ui.layout.free.bottom},
+             {.padding = 10});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddCircleFilled(ImVec2(at.x + 11, at.y + 12), 11, (problem ? ui.theme.amber : ui.theme.hull_outline).packed(), 24);
-  draw_icon(list, problem ? Icon::warning : Icon::check, ImVec2(at.x + 11, at.y + 12), 15, ui.theme.panel);
+  list.AddCircleFilled(ImVec2(at.x + 11, at.y + 12), 11,
+                       (problem ? ui.theme.amber : ui.theme.hull_outline).packed(), 24);
+  draw_icon(list, problem ? Icon::warning : Icon::check, ImVec2(at.x + 11, at.y + 12), 15,
+            ui.theme.panel);
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y + 3));
   text_block(Face::text, ui.theme.text, notice.text, 30);
   const ImVec2 after = ImGui::GetCursorScreenPos();

@@ -6,8 +6,8 @@
 namespace evenlift::view {
 namespace {
 
-// A vertex in the ring that is left, and in the list sorted along the Z-order curve. Removed ones stay in
-// neither.
+// A vertex in the ring that is left, and in the list sorted along the Z-order curve. Removed ones
+// stay in neither.
 struct Node {
   Vec2 at;
   std::uint32_t vertex = 0, previous = 0, next = 0;
@@ -30,7 +30,8 @@ class Ears {
   explicit Ears(const Points& vertices) : nodes_(vertices.size()) {
     double area = 0;
     const std::size_t n = vertices.size();
-    for (std::size_t i = 0; i < n; ++i) area += cross(vertices[i] - vertices[0], vertices[(i + 1) % n] - vertices[0]);
+    for (std::size_t i = 0; i < n; ++i)
+      area += cross(vertices[i] - vertices[0], vertices[(i + 1) % n] - vertices[0]);
     for (std::size_t i = 0; i < n; ++i) {
       Node& node = nodes_[i];
       node.vertex = static_cast<std::uint32_t>(area >= 0 ? i : n - 1 - i);
@@ -51,11 +52,13 @@ class Ears {
       const bool forced = without_ear > left;
       if (forced || is_ear(i)) {
         const Node ear = nodes_[i];
-        for (std::uint32_t corner : {ear.previous, i, ear.next}) triangles.push_back(nodes_[corner].vertex);
+        for (std::uint32_t corner : {ear.previous, i, ear.next})
+          triangles.push_back(nodes_[corner].vertex);
         remove(i);
         --left;
         without_ear = 0;
-        i = nodes_[ear.next].next;  // not the neighbour at once: slivers would fan out of one vertex
+        i = nodes_[ear.next]
+                .next;  // not the neighbour at once: slivers would fan out of one vertex
       } else {
         ++without_ear;
         i = nodes_[i].next;
@@ -97,8 +100,10 @@ class Ears {
   bool is_ear(std::uint32_t i) const {
     const Node &b = nodes_[i], &a = nodes_[b.previous], &c = nodes_[b.next];
     if (!(turn(a, b, c) > 0)) return false;
-    const Vec2 low(std::min({a.at.x(), b.at.x(), c.at.x()}), std::min({a.at.y(), b.at.y(), c.at.y()}));
-    const Vec2 high(std::max({a.at.x(), b.at.x(), c.at.x()}), std::max({a.at.y(), b.at.y(), c.at.y()}));
+    const Vec2 low(std::min({a.at.x(), b.at.x(), c.at.x()}),
+                   std::min({a.at.y(), b.at.y(), c.at.y()}));
+    const Vec2 high(std::max({a.at.x(), b.at.x(), c.at.x()}),
+                    std::max({a.at.y(), b.at.y(), c.at.y()}));
     const std::uint32_t z_low = z_of(low), z_high = z_of(high);
     const auto blocks = [&](const Node& p) {
       if (&p == &a || &p == &b || &p == &c) return false;

@@ -12,7 +12,8 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double largest_zoom = 1000;  // times the view that fits: screen coordinates stay fit for floats
+constexpr double largest_zoom =
+    1000;  // times the view that fits: screen coordinates stay fit for floats
 constexpr double smallest_zoom = 0.05;
 
 void show(AppState& state, Notice notice) {
@@ -102,7 +103,8 @@ struct Applier {
     recompute(state);
   }
   void operator()(const MoveVertex& c) const {
-    if (c.vertex >= state.document.vertices.size() || state.document.vertices[c.vertex] == c.to) return;
+    if (c.vertex >= state.document.vertices.size() || state.document.vertices[c.vertex] == c.to)
+      return;
     begin_edit(state, true);
     state.document.vertices[c.vertex] = c.to;
     recompute(state);
@@ -149,17 +151,23 @@ struct Applier {
     if (state.history.can_redo()) step_back(state, state.history.redo(state.document));
   }
 
-  void operator()(const SelectVertex& c) const { state.selected = c.vertex; drop_stale_picks(state); }
+  void operator()(const SelectVertex& c) const {
+    state.selected = c.vertex;
+    drop_stale_picks(state);
+  }
   void operator()(const SetHover& c) const { state.hover = c.pick; }
   void operator()(const SetHeld& c) const { state.held = c.pick; }
   void operator()(const SetCamera& c) const {
     const double fitting = fit(state.document.vertices, layout(state).room).scale;
     state.camera = c.camera;
-    state.camera.scale = std::clamp(c.camera.scale, fitting * smallest_zoom, fitting * largest_zoom);
+    state.camera.scale =
+        std::clamp(c.camera.scale, fitting * smallest_zoom, fitting * largest_zoom);
     state.camera_follows = false;
   }
   void operator()(const FitView&) const { fit_view(state); }
-  void operator()(const ZoomView& c) const { zoom_view(state, layout(state).room.middle(), c.factor); }
+  void operator()(const ZoomView& c) const {
+    zoom_view(state, layout(state).room.middle(), c.factor);
+  }
   void operator()(const SetPanelOpen& c) const { state.panel_open = c.open; }
   void operator()(const SetHelpOpen& c) const { state.help_open = c.open; }
   void operator()(const ListIsOpen& c) const {
@@ -177,6 +185,7 @@ struct Applier {
       show(state, {Notice::Kind::problem, sentence(link.error()) + "."});
     }
   }
+  void operator()(const OpenDialog& c) const { browser::open_dialog(c.dialog); }
   void operator()(const ShowNotice& c) const { show(state, c.notice); }
 };
 

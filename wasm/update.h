@@ -13,11 +13,12 @@ namespace evenlift::view {
 // frame is due. A refused document leaves the last good placement standing.
 bool apply(AppState& state, Commands& commands);
 
-// Fits the view to the polygon where that is due: at a new document, and after the window or its panels
-// changed until somebody pans or zooms. Never while a vertex is dragged.
+// Fits the view to the polygon where that is due: at a new document, and after the window or its
+// panels changed until somebody pans or zooms. Never while a vertex is dragged.
 void frame_view(AppState& state);
 
-// The document that a link, or a link or a polygon's text, holds, if it can be placed; else the first error.
+// The document that a link, or a link or a polygon's text, holds, if it can be placed; else the
+// first error.
 Result<Document> read_link(std::string_view link);
 Result<Document> read_document(std::string_view text);
 

@@ -53,7 +53,8 @@ bool repeats(const Area& a) {
 void hatch_swatch(ImDrawList& list, ImVec2 low, ImVec2 high, Colour colour, bool rising) {
   list.PushClipRect(low, high, true);
   for (float x = -16; x < 32; x += 4.5f) {
-    const ImVec2 from(low.x + x, rising ? high.y : low.y), to(low.x + x + 16, rising ? high.y - 16 : low.y + 16);
+    const ImVec2 from(low.x + x, rising ? high.y : low.y),
+        to(low.x + x + 16, rising ? high.y - 16 : low.y + 16);
     list.AddLine(from, to, colour.packed(), 1.3f);
   }
   list.PopClipRect();
@@ -85,7 +86,8 @@ void draw_swatch(const Ui& ui, Swatch swatch, ImVec2 low, bool on) {
       break;
     case Swatch::candidate:
       for (float x = 0; x < 16; x += 6) {
-        list.AddLine(ImVec2(low.x + x, y), ImVec2(low.x + x + 3.5f, y), shade(t.second_text).packed(), 1.4f);
+        list.AddLine(ImVec2(low.x + x, y), ImVec2(low.x + x + 3.5f, y),
+                     shade(t.second_text).packed(), 1.4f);
       }
       break;
   }
@@ -103,9 +105,9 @@ void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptio
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(options.padding, options.padding));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10.0f);
-  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
-                           ImGuiWindowFlags_NoNavInputs;
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs;
   if (!options.fixed_height) flags |= ImGuiWindowFlags_AlwaysAutoResize;
   if (!options.scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::Begin(id, nullptr, flags);
@@ -118,21 +120,26 @@ void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high) {
   constexpr int layers = 8;
   for (int i = 1; i <= layers; ++i) {
     const float grow = static_cast<float>(i) * 1.5f;
-    ImGui::GetBackgroundDrawList()->AddRectFilled(ImVec2(low.x - grow, low.y - grow + 3),
-                                                  ImVec2(high.x + grow, high.y + grow + 3),
-                                                  ui.theme.shadow.at(1.0f / layers).packed(), 10 + grow);
+    ImGui::GetBackgroundDrawList()->AddRectFilled(
+        ImVec2(low.x - grow, low.y - grow + 3), ImVec2(high.x + grow, high.y + grow + 3),
+        ui.theme.shadow.at(1.0f / layers).packed(), 10 + grow);
   }
 }
 
 void scroll_by_finger(const Ui& ui) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (!ui.state.screen.touch || slider_held || !io.MouseDown[0] || ImGui::GetScrollMaxY() <= 0) return;
-  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) return;
-  if (io.MouseDragMaxDistanceSqr[0] > shake * shake) ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
+  if (!ui.state.screen.touch || slider_held || !io.MouseDown[0] || ImGui::GetScrollMaxY() <= 0)
+    return;
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
+    return;
+  if (io.MouseDragMaxDistanceSqr[0] > shake * shake)
+    ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
 }
 
 bool tapped(const Ui& ui, bool pressed) {
-  return pressed && !(ui.state.screen.touch && ImGui::GetIO().MouseDragMaxDistanceSqr[0] > shake * shake);
+  return pressed &&
+         !(ui.state.screen.touch && ImGui::GetIO().MouseDragMaxDistanceSqr[0] > shake * shake);
 }
 
 void end_card(const Ui& ui) {
@@ -141,7 +148,8 @@ void end_card(const Ui& ui) {
   ImGui::PopStyleVar(2);
 }
 
-bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* about, float size) {
+bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* about,
+                 float size) {
   const Area a = area(ui, id, ImVec2(size, size), enabled);
   ground(ui, a, 7, ui.theme.panel.at(0));
   const Colour colour = enabled ? ui.theme.text : ui.theme.quiet.at(0.6f);
@@ -150,10 +158,11 @@ bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const ch
   return a.pressed;
 }
 
-bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* about, float height,
-                 Icon after) {
+bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* about,
+                 float height, Icon after) {
   const ImVec2 text = text_size(Face::text, label);
-  const float before = icon == Icon::none ? 12.0f : 38.0f, behind = after == Icon::none ? 12.0f : 30.0f;
+  const float before = icon == Icon::none ? 12.0f : 38.0f,
+              behind = after == Icon::none ? 12.0f : 30.0f;
   const Area a = area(ui, id, ImVec2(before + text.x + behind, height));
   ground(ui, a, 7, ui.theme.panel.at(0));
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -165,7 +174,8 @@ bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, con
   return a.pressed;
 }
 
-int stepper(const Ui& ui, const char* id, const std::string& value, bool can_lower, bool can_raise, float width) {
+int stepper(const Ui& ui, const char* id, const std::string& value, bool can_lower, bool can_raise,
+            float width) {
   const float height = ui.control(), side = height + 4;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushID(id);
@@ -182,13 +192,15 @@ int stepper(const Ui& ui, const char* id, const std::string& value, bool can_low
   ImGui::SameLine(0, width - 2 * side);
   end("+", Icon::plus, can_raise, 1);
   const ImVec2 text = text_size(Face::strong, value);
-  draw_text(list, Face::strong, ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2), ui.theme.text,
+  draw_text(list, Face::strong,
+            ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2), ui.theme.text,
             value);
   ImGui::PopID();
   return change;
 }
 
-SliderResult slider(const Ui& ui, const char* id, double value, double low, double high, double step, float width) {
+SliderResult slider(const Ui& ui, const char* id, double value, double low, double high,
+                    double step, float width) {
   const float height = ui.control(), knob = ui.control() > 40 ? 11.0f : 8.0f;
   const Area a = area(ui, id, ImVec2(width, height));
   SliderResult result{false, ImGui::IsItemDeactivated(), value};
@@ -196,18 +208,22 @@ SliderResult slider(const Ui& ui, const char* id, double value, double low, doub
   if (result.released) slider_held = false;
   const float from = a.low.x + knob, to = a.high.x - knob;
   if (a.active && ImGui::IsMouseDown(0)) {
-    const double share = std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - from) / (to - from)), 0.0, 1.0);
+    const double share =
+        std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - from) / (to - from)), 0.0, 1.0);
     // Steps are decimals: dividing two integers gives the double nearest to the one shown.
     const double steps = std::round(1 / step);
     const double wanted = std::round((low + share * (high - low)) * steps) / steps;
     result.changed = wanted != value;
     result.value = wanted;
   }
-  const float x = from + (to - from) * static_cast<float>((result.value - low) / (high - low)), y = a.middle().y;
+  const float x = from + (to - from) * static_cast<float>((result.value - low) / (high - low)),
+              y = a.middle().y;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(ImVec2(a.low.x, y - 3), ImVec2(a.high.x, y + 3), ui.theme.panel_line.packed(), 3);
+  list.AddRectFilled(ImVec2(a.low.x, y - 3), ImVec2(a.high.x, y + 3), ui.theme.panel_line.packed(),
+                     3);
   list.AddRectFilled(ImVec2(a.low.x, y - 3), ImVec2(x, y + 3), ui.theme.accent.packed(), 3);
-  if (a.hovered || a.active) list.AddCircleFilled(ImVec2(x, y), knob + 5, ui.theme.accent.at(0.16f).packed(), 32);
+  if (a.hovered || a.active)
+    list.AddCircleFilled(ImVec2(x, y), knob + 5, ui.theme.accent.at(0.16f).packed(), 32);
   list.AddCircleFilled(ImVec2(x, y), knob, ui.theme.panel.packed(), 32);
   list.AddCircle(ImVec2(x, y), knob, ui.theme.accent.packed(), 32, 2);
   return result;
@@ -220,10 +236,12 @@ bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool o
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Colour fill = a.hovered ? ui.theme.panel_line : on ? ui.theme.well : ui.theme.panel;
   list.AddRectFilled(a.low, a.high, fill.packed(), height / 2);
-  list.AddRect(a.low, a.high, (on ? ui.theme.quiet : ui.theme.panel_line).packed(), height / 2, 0, 1);
+  list.AddRect(a.low, a.high, (on ? ui.theme.quiet : ui.theme.panel_line).packed(), height / 2, 0,
+               1);
   const float y = a.middle().y;
   draw_swatch(ui, swatch, ImVec2(a.low.x + 9, y - 8), on);
-  draw_text(list, Face::label, ImVec2(a.low.x + 31, y - text.y / 2), on ? ui.theme.text : ui.theme.second_text, label);
+  draw_text(list, Face::label, ImVec2(a.low.x + 31, y - text.y / 2),
+            on ? ui.theme.text : ui.theme.second_text, label);
   return a.pressed;
 }
 
@@ -231,8 +249,8 @@ float labelled(const Ui& ui, const char* label, float label_width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float left = ImGui::GetContentRegionAvail().x;
   const ImVec2 text = text_size(Face::label, label);
-  draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + (ui.control() - text.y) / 2),
-            ui.theme.second_text, label);
+  draw_text(*ImGui::GetWindowDrawList(), Face::label,
+            ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, label);
   ImGui::SetCursorScreenPos(ImVec2(at.x + label_width, at.y));
   return left - label_width;
 }
@@ -240,7 +258,8 @@ float labelled(const Ui& ui, const char* label, float label_width) {
 void rule(const Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, y = at.y + 4;
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + width, y + 1), ui.theme.panel_line.packed());
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + width, y + 1),
+                                            ui.theme.panel_line.packed());
   ImGui::Dummy(ImVec2(0, 9));
 }
 
@@ -264,7 +283,8 @@ void text_line(Face face, Colour colour, const std::string& text) {
 
 // Dear ImGui's own wrapped text breaks lines after a decimal point, too, and has no line height.
 void text_block(Face face, Colour colour, const std::string& text, float kept_free) {
-  const float wrap = ImGui::GetContentRegionAvail().x - kept_free, line = std::round(size(face) * 1.4f);
+  const float wrap = ImGui::GetContentRegionAvail().x - kept_free,
+              line = std::round(size(face) * 1.4f);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   ImVec2 at = start;
   const std::string_view all = text;

@@ -28,12 +28,14 @@ bool tapped(const Ui& ui, bool pressed);
 void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high);
 
 // Buttons; true when pressed. A disabled one is drawn faintly and does nothing.
-bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* tip, float size);
-bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* tip, float height,
-                 Icon after = Icon::none);
+bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* tip,
+                 float size);
+bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* tip,
+                 float height, Icon after = Icon::none);
 
 // "− 3 +": -1, 0 or +1, again and again while held.
-int stepper(const Ui& ui, const char* id, const std::string& value, bool can_lower, bool can_raise, float width);
+int stepper(const Ui& ui, const char* id, const std::string& value, bool can_lower, bool can_raise,
+            float width);
 
 // A track with a knob; arrow keys and pointer move it in steps.
 struct SliderResult {
@@ -41,18 +43,21 @@ struct SliderResult {
   bool released = false;
   double value = 0;
 };
-SliderResult slider(const Ui& ui, const char* id, double value, double low, double high, double step, float width);
+SliderResult slider(const Ui& ui, const char* id, double value, double low, double high,
+                    double step, float width);
 
 // How an overlay is drawn in the picture.
 enum class Swatch { hull, clockwise, counterclockwise, chord, candidate };
 bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on);
 
-// A label at the left of its control: the cursor is left where the control begins; `width` is the rest.
+// A label at the left of its control: the cursor is left where the control begins; `width` is the
+// rest.
 float labelled(const Ui& ui, const char* label, float label_width = 120);
 
 void rule(const Ui& ui);
 void tip(const Ui& ui, const char* text);
 void text_line(Face face, Colour colour, const std::string& text);
-void text_block(Face face, Colour colour, const std::string& text, float kept_free = 0);  // at the right
+void text_block(Face face, Colour colour, const std::string& text,
+                float kept_free = 0);  // at the right
 
 }  // namespace evenlift::view

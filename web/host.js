@@ -25,6 +25,9 @@ export function createHost(publisher) {
       publisher.notice(done ? "The link is copied. It holds the polygon and all settings."
         : "The browser did not let the page copy. The address bar holds the same link.", !done);
     },
+    openDialog(name) {
+      document.dispatchEvent(new CustomEvent("evenlift-dialog", { detail: name }));
+    },
     announce(text) {
       document.getElementById("alert").textContent = text;
     },

@@ -38,13 +38,6 @@ function showProblem(reason) {
   cover.classList.remove("done", "see-through");
 }
 
-// The other samples are a file of their own, so that the program is small; the page is usable before it is here.
-async function loadSamples(program) {
-  const response = await fetch("samples.json");
-  if (!response.ok) return;
-  for (const { group, title, text } of await response.json()) program.call("page_sample", group, title, text);
-}
-
 function followAddress(program) {
   addEventListener("hashchange", () => {
     const link = location.hash.slice(1);
@@ -80,7 +73,6 @@ async function start() {
   connectInput(program, { embed });
   followAddress(program);
   if (problem) program.call("page_notice", `This link cannot be opened: ${lowered(problem)}.`, 1);
-  loadSamples(program).catch(() => {});  // offline: the opening sample is there
   await firstFrame(program);
 }
 

@@ -24,7 +24,8 @@ inline Polygon polygon_of(Family family, std::int64_t n) {
   return *Polygon::create(document_of(family, n).vertices);
 }
 
-// A counter `name`: the time of an iteration for each of `units`. Flat over n if the time grows as units do.
+// A counter `name`: the time of an iteration for each of `units`. Flat over n if the time grows as
+// units do.
 inline void count_time_per(benchmark::State& state, const char* name, double units) {
   using benchmark::Counter;
   state.counters[name] = Counter(units, Counter::kIsIterationInvariantRate | Counter::kInvert);
