@@ -14,7 +14,7 @@ import sys
 
 ALPHABET = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
 METRICS = ["area", "circle", "distance", "distributed", "random"]
-OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise"]
+OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "tipping"]
 DOUBLES = 23  # the scale that numbers every double
 
 
@@ -158,6 +158,8 @@ def read_settings(coder):
         settings["seed"] = coder.integer(64)
     if coder.uniform(2):
         mask = coder.uniform(32)
+        if mask == 30:  # the usual ones: tipping besides what follows
+            mask = coder.uniform(32) | 32
         settings["overlays"] = [name for i, name in enumerate(OVERLAYS) if mask >> i & 1]
     if coder.uniform(2):
         settings["step"] = coder.integer(32)

@@ -130,6 +130,7 @@ inline Settings random_settings(Rng& rng) {
     settings.overlays.hull = rng.below(2) == 0;
     settings.overlays.clockwise = rng.below(2) == 0;
     settings.overlays.counterclockwise = rng.below(2) == 0;
+    settings.overlays.tipping = rng.below(2) == 0;
   }
   if (now_and_then()) settings.step = static_cast<std::uint32_t>(rng.below(1000));
   return settings;

@@ -141,7 +141,7 @@ TEST_CASE("settings at their default take no room, others little", "[link][lengt
   CHECK(more([](Settings& s) { s.seed = 0; }) <= 4);
   CHECK(more([](Settings& s) { s.seed = std::numeric_limits<std::uint64_t>::max(); }) <= 14);
   CHECK(more([](Settings& s) { s.overlays.candidates = true; }) <= 4);
-  CHECK(more([](Settings& s) { s.overlays = {false, false, false, false, false}; }) <= 4);
+  CHECK(more([](Settings& s) { s.overlays = {false, false, false, false, false, true}; }) <= 4);
   CHECK(more([](Settings& s) { s.step = 0; }) <= 4);
   CHECK(more([](Settings& s) { s.step = 12; }) <= 4);
   CHECK(more([](Settings& s) { s.step = std::numeric_limits<std::uint32_t>::max(); }) <= 9);
@@ -201,6 +201,7 @@ TEST_CASE("links written before are read for ever", "[link]") {
     if (overlays.hull) shown.push_back("hull");
     if (overlays.clockwise) shown.push_back("clockwise");
     if (overlays.counterclockwise) shown.push_back("counterclockwise");
+    if (overlays.tipping) shown.push_back("tipping");
     CHECK(settings["overlays"] == shown);
     REQUIRE(document.settings.step.has_value() == !settings["step"].is_null());
     if (document.settings.step) {

@@ -44,7 +44,8 @@ std::string asset(const std::filesystem::path& path) {
 std::vector<std::filesystem::path> assets() {
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(EVENLIFT_ASSETS_DIR "/polygons")) {
-    if (entry.path().extension() == ".txt" && entry.path().stem() != "index") paths.push_back(entry.path());
+    if (entry.path().extension() == ".txt" && entry.path().stem() != "index")
+      paths.push_back(entry.path());
   }
   REQUIRE(paths.size() > 10);
   return paths;
@@ -69,7 +70,8 @@ class Page {
 
   void frame(const Pointer& pointer = {}) {
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(app.state.screen.width), static_cast<float>(app.state.screen.height));
+    io.DisplaySize = ImVec2(static_cast<float>(app.state.screen.width),
+                            static_cast<float>(app.state.screen.height));
     io.DeltaTime = 1.0f / 60;
     ImGui::NewFrame();
     draw_frame(app, pointer);
@@ -113,7 +115,8 @@ class Page {
 double area_of(const Points& polygon, const std::vector<std::uint32_t>& triangles) {
   double area = 0;
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
-    const Vec2 &a = polygon[triangles[i]], &b = polygon[triangles[i + 1]], &c = polygon[triangles[i + 2]];
+    const Vec2 &a = polygon[triangles[i]], &b = polygon[triangles[i + 1]],
+               &c = polygon[triangles[i + 2]];
     area += std::abs(cross(b - a, c - a)) / 2;
   }
   return area;
@@ -122,14 +125,16 @@ double area_of(const Points& polygon, const std::vector<std::uint32_t>& triangle
 double area_of(const Points& polygon) {
   double twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    twice += cross(polygon[i] - polygon[0], polygon[i + 1 == polygon.size() ? 0 : i + 1] - polygon[0]);
+    twice +=
+        cross(polygon[i] - polygon[0], polygon[i + 1 == polygon.size() ? 0 : i + 1] - polygon[0]);
   }
   return std::abs(twice) / 2;
 }
 
 }  // namespace
 
-TEST_CASE("every panel draws for every sample on every kind of screen, and then comes to rest", "[view]") {
+TEST_CASE("every panel draws for every sample on every kind of screen, and then comes to rest",
+          "[view]") {
   Page page;
   for (const auto& path : assets()) {
     INFO(path.string());
@@ -206,7 +211,9 @@ TEST_CASE("a refused polygon keeps the last good placement, link and reason", "[
   CHECK(verdict(state).mood != Mood::refused);
 }
 
-TEST_CASE("a double press on an edge adds a vertex that can be dragged at once, Delete takes it away", "[view]") {
+TEST_CASE(
+    "a double press on an edge adds a vertex that can be dragged at once, Delete takes it away",
+    "[view]") {
   Page page;
   page.frame();
   Pointer p = page.at({200, 0});
@@ -265,15 +272,17 @@ TEST_CASE("dragged coordinates are short decimals within a pixel", "[view]") {
 
 TEST_CASE("settings by name change together or say which is wrong", "[view]") {
   const Document before = document(l_shape);
-  const auto changed = with_settings(before, "teams=max\nmin_ratio=0.25\nmetric=distance\ncom=12.5,-3e-1\nstep=4");
+  const auto changed =
+      with_settings(before, "teams=max\nmin_ratio=0.25\nmetric=distance\ncom=12.5,-3e-1\nstep=4");
   REQUIRE(changed.ok());
   CHECK_FALSE(changed->settings.teams);
   CHECK(changed->settings.min_ratio == 0.25);
   CHECK(changed->settings.metric == Metric::distance);
   CHECK(changed->centre_of_mass == Vec2(12.5, -0.3));
   CHECK(changed->settings.step == 4u);
-  for (const char* bad : {"teams=x", "teams=", "teams", "metric=Area", "min_ratio=2", "weight=0", "seed=-1", "com=1", "x=1", "=",
-                          "teams=99999999999999999999", "min_ratio=nan", "weight=inf"}) {
+  for (const char* bad :
+       {"teams=x", "teams=", "teams", "metric=Area", "min_ratio=2", "weight=0", "seed=-1", "com=1",
+        "x=1", "=", "teams=99999999999999999999", "min_ratio=nan", "weight=inf"}) {
     INFO(bad);
     CHECK_FALSE(with_settings(before, bad).ok());
   }
@@ -296,7 +305,8 @@ TEST_CASE("history gives back whole documents, without limit", "[view]") {
 
 TEST_CASE("labels stand clear of each other, of robots and of what covers the drawing", "[view]") {
   std::vector<LabelRequest> requests;
-  for (int i = 0; i < 6; ++i) requests.push_back({Vec2(200 + 60 * i, 200), Vec2(0, -1), Vec2(58, 20)});
+  for (int i = 0; i < 6; ++i)
+    requests.push_back({Vec2(200 + 60 * i, 200), Vec2(0, -1), Vec2(58, 20)});
   const Rect window{0, 0, 800, 600}, covered{0, 100, 300, 170};
   const auto places = place_labels(requests, window, covered, 15);
   const auto apart = [](const Rect& a, const Rect& b) {
@@ -341,7 +351,8 @@ TEST_CASE("no two actions share a key, and every key in the list does something"
     for (const Key& key : a.keys) {
       if (key.name.empty()) continue;
       for (const Key& other : seen) {
-        CHECK_FALSE((other.name == key.name && other.command == key.command && other.shift == key.shift));
+        CHECK_FALSE(
+            (other.name == key.name && other.command == key.command && other.shift == key.shift));
       }
       seen.push_back(key);
     }
@@ -349,7 +360,8 @@ TEST_CASE("no two actions share a key, and every key in the list does something"
   CHECK(seen.size() > 20);
 }
 
-TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leaves most of it free", "[view]") {
+TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leaves most of it free",
+          "[view]") {
   AppState state;
   state.screen.width = 390;
   state.screen.height = 844;

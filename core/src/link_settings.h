@@ -21,7 +21,7 @@ inline Settings defaults_of_link_1() {
   settings.min_ratio = 0.8;
   settings.weight = 100;
   settings.seed = 1;
-  settings.overlays = {false, true, true, true, true};
+  settings.overlays = {false, true, true, true, true, false};
   settings.step = std::nullopt;
   return settings;
 }
@@ -44,13 +44,15 @@ double code_number(Coder& coder, double value) {
   return Scale(kind).value_of(negative ? -number : number);
 }
 
+// All but tipping, which came later.
 inline std::uint32_t overlay_mask(const Overlays& shown) {
   return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.hull ? 4u : 0u) |
          (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
 }
 
-inline Overlays overlays_of_mask(std::uint32_t mask) {
-  return {(mask & 1) != 0, (mask & 2) != 0, (mask & 4) != 0, (mask & 8) != 0, (mask & 16) != 0};
+inline Overlays overlays_of_mask(std::uint32_t mask, bool tipping) {
+  return {(mask & 1) != 0, (mask & 2) != 0,  (mask & 4) != 0,
+          (mask & 8) != 0, (mask & 16) != 0, tipping};
 }
 
 template <class Coder>
@@ -82,7 +84,13 @@ void code_settings(Coder& coder, Settings& settings) {
   if (differs(weight)) settings.weight = code_number(coder, settings.weight);
   if (differs(settings.seed != usual.seed)) settings.seed = code_integer(coder, settings.seed, 64);
   if (differs(!(settings.overlays == usual.overlays))) {
-    settings.overlays = overlays_of_mask(coder.uniform(overlay_mask(settings.overlays), 32));
+    // A mask that differs in nothing is the sign that tipping is shown; the mask itself follows.
+    const std::uint32_t sign = overlay_mask(usual.overlays),
+                        shown = overlay_mask(settings.overlays);
+    std::uint32_t mask = coder.uniform(settings.overlays.tipping ? sign : shown, 32);
+    const bool tipping = mask == sign;
+    if (tipping) mask = coder.uniform(shown, 32);
+    settings.overlays = overlays_of_mask(mask, tipping);
   }
   if (differs(settings.step.has_value())) {
     settings.step = static_cast<std::uint32_t>(code_integer(coder, settings.step.value_or(0), 32));

@@ -35,6 +35,7 @@ struct Overlays {
   bool hull = true;               // the lifting base H and coverage
   bool clockwise = true;          // region of free clockwise rotation centres
   bool counterclockwise = true;   // region of free counter-clockwise rotation centres
+  bool tipping = false;           // heat map of the force that tips
   bool operator==(const Overlays&) const = default;
 };
 

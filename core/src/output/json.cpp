@@ -58,7 +58,8 @@ std::string overlays_json(const Overlays& overlays) {
                        {"chords", json::boolean(overlays.chords)},
                        {"hull", json::boolean(overlays.hull)},
                        {"clockwise", json::boolean(overlays.clockwise)},
-                       {"counterclockwise", json::boolean(overlays.counterclockwise)}});
+                       {"counterclockwise", json::boolean(overlays.counterclockwise)},
+                       {"tipping", json::boolean(overlays.tipping)}});
 }
 
 }  // namespace
