@@ -11,7 +11,10 @@
 #include "actions.h"
 #include "app.h"
 #include "catch.h"
+#include "drawing.h"
 #include "evenlift/formats.h"
+#include "evenlift/stability.h"
+#include "heat.h"
 #include "history.h"
 #include "labels.h"
 #include "layout.h"
@@ -86,12 +89,24 @@ class Page {
     return p;
   }
 
-  void drag(const Vec2& from, const Vec2& to) {
+  void click(const Vec2& world) {
+    Pointer p = at(world);
+    p.pressed = p.down = true;
+    frame(p);
+    p.pressed = p.down = false;
+    p.released = true;
+    frame(p);
+  }
+
+  // `off` in CSS pixels: in another picture of the same.
+  void drag(const Vec2& from, const Vec2& to, const Vec2& off = Vec2::Zero()) {
     Pointer p = at(from);
+    p.at += off;
+    frame(p);
     p.pressed = p.down = true;
     frame(p);
     p.pressed = false;
-    const Vec2 start = p.at, end = app.state.camera.to_screen(to);
+    const Vec2 start = p.at, end = app.state.camera.to_screen(to) + off;
     for (int i = 1; i <= 4; ++i) {
       p.at = start + (end - start) * i / 4;
       p.moved = length(p.at - start);
@@ -337,7 +352,7 @@ TEST_CASE("the verdict is a sentence", "[view]") {
   CHECK(freedom(closure) == "It can still turn clockwise.");
   closure.translation_free = true;
   closure.counterclockwise.exists = true;
-  CHECK(freedom(closure) == "It can still turn both ways and slide.");
+  CHECK(freedom(closure) == "It can still turn both ways, and slide.");
   closure = {};
   CHECK(freedom(closure) == "It can still slide.");
   closure.translation_free = false;
@@ -373,4 +388,177 @@ TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leav
   state.screen.height = 800;
   CHECK(layout(state).wide);
   CHECK(layout(state).room.right < layout(state).panel.left);
+}
+
+TEST_CASE("a polygon is drawn by clicks, vertex by vertex, and opens when it is closed", "[view]") {
+  Page page;
+  page.frame();
+  page.press({"d"});
+  const Points corners = {{10, 10}, {300, 20}, {280, 200}, {30, 180}};
+  for (const Vec2& corner : corners) page.click(corner);
+  CHECK(page.app.state.drawing.points.size() == 4);
+  CHECK(page.app.state.document.vertices.size() == 6);  // the old one is still there
+  page.press({"Escape"});
+  CHECK(page.app.state.drawing.points.size() == 3);
+  page.press({"z", true, true});
+  CHECK(page.app.state.drawing.points.size() == 4);
+  page.click(corners[0]);
+  CHECK(page.app.state.tool == Tool::parts);
+  REQUIRE(page.app.state.document.vertices.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(length(page.app.state.document.vertices[i] - corners[i]) < 2);
+  }
+  CHECK_FALSE(page.app.state.document.centre_of_mass);
+  page.press({"z", true});
+  CHECK(page.app.state.document.vertices.size() == 6);
+}
+
+TEST_CASE("a drawing whose edges cross does not close, and says why", "[view]") {
+  Page page;
+  page.frame();
+  page.press({"d"});
+  for (const Vec2& corner : Points{{0, 0}, {300, 300}, {300, 0}, {0, 300}}) page.click(corner);
+  page.press({"Enter"});
+  CHECK(page.app.state.tool == Tool::draw);
+  CHECK(page.app.state.drawing.points.size() == 4);
+  CHECK(page.app.state.notice.text.find("cross") != std::string::npos);
+  for (int i = 0; i < 5; ++i) page.press({"Escape"});  // the notice, then vertex by vertex
+  CHECK(page.app.state.drawing.points.empty());
+  page.press({"Escape"});
+  CHECK(page.app.state.tool == Tool::parts);
+}
+
+TEST_CASE("crossing edges of a chain are found exactly", "[view]") {
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+  CHECK(crossings({{0, 0}, {4, 0}, {4, 4}, {0, 4}}) == Pairs{});
+  CHECK(crossings({{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == Pairs{{0, 2}});
+  CHECK(crossings({{0, 0}, {4, 0}, {2, 0}}) == Pairs{{0, 1}});          // folds back
+  CHECK(crossings({{0, 0}, {4, 0}, {4, 4}, {2, 0}}) == Pairs{{0, 2}});  // touches
+  CHECK(crossings({{0, 0}, {4, 0}, {4, 4}, {0, 0}}) == Pairs{});        // closed
+  CHECK(crossings({{0, 0}, {2, 0}, {4, 0}}) == Pairs{});                // straight on
+}
+
+TEST_CASE("what is dragged and drawn snaps to the dots, or level with its neighbours", "[view]") {
+  Page page;
+  page.frame();
+  page.press({"n"});
+  page.drag({400, 150}, {433.7, 171.2});
+  const double step = grid_step(page.app.state.camera);
+  const Vec2 at = page.app.state.document.vertices[2];
+  CHECK(std::fmod(at.x(), step) == 0);
+  CHECK(std::fmod(at.y(), step) == 0);
+  page.press({"n"});
+  page.press({"x"});
+  page.drag({0, 300}, {3, 260});
+  CHECK(page.app.state.document.vertices[5].x() == 0);
+}
+
+TEST_CASE("the whole moves, turns and scales, each drag a step of undo", "[view]") {
+  Page page;
+  page.frame();
+  const Points before = page.app.state.document.vertices;
+  const auto area = [&] {
+    return page.app.state.placement->hull.empty() ? 0 : area_of(page.app.state.document.vertices);
+  };
+  const double size = area();
+  page.press({"w"});
+  page.frame();
+  page.drag({150, 100}, {250, 140});
+  Vec2 moved = page.app.state.document.vertices[0] - before[0];
+  CHECK(length(moved - Vec2(100, 40)) < 1);
+  CHECK(std::abs(area() - size) < 1e-6 * size);
+  page.press({"z", true});
+  CHECK(page.app.state.document.vertices == before);
+  page.press({"["});
+  page.press({"["});
+  page.press({"]"});
+  page.press({"]"});
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    CHECK(length(page.app.state.document.vertices[i] - before[i]) < 0.1);
+  }
+  page.press({"}"});
+  CHECK(std::abs(area() / size - 1.21) < 1e-3);
+  page.press({"ArrowRight"});
+  page.press({"Escape"});
+  CHECK(page.app.state.tool == Tool::parts);
+}
+
+TEST_CASE("keys alone select, move, add and remove vertices", "[view]") {
+  Page page;
+  page.frame();
+  page.press({"v"});
+  CHECK(page.app.state.selected == 0u);
+  page.press({"V"});
+  CHECK(page.app.state.selected == 5u);
+  const Vec2 before = page.app.state.document.vertices[5];
+  page.press({"ArrowLeft"});
+  page.press({"ArrowUp"});
+  const Vec2 after = page.app.state.document.vertices[5];
+  CHECK(after.x() < before.x());
+  CHECK(after.y() > before.y());
+  page.press({"i"});
+  CHECK(page.app.state.document.vertices.size() == 7);
+  page.press({"Delete"});
+  CHECK(page.app.state.document.vertices.size() == 6);
+}
+
+TEST_CASE("two methods stand side by side and follow the same polygon", "[view]") {
+  Page page;
+  page.press({"k"});
+  page.frame();
+  REQUIRE(page.app.state.other);
+  CHECK(page.app.state.other->settings.metric == Metric::circle);
+  const Layout places = layout(page.app.state);
+  CHECK(places.first.right == places.second.left);
+  // A drag in the second picture moves the one polygon.
+  const Vec2 offset(places.second.left - places.first.left, places.second.top - places.first.top);
+  page.drag({400, 150}, {420, 180}, offset);
+  CHECK(length(page.app.state.document.vertices[2] - Vec2(420, 180)) < 2);
+  CHECK(page.app.state.other->vertices == page.app.state.placement->vertices);
+  for (int i = 0; i < 4; ++i) page.press({"k"});
+  CHECK_FALSE(page.app.state.compared);
+}
+
+TEST_CASE("a capacity tells how many robots are needed and who carries too much", "[view]") {
+  Page page;
+  Commands commands{SetCapacity{12.0}};
+  apply(page.app.state, commands);
+  REQUIRE(page.app.state.plan);
+  const std::string words = need_in_words(page.app.state);
+  CHECK(words.find("carry more") != std::string::npos);
+  CHECK(verdict(page.app.state).mood == Mood::not_quite);
+  Settings changed = page.app.state.document.settings;
+  changed.teams = page.app.state.plan->possible ? page.app.state.plan->teams : 1;
+  commands = {SetSettings{changed}};
+  apply(page.app.state, commands);
+  if (page.app.state.plan->possible) {
+    CHECK(need_in_words(page.app.state).find("stays within") != std::string::npos);
+  }
+}
+
+TEST_CASE("the heat map's bands are the polygon where the tipping force says so", "[view]") {
+  for (const char* name : {"kidney-table", "horseshoe", "puzzle-piece"}) {
+    const Document shape =
+        document(asset(std::string(EVENLIFT_ASSETS_DIR "/polygons/") + name + ".txt"));
+    const Result<Placement> placed = place(shape);
+    REQUIRE(placed.ok());
+    const std::vector<HeatBand> bands = heat_bands(*placed, triangulate(placed->vertices));
+    REQUIRE(bands.size() == std::size(heat_levels) + 2);
+    double before = area_of(shape.vertices) * (1 + 1e-9);
+    for (const HeatBand& band : bands) {
+      double area = 0;
+      for (std::size_t i = 0; i < band.triangles.size(); i += 3) {
+        const Vec2 &a = band.triangles[i], &b = band.triangles[i + 1], &c = band.triangles[i + 2];
+        area += std::abs(cross(b - a, c - a)) / 2;
+        // Well inside of the band no smaller push tips.
+        const Vec2 middle = (a + b + c) / 3;
+        const double force = tipping_force(placed->hull, placed->centre_of_mass, 1, middle);
+        CHECK(force >= std::min(band.share, 1e9) * (1 - 1e-6));
+      }
+      CHECK(area <= before);
+      before = area * (1 + 1e-9);
+    }
+    CHECK(std::abs(before - placed->coverage * area_of(shape.vertices)) <
+          1e-6 * area_of(shape.vertices));
+  }
 }

@@ -11,32 +11,16 @@
 
 namespace evenlift::view {
 
+// clang-format off
 enum class ActionId : std::uint8_t {
-  samples,
-  open,
-  save,
-  table,
-  undo,
-  redo,
-  copy_link,
-  remove_vertex,
-  more_teams,
-  fewer_teams,
-  next_method,
-  higher_ratio,
-  lower_ratio,
-  toggle_hull,
-  toggle_clockwise,
-  toggle_counterclockwise,
-  toggle_chords,
-  toggle_candidates,
-  zoom_in,
-  zoom_out,
-  fit,
-  fold_panel,
-  help,
-  dismiss
+  samples, draw, whole, open, save, table, undo, redo, copy_link,
+  finish, next_vertex, previous_vertex, insert_vertex, remove_vertex,
+  left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
+  more_teams, fewer_teams, next_method, compare, higher_ratio, lower_ratio,
+  toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, toggle_tipping,
+  zoom_in, zoom_out, fit, fold_panel, motion, help, dismiss
 };
+// clang-format on
 
 // A key as KeyboardEvent.key names it; `command` is Ctrl, or Cmd on a Mac.
 struct Key {

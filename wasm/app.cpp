@@ -1,17 +1,43 @@
 #include "app.h"
 
+#include <imgui.h>
+
+#include "browser.h"
 #include "canvas.h"
 #include "panels.h"
 #include "update.h"
 
 namespace evenlift::view {
 
+namespace {
+
+// Both pictures show the same polygon: over the second, the pointer is where it would be over the
+// first.
+Pointer over_one_picture(App& app, Pointer pointer) {
+  const Layout places = layout(app.state);
+  if (!pointer.down && !pointer.released) {
+    app.over_other = app.state.compared.has_value() && places.second.contains(pointer.at);
+  }
+  if (!app.over_other) return pointer;
+  const Vec2 back(places.first.left - places.second.left, places.first.top - places.second.top);
+  pointer.other = true;
+  pointer.at += back;
+  pointer.pinch_at += back;
+  return pointer;
+}
+
+}  // namespace
+
 void draw_frame(App& app, const Pointer& pointer) {
   frame_view(app.state);
-  interact(app.state, pointer, app.commands);
+  interact(app.state, over_one_picture(app, pointer), app.commands);
   settle(app);
-  follow(app.scene, app.state);
-  draw_canvas(app.state, app.scene, layout(app.state));
+  const double now = ImGui::GetTime();
+  follow(app.scene, app.state, *app.state.placement, now);
+  if (app.state.other) follow(app.other_scene, app.state, *app.state.other, now);
+  if (app.scene.progress < 1 || (app.state.other && app.other_scene.progress < 1))
+    browser::request_frame();
+  draw_canvas(app.state, app.scene, app.other_scene, layout(app.state));
   draw_panels(app.state, app.commands);
 }
 

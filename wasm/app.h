@@ -10,7 +10,8 @@ namespace evenlift::view {
 
 struct App {
   AppState state;
-  Scene scene;
+  Scene scene, other_scene;
+  bool over_other = false;  // where the pointer was pressed, or hovers
   Commands commands;
 };
 

@@ -8,6 +8,7 @@
 #include <string>
 
 EM_JS(void, evenlift_document_changed, (), { Module["host"]["documentChanged"](); })
+EM_JS(void, evenlift_preferences_changed, (), { Module["host"]["preferencesChanged"](); })
 EM_JS(void, evenlift_copy_address, (const char* link),
       { Module["host"]["copyAddress"](UTF8ToString(link)); })
 EM_JS(void, evenlift_open_dialog, (const char* name),
@@ -20,6 +21,7 @@ EM_JS(void, evenlift_measure_screen, (), { Module["host"]["measureScreen"](); })
 namespace evenlift::view::browser {
 
 void document_changed() { evenlift_document_changed(); }
+void preferences_changed() { evenlift_preferences_changed(); }
 void copy_address(std::string_view link) { evenlift_copy_address(std::string(link).c_str()); }
 void open_dialog(Dialog dialog) {
   constexpr const char* names[] = {"samples", "open", "save", "table"};

@@ -11,6 +11,9 @@ namespace evenlift::view::browser {
 // once but at most a few times a second.
 void document_changed();
 
+// What is kept for this browser, not for the document, changed (page_preferences_text()).
+void preferences_changed();
+
 // Puts the page's address with this link on the clipboard. The page answers with a notice.
 void copy_address(std::string_view link);
 

@@ -4,6 +4,7 @@
 namespace evenlift::view::browser {
 
 void document_changed() {}
+void preferences_changed() {}
 void copy_address(std::string_view) {}
 void open_dialog(Dialog) {}
 void announce(std::string_view) {}

@@ -51,16 +51,45 @@ Camera pan(const Camera& camera, const Vec2& pixels) {
   return panned;
 }
 
-Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world) {
-  const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(camera.scale))), -6, 12);
+double grid_step(const Camera& camera) {
+  const double wanted = 22 / camera.scale, power = std::pow(10.0, std::floor(std::log10(wanted)));
+  for (double nice : {1.0, 2.0, 5.0}) {
+    if (nice * power >= wanted) return nice * power;
+  }
+  return 10 * power;
+}
+
+Vec2 nearest_dot(const Camera& camera, const Vec2& world) {
+  const double step = grid_step(camera), inverse = std::round(1 / step);
+  // A quotient or product of integers is rounded once, so it is the double nearest to the decimal.
+  const auto nearest = [&](double value) {
+    const double dots = std::round(value / step);
+    const double at = step < 1 ? dots / inverse : dots * step;
+    return at == 0 ? 0.0 : at;  // no -0
+  };
+  return {nearest(world.x()), nearest(world.y())};
+}
+
+namespace {
+
+Vec2 rounded(const Camera& camera, const Vec2& world, int more) {
+  const int decimals =
+      std::clamp(static_cast<int>(std::ceil(std::log10(camera.scale))) + more, -6, 12);
   const double power = std::pow(10.0, std::abs(decimals));
-  // A quotient of two integers is rounded once, so it is the double nearest to the decimal.
   const auto round = [&](double value) {
-    const double rounded =
+    const double nearest =
         decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
-    return rounded == 0 ? 0.0 : rounded;  // no -0
+    return nearest == 0 ? 0.0 : nearest;
   };
   return {round(world.x()), round(world.y())};
 }
+
+}  // namespace
+
+Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world) {
+  return rounded(camera, world, 0);
+}
+
+Vec2 rounded_finely(const Camera& camera, const Vec2& world) { return rounded(camera, world, 2); }
 
 }  // namespace evenlift::view

@@ -35,8 +35,17 @@ Camera zoom(const Camera& camera, const Vec2& about, double factor, double small
 
 Camera pan(const Camera& camera, const Vec2& pixels);
 
+// The spacing of the ground's dots: 1, 2 or 5 times a power of ten, at least 22 CSS pixels.
+double grid_step(const Camera& camera);
+
+// The dot nearest to `world`.
+Vec2 nearest_dot(const Camera& camera, const Vec2& world);
+
 // The coordinates nearest to `world` with no more decimals than a pixel needs (a step of at most
 // one pixel): what is dragged gets numbers that people can read and links that stay short.
 Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world);
+
+// The same with two decimals more: what is turned or scaled keeps its shape.
+Vec2 rounded_finely(const Camera& camera, const Vec2& world);
 
 }  // namespace evenlift::view

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "canvas_drawing.h"
+#include "evenlift/stability.h"
 #include "format.h"
 #include "icons.h"
 #include "labels.h"
@@ -23,7 +25,10 @@ bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index) {
 
 // A ring that can be taken hold of, or a dot; nothing where they would stand so close that they
 // hide the shape.
-void draw_vertices(const Painter& painter, const AppState& state, const Theme& theme) {
+void draw_vertices(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  const Theme& theme = view.theme;
+  if (state.tool == Tool::whole) return;  // the frame has the grips
   const Points& vertices = state.document.vertices;
   const std::size_t n = vertices.size();
   const Colour outline = state.refusal ? theme.amber : theme.object_outline;
@@ -49,7 +54,9 @@ void draw_vertices(const Painter& painter, const AppState& state, const Theme& t
   }
 }
 
-void draw_edge_offer(const Painter& painter, const AppState& state, const Theme& theme) {
+void draw_edge_offer(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  const Theme& theme = view.theme;
   if (state.hover.kind != Pick::Kind::edge || state.held.kind != Pick::Kind::none ||
       state.screen.embed)
     return;
@@ -71,13 +78,13 @@ RobotSize robot_size(std::size_t teams) {
 }
 
 void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
-                const Vec2& world, std::size_t team, double share) {
+                const Vec2& world, std::size_t team, double share, bool over) {
   ImDrawList& list = painter.list();
   const ImVec2 at = painter.at(world);
   const float pi = 3.14159265f, start = -pi / 2;
   list.AddCircleFilled(at, size.ring + 1.5f, theme.robot_track.packed(), 36);
   list.PathArcTo(at, size.ring, start, start + 2 * pi * static_cast<float>(share), 40);
-  list.PathStroke(theme.robot_ring.packed(), 0, 2);
+  list.PathStroke((over ? theme.amber : theme.robot_ring).packed(), 0, over ? 3.0f : 2.0f);
   list.AddCircleFilled(at, size.disc - 1, theme.robot.packed(), 32);
   if (!size.numbered) return;
   const std::string number = std::to_string(team + 1);
@@ -86,59 +93,69 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
             number);
 }
 
-void draw_loads(const Painter& painter, const AppState& state, const Layout& layout,
-                const Theme& theme, const RobotSize& size) {
-  const Placement& placement = *state.placement;
+void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size) {
+  const AppState& state = view.state;
+  const Placement& placement = *view.placement;
   const int decimals = decimals_for(placement.loads->max);
-  const Vec2 middle = state.camera.to_screen(placement.centre_of_mass);
+  const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
   std::vector<LabelRequest> requests;
   std::vector<std::string> texts;
+  std::vector<bool> over;
   for (const Team& team : placement.teams) {
     for (std::size_t end = 0; end < 2; ++end) {
       const Vec2 robot =
-          state.camera.to_screen(end == 0 ? team.chord.r1.position : team.chord.r2.position);
+          view.camera.to_screen(end == 0 ? team.chord.r1.position : team.chord.r2.position);
       const Vec2 away = robot - middle;
       texts.push_back(weight(team.loads[end], decimals));
+      over.push_back(state.capacity && team.loads[end] > *state.capacity);
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back(
           {robot, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
     }
   }
-  const Rect window{layout.free.left + 4, layout.free.top + 4, layout.free.right - 4,
-                    layout.free.bottom - 4};
-  const auto places = place_labels(requests, window, layout.tools, size.ring + 5);
+  const Rect& free = view.layout.free;
+  const Rect window{
+      std::max(free.left, view.window.left) + 4, std::max(free.top, view.window.top) + 4,
+      std::min(free.right, view.window.right) - 4, std::min(free.bottom, view.window.bottom) - 4};
+  const auto places = place_labels(requests, window, view.layout.tools, size.ring + 5);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
     const Rect& box = *places[i];
     painter.list().AddRectFilled(vec(box.left, box.top), vec(box.right, box.bottom),
-                                 theme.panel.at(0.88f).packed(), 6);
-    draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3), theme.text,
-              texts[i]);
+                                 view.theme.panel.at(0.88f).packed(), 6);
+    draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3),
+              over[i] ? view.theme.amber : view.theme.text, texts[i]);
   }
 }
 
-void draw_robots(const Painter& painter, const AppState& state, const Layout& layout,
-                 const Theme& theme) {
-  const Placement& placement = *state.placement;
+void draw_robots(const Painter& painter, const CanvasView& view) {
+  const Placement& placement = *view.placement;
   if (placement.teams.empty()) return;
   const RobotSize size = robot_size(placement.teams.size());
-  if (size.labelled) draw_loads(painter, state, layout, theme, size);
+  const bool at_rest = view.scene.progress >= 1;
+  if (size.labelled && at_rest) draw_loads(painter, view, size);
   for (std::size_t i = placement.teams.size(); i-- > 0;) {
     const Team& team = placement.teams[i];
     for (std::size_t end = 0; end < 2; ++end) {
-      draw_robot(painter, theme, size, end == 0 ? team.chord.r1.position : team.chord.r2.position,
-                 i, team.loads[end] / placement.loads->max);
+      const Vec2& robot = end == 0 ? team.chord.r1.position : team.chord.r2.position;
+      RobotSize now = size;
+      if (!at_rest && !stood_there(view.scene, robot)) {
+        now.disc *= view.scene.progress;
+        now.ring *= view.scene.progress;
+      }
+      const bool over = view.state.capacity && team.loads[end] > *view.state.capacity;
+      draw_robot(painter, view.theme, now, robot, i, team.loads[end] / placement.loads->max, over);
     }
   }
 }
 
-void draw_coverage(const Painter& painter, const AppState& state, const Scene& scene,
-                   const Theme& theme) {
-  if (!settings(state).overlays.hull || scene.coverage.room * state.camera.scale < 24) return;
-  const std::string share = percent(state.placement->coverage);
-  const ImVec2 at = painter.at(scene.coverage.at), text = text_size(Face::verdict, share);
+void draw_coverage(const Painter& painter, const CanvasView& view) {
+  const CoveragePlace& place = view.scene.coverage;
+  if (!settings(view.state).overlays.hull || place.room * view.camera.scale < 24) return;
+  const std::string share = percent(view.placement->coverage);
+  const ImVec2 at = painter.at(place.at), text = text_size(Face::verdict, share);
   draw_text(painter.list(), Face::verdict, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
-            theme.hull_text, share);
+            view.theme.hull_text, share);
 }
 
 void draw_centre(const Painter& painter, const AppState& state, const Theme& theme) {
@@ -154,26 +171,112 @@ void draw_centre(const Painter& painter, const AppState& state, const Theme& the
                    theme.object);
 }
 
-void draw_hint(const Painter& painter, const AppState& state, const Layout& layout,
-               const Theme& theme) {
-  const std::string text = hint(state);
-  // A phone has neither the room nor the wheel that it speaks of.
-  if (text.empty() || !layout.wide || state.screen.finger || state.screen.height < 560) return;
-  const ImVec2 size = text_size(Face::label, text);
-  const double left = layout.free.middle().x() - size.x / 2,
-               top = state.screen.height - layout.margin - 24;
-  painter.list().AddRectFilled(vec(left - 10, top - 5), vec(left + size.x + 10, top + size.y + 5),
-                               theme.ground.at(0.85f).packed(), 8);
-  draw_text(painter.list(), Face::label, vec(left, top), theme.second_text, text);
+// "It can slide this way": an arrow from the centre of mass.
+void draw_slide(const Painter& painter, const CanvasView& view) {
+  const Closure& closure = view.placement->closure;
+  if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
+  const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
+  const Vec2 along(closure.translation->x(), -closure.translation->y());
+  const Vec2 aside(-along.y(), along.x());
+  const Vec2 tail = from + along * 16, head = from + along * 62;
+  ImDrawList& list = painter.list();
+  const auto at = [](const Vec2& p) { return vec(p.x(), p.y()); };
+  for (const auto& [colour, width] :
+       {std::pair(view.theme.object, 7.0f), {view.theme.amber, 3.0f}}) {
+    list.AddLine(at(tail), at(head), colour.packed(), width);
+    const ImVec2 barbs[] = {at(head - along * 11 + aside * 8), at(head),
+                            at(head - along * 11 - aside * 8)};
+    list.AddPolyline(barbs, 3, colour.packed(), 0, width);
+  }
+  const Vec2 spot = head + along * 4;
+  draw_text(list, Face::strong_label, vec(spot.x() + (along.x() < 0 ? -34 : 6), spot.y() - 7),
+            view.theme.amber, "slides");
+}
+
+// Where a push tips the object, and how hard it must be.
+void draw_push(const Painter& painter, const CanvasView& view) {
+  const Pick& hover = view.state.hover;
+  const Placement& placement = *view.placement;
+  if (hover.kind != Pick::Kind::object || hover.other != view.other || placement.teams.empty())
+    return;
+  const double force =
+      tipping_force(placement.hull, placement.centre_of_mass, placement.settings.weight, hover.at);
+  const bool safe = std::isinf(force);
+  const ImVec2 at = painter.at(hover.at);
+  const Colour colour = safe ? view.theme.hull_text : view.theme.amber;
+  painter.list().AddCircle(at, 5, view.theme.panel.packed(), 20, 4);
+  painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
+  const std::string text =
+      safe ? "Safe: no push here tips it"
+           : "Tips if pushed down with " + weight(force, decimals_for(placement.settings.weight));
+  // In light and dark alike the box is the panel's colour, on which the base's dark green would not
+  // show.
+  draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)), view.window,
+            view.theme, safe ? view.theme.text : view.theme.amber, text);
+}
+
+// Why a polygon is refused, at the spot.
+void draw_reason(const Painter& painter, const CanvasView& view) {
+  const InputError& error = *view.state.refusal;
+  const Points& vertices = view.state.document.vertices;
+  const std::size_t n = vertices.size();
+  Vec2 spot;
+  if (error.place.kind == Place::Kind::vertex && error.place.index < n) {
+    spot = vertices[error.place.index];
+  } else if (error.place.kind == Place::Kind::edge && error.place.index < n &&
+             error.place.other < n) {
+    const Vec2 &a = vertices[error.place.index], &b = vertices[(error.place.index + 1) % n];
+    const Vec2 &c = vertices[error.place.other], &d = vertices[(error.place.other + 1) % n];
+    const double turn = cross(b - a, d - c);
+    const double share = turn != 0 ? std::clamp(cross(c - a, d - c) / turn, 0.0, 1.0) : 0.5;
+    spot = a + (b - a) * share;
+  } else if (error.place.kind == Place::Kind::centre_of_mass) {
+    spot = centre_of_mass(view.state);
+  } else {
+    return;
+  }
+  std::string why = error.message;
+  if (!why.empty() && why[0] >= 'a' && why[0] <= 'z') why[0] = static_cast<char>(why[0] - 32);
+  draw_word(painter.list(), view.camera.to_screen(spot), view.window, view.theme, view.theme.amber,
+            why);
+}
+
+// Whose picture it is, while methods are compared.
+void draw_caption(const Painter& painter, const CanvasView& view) {
+  if (!view.placement) return;
+  const Placement& p = *view.placement;
+  std::string name(evenlift::name(p.settings.metric));
+  name[0] = static_cast<char>(name[0] - 32);
+  std::string numbers = "no team";
+  if (p.loads) {
+    numbers = range(p.loads->min, p.loads->max, decimals_for(p.loads->max)) + "\u202fkg · " +
+              percent(p.coverage) + " covered · " +
+              (p.closure.form_closure || p.closure.second_order ? "cannot move" : "can move");
+  }
+  const ImVec2 title = text_size(Face::strong, name), text = text_size(Face::label, numbers);
+  const float width = std::max(title.x, text.x) + 24;
+  const double x = view.window.middle().x(), y = view.window.top + (view.layout.wide ? 20 : 6);
+  const ImVec2 low = vec(x - static_cast<double>(width) / 2, y), high(low.x + width, low.y + 46);
+  painter.list().AddRectFilled(low, high, view.theme.panel.at(0.94f).packed(), 8);
+  draw_text(painter.list(), Face::strong, ImVec2(low.x + (width - title.x) / 2, low.y + 5),
+            view.theme.text, name);
+  draw_text(painter.list(), Face::label, ImVec2(low.x + (width - text.x) / 2, low.y + 26),
+            view.theme.second_text, numbers);
 }
 
 }  // namespace
 
 std::string hint(const AppState& state) {
   if (state.screen.embed) return {};
-  const Pick& at = state.held.kind == Pick::Kind::none || state.held.kind == Pick::Kind::ground
-                       ? state.hover
-                       : state.held;
+  if (state.tool == Tool::draw)
+    return state.drawing.points.empty() ? "Click to place the first vertex · drag to move the view"
+                                        : "Click to place vertices · click the first, or Enter, to "
+                                          "close · Esc takes one back";
+  if (state.tool == Tool::whole)
+    return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do "
+           "the same";
+  const bool holds = state.held.kind != Pick::Kind::none && state.held.kind != Pick::Kind::ground;
+  const Pick& at = holds ? state.held : state.hover;
   const Points& vertices = state.document.vertices;
   switch (at.kind) {
     case Pick::Kind::vertex:
@@ -186,13 +289,17 @@ std::string hint(const AppState& state) {
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
     case Pick::Kind::chord: {
-      if (!state.placement || at.index >= state.placement->teams.size()) return {};
-      const Team& team = state.placement->teams[at.index];
-      const int decimals = decimals_for(state.placement->loads->max);
+      const Placement* placement = current_placement(state, at.other);
+      if (!placement || at.index >= placement->teams.size()) return {};
+      const Team& team = placement->teams[at.index];
+      const int decimals = decimals_for(placement->loads->max);
+      const double long_ = team.chord.arm1 + team.chord.arm2;
       return "Team " + std::to_string(at.index + 1) + " · load ratio " +
              fixed(team.chord.ratio, 3) + " · " + fixed(team.loads[0], decimals) + " and " +
-             weight(team.loads[1], decimals);
+             weight(team.loads[1], decimals) + " · " + fixed(long_, decimals_for(long_)) + " apart";
     }
+    case Pick::Kind::object:
+    case Pick::Kind::frame:
     case Pick::Kind::none:
     case Pick::Kind::ground:
       break;
@@ -200,15 +307,35 @@ std::string hint(const AppState& state) {
   return "Drag a vertex or the centre of mass · scroll to zoom · ? for keys";
 }
 
-void draw_marks(const Painter& painter, const AppState& state, const Scene& scene,
-                const Layout& layout, const Theme& theme) {
-  const bool current = state.placement && !state.refusal;
-  if (current) draw_coverage(painter, state, scene, theme);
-  draw_edge_offer(painter, state, theme);
-  draw_vertices(painter, state, theme);
-  if (current) draw_robots(painter, state, layout, theme);
-  draw_centre(painter, state, theme);
-  draw_hint(painter, state, layout, theme);
+void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme) {
+  const std::string text = hint(state);
+  // A phone has neither the room nor the wheel that it speaks of.
+  if (text.empty() || !layout.wide || state.screen.finger || state.screen.height < 560) return;
+  const ImVec2 size = text_size(Face::label, text);
+  const double width = static_cast<double>(size.x);
+  // Beside the tools of the view, not under them.
+  const double left = std::max(layout.free.middle().x() - width / 2, layout.tools.right + 22);
+  const double top = state.screen.height - layout.margin - 24;
+  list.AddRectFilled(vec(left - 10, top - 5),
+                     vec(left + width + 10, top + static_cast<double>(size.y) + 5),
+                     theme.ground.at(0.85f).packed(), 8);
+  draw_text(list, Face::label, vec(left, top), theme.second_text, text);
+}
+
+void draw_marks(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  if (view.current()) draw_coverage(painter, view);
+  if (state.tool == Tool::whole) draw_frame_grips(painter, state, view.theme);
+  draw_edge_offer(painter, view);
+  draw_vertices(painter, view);
+  if (view.current()) {
+    draw_slide(painter, view);
+    draw_robots(painter, view);
+  }
+  draw_centre(painter, state, view.theme);
+  if (view.current()) draw_push(painter, view);
+  if (state.refusal) draw_reason(painter, view);
+  if (state.compared) draw_caption(painter, view);
 }
 
 }  // namespace evenlift::view

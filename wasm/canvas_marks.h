@@ -1,17 +1,14 @@
-// What stands on the drawing at a fixed size: grips, robots, the centre of mass, numbers, the hint.
+// What stands on a picture at a fixed size: grips, robots, the centre of mass, numbers.
 #pragma once
 
-#include "layout.h"
-#include "painter.h"
-#include "scene.h"
-#include "state.h"
+#include "canvas_view.h"
 
 namespace evenlift::view {
 
-void draw_marks(const Painter& painter, const AppState& state, const Scene& scene,
-                const Layout& layout, const Theme& theme);
+void draw_marks(const Painter& painter, const CanvasView& view);
 
-// What can be done with what is under the pointer; empty if there is nothing to say.
-std::string hint(const AppState& state);
+// What can be done with what is under the pointer, at the foot of the canvas.
+void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme);
+std::string hint(const AppState& state);  // empty if there is nothing to say
 
 }  // namespace evenlift::view

@@ -34,11 +34,41 @@ struct RemoveVertex {
 struct OpenDocument {
   Document document;
 };
+struct SetWhole {
+  Points vertices;
+  std::optional<Vec2> centre_of_mass;
+  bool live = false;
+};
 struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
 // The rest leaves the document alone.
+struct SetTool {
+  Tool tool;
+};
+struct GripWhole {};  // remembers the polygon as it is, for SetWhole
+struct AddPoint {
+  Vec2 at;
+};
+struct TakePointBack {};
+struct PutPointBack {};
+struct FinishDrawing {};  // opens it, or says what is wrong with it
+struct SetDrawCursor {
+  std::optional<Vec2> at;
+};
+struct SetSnap {
+  Snap snap;
+};
+struct Compare {
+  std::optional<Metric> metric;
+};
+struct SetCapacity {
+  std::optional<double> capacity;
+};
+struct SetMotion {
+  bool on;
+};
 struct SelectVertex {
   std::optional<std::size_t> vertex;
 };
@@ -81,9 +111,11 @@ struct ShowNotice {
 
 using Command =
     std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-                 OpenDocument, EndEdit, Undo, Redo, SelectVertex, SetHover, SetHeld, SetCamera,
-                 FitView, ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet,
-                 MeasureSheet, CopyLink, OpenDialog, ShowNotice>;
+                 OpenDocument, SetWhole, EndEdit, Undo, Redo, SetTool, GripWhole, AddPoint,
+                 TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, SetSnap, Compare,
+                 SetCapacity, SetMotion, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
+                 ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet,
+                 CopyLink, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

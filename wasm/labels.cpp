@@ -36,25 +36,13 @@ bool inside_convex(const Points& hull, const Vec2& p) {
   return true;
 }
 
-bool inside_polygon(const Points& polygon, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vec2 &a = polygon[i], &b = polygon[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
 double away(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
 // How much room there is about p: the distance to what the number must not cover, 0 outside.
 double clearance(const Placement& placement, const Vec2& p) {
-  if (!inside_convex(placement.hull, p) || !inside_polygon(placement.vertices, p)) return 0;
+  if (!inside_convex(placement.hull, p) || !inside(placement.vertices, p)) return 0;
   double room = length(p - placement.centre_of_mass);
   for (std::size_t i = 0; i < placement.hull.size(); ++i) {
     const std::size_t next = i + 1 == placement.hull.size() ? 0 : i + 1;

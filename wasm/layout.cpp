@@ -5,13 +5,29 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double panel_width = 328, rail_width = 48, toolbar_height = 48;
+constexpr double panel_width = 344, rail_width = 48, toolbar_height = 48;
 
 // Room around the polygon for what stands beside it: robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
-  const double x = std::min(beside, free.width() / 6), most = free.height() / 6;
+  const double x = std::min(beside, free.width() / 6), most = free.height() / 4;
   return {free.left + x, free.top + std::min(above, most), free.right - x,
           free.bottom - std::min(below, most)};
+}
+
+// Two pictures share the free room; each has a caption at its top.
+void split(Layout& l, bool compared, double beside, double above, double below) {
+  l.first = l.free;
+  if (!compared) {
+    l.room = room_in(l.free, beside, above, below);
+    return;
+  }
+  l.second = l.free;
+  if (l.wide)
+    l.first.right = l.second.left = l.free.middle().x();
+  else
+    l.first.bottom = l.second.top = l.free.middle().y();
+  const double caption = l.wide ? 64 : 40;
+  l.room = room_in(l.first, beside * 0.8, above + caption, below * 0.8);
 }
 
 Layout embedded(const Screen& screen) {
@@ -19,7 +35,7 @@ Layout embedded(const Screen& screen) {
   l.margin = 12;
   l.free = {0, 0, screen.width, screen.height};
   l.toolbar = {l.margin, l.margin, screen.width, l.margin + toolbar_height};
-  l.room = room_in(l.free, 72, 60, 60);
+  split(l, false, 72, 60, 60);
   return l;
 }
 
@@ -31,11 +47,13 @@ Layout wide(const AppState& state) {
   l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin,
              screen.height - l.margin};
   l.toolbar = {l.margin, l.margin, l.panel.left - l.margin, l.margin + toolbar_height};
-  const double tools_width = 3 * l.control + 4 + 16, tools_height = l.control + 16;
+  const double tools_width = 5 * l.control + 8 + 13 + 16, tools_height = l.control + 16;
   l.tools = {l.margin, screen.height - l.margin - tools_height, l.margin + tools_width,
              screen.height - l.margin};
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
-  l.room = room_in(l.free, 88, 56, 84);
+  if (state.tool == Tool::whole)
+    l.free.top += l.control + 60;  // the tool's bar, and the turning knob
+  split(l, state.compared.has_value(), 88, 56, 84);
   return l;
 }
 
@@ -53,9 +71,10 @@ Layout narrow(const AppState& state) {
   // Pulled up to the top, the sheet covers the drawing for a moment; the drawing does not follow.
   const double below = std::min(height, screen.height * 0.45);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
-  l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - 48, screen.width - l.margin,
-             l.panel.top - l.margin};
-  l.room = room_in(l.free, 60, 52, 52);
+  const double tools_height = 3 * 44 + 2 * 2 + 4;
+  l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
+             screen.width - l.margin, l.panel.top - l.margin};
+  split(l, state.compared.has_value(), 60, 52, 52);
   return l;
 }
 

@@ -15,6 +15,7 @@ struct Layout {
   Rect toolbar;         // left and top count; it is as wide as its content
   Rect tools;           // zoom and fit
   Rect free;            // canvas that nothing covers for long
+  Rect first, second;   // the two pictures while methods are compared; else all of it and nothing
   Rect room;            // where the polygon goes when the view fits it
 };
 

@@ -166,6 +166,25 @@ EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coa
   browser::request_frame();
 }
 
+// What this browser keeps besides the document, as `name=value` lines; and back. What cannot be
+// read is left as it is: it was written by another version of the page.
+EMSCRIPTEN_KEEPALIVE const char* page_kept() {
+  const AppState& state = app().state;
+  std::string kept = state.motion ? "motion=1\n" : "motion=0\n";
+  if (state.capacity) kept += "capacity=" + evenlift::shortest(*state.capacity) + "\n";
+  return hand_over(std::move(kept));
+}
+
+EMSCRIPTEN_KEEPALIVE void page_keep(int motion, double capacity) {
+  AppState& state = app().state;
+  state.motion = motion != 0;
+  if (capacity > 0 && capacity <= 1e9) {
+    Commands commands{SetCapacity{capacity}};
+    apply(state, commands);
+  }
+  browser::request_frame();
+}
+
 EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
   Commands commands{ShowNotice{{problem ? Notice::Kind::problem : Notice::Kind::info, text}}};
   apply(app().state, commands);

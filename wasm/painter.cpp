@@ -39,6 +39,22 @@ void Painter::fill(const Points& polygon, const std::vector<std::uint32_t>& tria
   for (const Vec2& p : polygon) list_.PrimWriteVtx(at(p), uv, packed);
 }
 
+void Painter::triangles(const std::vector<Vec2>& corners, Colour colour) const {
+  // A bounded number at a time: Dear ImGui's indices may have 16 bits.
+  constexpr std::size_t most = 3 * 4096;
+  const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
+  const ImU32 packed = colour.at(strength_).packed();
+  for (std::size_t from = 0; from < corners.size(); from += most) {
+    const std::size_t to = std::min(corners.size(), from + most);
+    const int count = static_cast<int>(to - from);
+    list_.PrimReserve(count, count);
+    for (std::size_t i = from; i < to; ++i) {
+      list_.PrimWriteIdx(static_cast<ImDrawIdx>(list_._VtxCurrentIdx));
+      list_.PrimWriteVtx(at(corners[i]), uv, packed);
+    }
+  }
+}
+
 Points Painter::clipped(const Points& counter_clockwise) const {
   Points area;
   area.reserve(counter_clockwise.size() + 4);

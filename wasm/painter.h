@@ -22,6 +22,7 @@ class Painter {
 
   void fill(const Points& polygon, const std::vector<std::uint32_t>& triangles,
             Colour colour) const;
+  void triangles(const std::vector<Vec2>& corners, Colour colour) const;
   void fill_convex(const Points& counter_clockwise, Colour colour) const;
   void outline(const Points& polygon, Colour colour, float width, bool closed = true) const;
   void line(const Vec2& a, const Vec2& b, Colour colour, float width) const;

@@ -36,7 +36,8 @@ void draw_numbers(const Ui& ui) {
     fact(ui, "Greatest share in a team", fixed(p.loads->max_share * 100, 1) + "\u202f%",
          "50 % in a team that is perfectly even");
   }
-  fact(ui, "Candidate chords", std::to_string(p.candidates.size()), "Chords that a team may take");
+  fact(ui, "Teams possible", std::to_string(p.candidates.size()),
+       "One for each candidate chord with this load ratio; two robots each");
   fact(ui, "Form closure",
        p.closure.form_closure   ? "yes"
        : p.closure.second_order ? "second order"

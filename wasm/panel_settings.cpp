@@ -5,27 +5,13 @@
 #include "actions.h"
 #include "dropdown.h"
 #include "format.h"
+#include "methods.h"
 #include "panels.h"
 #include "pick.h"
 #include "widgets.h"
 
 namespace evenlift::view {
 namespace {
-
-struct Method {
-  Metric metric;
-  const char* label;
-  const char* about;
-};
-constexpr Method methods[] = {
-    {Metric::area, "Area", "each team adds most area to the base"},
-    {Metric::circle, "Circle", "each team fits the largest circles"},
-    {Metric::distance, "Distance", "each team pushes tipping farthest out"},
-    {Metric::distributed, "Distributed", "teams at equal angles, to compare"},
-    {Metric::random, "Random", "teams at random, to compare"},
-};
-
-bool offers_all(Metric metric) { return metric != Metric::distributed && metric != Metric::random; }
 
 std::uint32_t placed_teams(const AppState& state) {
   return state.placement
@@ -36,8 +22,7 @@ std::uint32_t placed_teams(const AppState& state) {
 void draw_method(const Ui& ui) {
   const Settings& now = settings(ui.state);
   const float width = labelled(ui, "Method");
-  const auto current = std::find_if(std::begin(methods), std::end(methods),
-                                    [&](const Method& m) { return m.metric == now.metric; });
+  const Method* current = &method(now.metric);
   dropdown_button(ui, "methods", current->label, width);
   if (!begin_choices(ui, "methods", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), width))
     return;
@@ -45,7 +30,7 @@ void draw_method(const Ui& ui) {
     if (!choice(ui, m.label, m.about, &m == current)) continue;
     Settings changed = now;
     changed.metric = m.metric;
-    if (!offers_all(m.metric) && !changed.teams) changed.teams = placed_teams(ui.state);
+    if (!selects_candidates(m.metric) && !changed.teams) changed.teams = placed_teams(ui.state);
     ui.push(SetSettings{changed});
   }
   end_choices(ui);
@@ -62,18 +47,12 @@ void draw_ratio(const Ui& ui) {
   const ImVec2 text = text_size(Face::strong, value);
   draw_text(*ImGui::GetWindowDrawList(), Face::strong,
             ImVec2(low.x + width - text.x, (low.y + high.y - text.y) / 2),
-            offers_all(changed.metric) ? ui.theme.text : ui.theme.quiet, value);
+            selects_candidates(changed.metric) ? ui.theme.text : ui.theme.quiet, value);
   if (moved.changed) {
     changed.min_ratio = moved.value;
     ui.push(SetSettings{changed, true});
   }
   if (moved.released) ui.push(EndEdit{});
-}
-
-// Steps that suit the size: 100 goes by tens, 12 by ones.
-double weight_step(double weight, int direction) {
-  const double below = weight * (direction < 0 ? 0.999999 : 1);
-  return std::pow(10.0, std::floor(std::log10(std::max(below, 1e-6))) - 1);
 }
 
 void draw_weight(const Ui& ui) {
@@ -82,9 +61,7 @@ void draw_weight(const Ui& ui) {
   const int by = stepper(ui, "weight", plain(changed.weight) + "\u202fkg", changed.weight > 1e-3,
                          changed.weight < 1e9, width);
   if (by == 0) return;
-  const double step = weight_step(changed.weight, by);
-  const double steps = std::round(changed.weight / step) + by;
-  changed.weight = step >= 1 ? steps * step : steps / std::round(1 / step);
+  changed.weight = stepped(changed.weight, by);
   ui.push(SetSettings{changed});
 }
 
@@ -122,7 +99,7 @@ void draw_centre(const Ui& ui) {
 
 void draw_teams_stepper(const Ui& ui) {
   Settings changed = settings(ui.state);
-  const bool all = !changed.teams, can_have_all = offers_all(changed.metric);
+  const bool all = !changed.teams, can_have_all = selects_candidates(changed.metric);
   const float width = labelled(ui, "Teams"), for_all = 52;
   const std::uint32_t shown = all ? placed_teams(ui.state) : *changed.teams;
   const float stepper_width = can_have_all ? width - for_all - 8 : width;
@@ -159,6 +136,7 @@ void draw_settings(const Ui& ui) {
   if (ui.layout.wide) draw_teams_stepper(ui);
   draw_ratio(ui);
   draw_weight(ui);
+  draw_capacity(ui);
   draw_seed(ui);
   draw_centre(ui);
 }

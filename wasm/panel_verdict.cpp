@@ -5,15 +5,36 @@
 
 namespace evenlift::view {
 
+namespace {
+
+struct Sign {
+  Icon icon;
+  Colour disc;
+};
+
+Sign sign_of(const Theme& theme, Mood mood) {
+  switch (mood) {
+    case Mood::good:
+      return {Icon::check, theme.hull_outline};
+    case Mood::not_quite:
+      return {Icon::warning, theme.amber};
+    case Mood::refused:
+      return {Icon::stop, theme.amber};
+    case Mood::drawing:
+      break;
+  }
+  return {Icon::draw, theme.accent};
+}
+
+}  // namespace
+
 void draw_verdict(const Ui& ui) {
   const Verdict v = verdict(ui.state);
-  const bool good = v.mood == Mood::good;
-  const Icon icon = good ? Icon::check : v.mood == Mood::not_quite ? Icon::warning : Icon::stop;
-  const Colour disc = good ? ui.theme.hull_outline : ui.theme.amber;
+  const Sign sign = sign_of(ui.theme, v.mood);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddCircleFilled(ImVec2(at.x + 11, at.y + 14), 11, disc.packed(), 32);
-  draw_icon(list, icon, ImVec2(at.x + 11, at.y + 14), 15, ui.theme.panel);
+  list.AddCircleFilled(ImVec2(at.x + 11, at.y + 14), 11, sign.disc.packed(), 32);
+  draw_icon(list, sign.icon, ImVec2(at.x + 11, at.y + 14), 15, ui.theme.panel);
 
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y));
   ImGui::BeginGroup();

@@ -13,7 +13,7 @@ namespace {
 constexpr Panel side_panel[] = {
     {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
     {"overlays", draw_overlays, false}, {"teams", draw_teams, true},
-    {"numbers", draw_numbers, true},
+    {"numbers", draw_numbers, true},    {"compare", draw_compare, true},
 };
 
 // The last result stands, dimmed, while the document is refused.
@@ -30,7 +30,7 @@ void draw_sections(const Ui& ui, std::size_t first) {
     ImGui::PushID(side_panel[i].name);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     side_panel[i].draw(ui);
-    if (side_panel[i].of_result && ui.state.refusal) dim(ui, from);
+    if (side_panel[i].of_result && (ui.state.refusal || ui.state.tool == Tool::draw)) dim(ui, from);
     ImGui::PopID();
   }
 }
@@ -117,6 +117,7 @@ void draw_panels(const AppState& state, Commands& commands) {
     draw_help(ui);
   }
   draw_toolbar(ui);
+  draw_tool_bar(ui);
   draw_notice(ui);
   const bool list_open =
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);

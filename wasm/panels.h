@@ -18,12 +18,18 @@ void draw_panels(const AppState& state, Commands& commands);
 void draw_verdict(const Ui& ui);
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
+void draw_capacity(const Ui& ui);
+void draw_compare(const Ui& ui);
 void draw_overlays(const Ui& ui);
 void draw_teams(const Ui& ui);
 void draw_numbers(const Ui& ui);
 
+// The value one step up or down, in steps that suit its size: 100 goes by tens, 12 by ones.
+double stepped(double value, int by);
+
 // What floats by itself.
 void draw_toolbar(const Ui& ui);
+void draw_tool_bar(const Ui& ui);
 void draw_view_tools(const Ui& ui);
 void draw_notice(const Ui& ui);
 void draw_help(const Ui& ui);

@@ -19,7 +19,7 @@ struct Nearest {
   }
 };
 
-Pick grip_at(const AppState& state, const Vec2& screen) {
+Pick part_at(const AppState& state, const Vec2& screen) {
   Nearest nearest{state.screen.touch ? 24.0 : 12.0};
   const Points& vertices = state.document.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -32,9 +32,9 @@ Pick grip_at(const AppState& state, const Vec2& screen) {
   return nearest.pick;
 }
 
-Pick robot_at(const AppState& state, const Vec2& screen) {
+Pick robot_at(const AppState& state, const Placement& placement, const Vec2& screen) {
   Nearest nearest{14};
-  const std::vector<Team>& teams = state.placement->teams;
+  const std::vector<Team>& teams = placement.teams;
   for (std::size_t i = 0; i < teams.size(); ++i) {
     const Vec2 ends[2] = {teams[i].chord.r1.position, teams[i].chord.r2.position};
     for (int end = 0; end < 2; ++end) {
@@ -57,9 +57,9 @@ Pick edge_at(const AppState& state, const Vec2& screen) {
   return nearest.pick;
 }
 
-Pick chord_at(const AppState& state, const Vec2& screen) {
+Pick chord_at(const AppState& state, const Placement& placement, const Vec2& screen) {
   Nearest nearest{6};
-  const std::vector<Team>& teams = state.placement->teams;
+  const std::vector<Team>& teams = placement.teams;
   const Vec2 world = state.camera.to_world(screen);
   for (std::size_t i = 0; i < teams.size(); ++i) {
     const Vec2 at =
@@ -84,12 +84,34 @@ Vec2 centre_of_mass(const AppState& state) {
   return state.document.vertices.empty() ? Vec2(0, 0) : state.document.vertices[0];
 }
 
-Pick pick(const AppState& state, const Vec2& screen) {
-  Pick found = grip_at(state, screen);
-  const bool current = state.placement && !state.refusal;
-  if (found.kind == Pick::Kind::none && current) found = robot_at(state, screen);
+const Placement* current_placement(const AppState& state, bool other) {
+  const std::optional<Placement>& placement = other ? state.other : state.placement;
+  return placement && !state.refusal ? &*placement : nullptr;
+}
+
+bool inside(const Points& polygon, const Vec2& p) {
+  bool odd = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2 &a = polygon[i], &b = polygon[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
+      odd = !odd;
+    }
+  }
+  return odd;
+}
+
+Pick pick(const AppState& state, const Vec2& screen, bool other) {
+  Pick found = part_at(state, screen);
+  const Placement* placement = current_placement(state, other);
+  if (found.kind == Pick::Kind::none && placement) found = robot_at(state, *placement, screen);
   if (found.kind == Pick::Kind::none) found = edge_at(state, screen);
-  if (found.kind == Pick::Kind::none && current) found = chord_at(state, screen);
+  if (found.kind == Pick::Kind::none && placement) found = chord_at(state, *placement, screen);
+  if (found.kind == Pick::Kind::none && placement) {
+    const Vec2 world = state.camera.to_world(screen);
+    if (inside(placement->vertices, world)) found = {Pick::Kind::object, 0, 0, world};
+  }
+  found.other = other;
   return found;
 }
 

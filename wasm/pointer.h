@@ -9,6 +9,8 @@ namespace evenlift::view {
 struct Pointer {
   Vec2 at = Vec2::Zero();   // CSS pixels
   bool present = false;     // over the canvas, or holding something
+  bool touch = false;       // a finger: it hovers over nothing
+  bool other = false;       // over the picture of the method that is compared
   bool over_panel = false;  // a panel or popup has it
   bool pressed = false, down = false, released = false, double_pressed = false;
   double moved = 0;  // farthest from where it was pressed, CSS pixels

@@ -1,11 +1,12 @@
-// What the canvas draws, kept from frame to frame: the picture's shapes and the object as
-// triangles.
+// What the canvas draws of a placement, kept from frame to frame: the picture's shapes, the object
+// as triangles, the heat map, and how far a change has moved there.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "evenlift/output/picture.h"
+#include "heat.h"
 #include "labels.h"
 #include "state.h"
 
@@ -15,10 +16,19 @@ struct Scene {
   std::uint64_t revision = 0;
   std::vector<Shape> shapes;             // of the last good placement, as the overlays ask
   std::vector<std::uint32_t> triangles;  // of its polygon
+  std::vector<HeatBand> heat;            // if it is asked for
   CoveragePlace coverage;                // where coverage is written, if there is room
+
+  // A change on its way: what was there before, and since when.
+  Points hull_before, robots_before;
+  double changed_at = -1;  // seconds
+  float progress = 1;      // 0 .. 1
 };
 
-// Follows the state; costs nothing while the document stays as it is.
-void follow(Scene& scene, const AppState& state);
+// Follows the placement; costs nothing while the document stays as it is. `now` in seconds.
+void follow(Scene& scene, const AppState& state, const Placement& placement, double now);
+
+// Whether the robot stood there before the change.
+bool stood_there(const Scene& scene, const Vec2& robot);
 
 }  // namespace evenlift::view

@@ -145,6 +145,7 @@ Pointer SdlInput::pointer() {
   Pointer p;
   p.at = at_;
   p.present = at_.x() > -1e5;
+  p.touch = touch_;
   p.over_panel = io.WantCaptureMouse;
   p.pressed = ImGui::IsMouseClicked(0);
   p.double_pressed = p.pressed && second_press_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "camera.h"
+#include "evenlift/capacity.h"
 #include "evenlift/placement.h"
 #include "history.h"
 
@@ -16,11 +17,22 @@ namespace evenlift::view {
 
 // What is under the pointer, or held by it.
 struct Pick {
-  enum class Kind : std::uint8_t { none, vertex, centre, robot, chord, edge, ground };
+  enum class Kind : std::uint8_t {
+    none,
+    vertex,
+    centre,
+    robot,
+    chord,
+    edge,
+    object,
+    frame,
+    ground
+  };
   Kind kind = Kind::none;
-  std::size_t index = 0;   // of the vertex, the edge, or the team
+  std::size_t index = 0;   // of the vertex, the edge, or the team; of the frame its grip
   int end = 0;             // of a robot: 0 for r1, 1 for r2
   Vec2 at = Vec2::Zero();  // polygon coordinates: of an edge the nearest point on it
+  bool other = false;      // in the picture of the method that is compared
   bool operator==(const Pick&) const = default;
 };
 
@@ -38,6 +50,28 @@ struct Screen {
 // How far the sheet of a narrow screen is pulled up.
 enum class Sheet : std::uint8_t { closed, half, full };
 
+// What a press on the drawing does: take hold of a part, place a vertex, or take hold of the whole.
+enum class Tool : std::uint8_t { parts, draw, whole };
+
+// The polygon being drawn, vertex by vertex.
+struct Drawing {
+  Points points;
+  Points undone;               // its end is the first to come back
+  std::optional<Vec2> cursor;  // where the next one would go
+};
+
+// The whole polygon in the hand: moved, turned and scaled from how it was when it was taken.
+struct WholeGrip {
+  Points vertices;
+  std::optional<Vec2> centre_of_mass;
+};
+
+// What dragged and drawn points keep to.
+struct Snap {
+  bool grid = false;  // the dots of the ground
+  bool axis = false;  // level with the point before, or upright above it
+};
+
 struct Notice {
   enum class Kind : std::uint8_t { info, problem };
   Kind kind = Kind::info;
@@ -52,6 +86,16 @@ struct AppState {
   History history;
   bool edit_open = false;      // a drag or slider is under way: one step of undo
   std::uint64_t revision = 0;  // grows with every change of the document
+
+  Tool tool = Tool::parts;
+  Drawing drawing;
+  WholeGrip grip;
+  Snap snap;
+  std::optional<Metric> compared;    // the method shown beside the document's
+  std::optional<Placement> other;    // its placement, of the same document
+  std::optional<double> capacity;    // of one robot, in the unit of the weight
+  std::optional<CapacityPlan> plan;  // for it
+  bool motion = true;                // what changes moves there; never with reduced motion
 
   Camera camera;
   bool camera_follows = true;           // until somebody pans or zooms, the view fits its window

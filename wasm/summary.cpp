@@ -3,13 +3,10 @@
 #include <algorithm>
 
 #include "format.h"
+#include "methods.h"
 
 namespace evenlift::view {
 namespace {
-
-bool selects_candidates(Metric metric) {
-  return metric != Metric::distributed && metric != Metric::random;
-}
 
 std::string robots(const Placement& placement) {
   const LoadSummary& loads = *placement.loads;
@@ -39,7 +36,7 @@ std::string join(const std::string& a, const std::string& b) {
   return a.empty() || b.empty() ? a + b : a + " " + b;
 }
 
-Verdict of_placement(const Placement& placement) {
+Verdict of_placement(const Placement& placement, const std::optional<double>& capacity) {
   if (placement.teams.empty()) {
     return {Mood::not_quite, "No team can stand here.",
             "No chord through the centre of mass has this load ratio. Lower the minimum, or move "
@@ -49,9 +46,18 @@ Verdict of_placement(const Placement& placement) {
   const std::string few = shortage(placement);
   // Less than half of the object safe to push on is nothing to be content with.
   v.mood = few.empty() && placement.coverage >= 0.5 ? Mood::good : Mood::not_quite;
+  if (capacity && placement.loads->max > *capacity) v.mood = Mood::not_quite;
   v.headline = robots(placement);
   v.detail = join(join(few, safety(placement)), freedom(placement.closure));
   return v;
+}
+
+Verdict of_drawing(const AppState& state) {
+  const std::size_t n = state.drawing.points.size();
+  const std::string press = state.screen.touch ? "Tap" : "Click";
+  if (n == 0) return {Mood::drawing, "Draw a shape.", press + " where its first vertex is."};
+  return {Mood::drawing, count(n, "vertex", "vertices") + " so far.",
+          n < 3 ? "A shape needs at least three." : press + " the first one to close the shape."};
 }
 
 }  // namespace
@@ -59,30 +65,60 @@ Verdict of_placement(const Placement& placement) {
 std::string freedom(const Closure& closure) {
   if (closure.form_closure) return "It cannot move.";
   if (closure.second_order) return "It cannot move, though only just: to second order.";
+  // A region that lies far away, or is but a point, is not there to be pointed at.
+  const auto about = [](const FreeRegion& region, const char* colour) {
+    return region.clipped.size() >= 3 ? std::string(" about the ") + colour + " region"
+                                      : std::string();
+  };
   const bool clockwise = closure.clockwise.exists, counter = closure.counterclockwise.exists;
   std::string turn;
   if (clockwise && counter)
     turn = "turn both ways";
   else if (clockwise)
-    turn = "turn clockwise";
+    turn = "turn clockwise" + about(closure.clockwise, "red");
   else if (counter)
-    turn = "turn counter-clockwise";
+    turn = "turn counter-clockwise" + about(closure.counterclockwise, "blue");
   if (!closure.translation_free) return "It can still " + turn + ".";
-  return "It can still " + (turn.empty() ? "slide" : turn + " and slide") + ".";
+  const std::string slide = closure.translation ? "slide along the arrow" : "slide";
+  return "It can still " + (turn.empty() ? slide : turn + ", and " + slide) + ".";
+}
+
+std::string need_in_words(const AppState& state) {
+  if (!state.capacity || !state.placement) return {};
+  const Placement& placement = *state.placement;
+  std::size_t over = 0;
+  for (const Team& team : placement.teams) {
+    for (const double load : team.loads) over += load > *state.capacity ? 1u : 0u;
+  }
+  std::string text = over == 0 ? "Each robot stays within it."
+                               : count(over, "robot carries", "robots carry") + " more than that.";
+  if (!state.plan) return text;
+  const CapacityPlan& plan = *state.plan;
+  if (plan.possible) {
+    return text + " Needed with this method: " + count(2 * plan.teams, "robot", "robots") +
+           ", the heaviest load " + weight(plan.greatest_load, decimals_for(plan.greatest_load)) +
+           ".";
+  }
+  if (plan.tried >= most_teams_for_capacity) {
+    return text + " Even " + std::to_string(2 * plan.tried) + " robots are too few.";
+  }
+  return text + " Not even all " + std::to_string(plan.tried) +
+         " teams that find a place are enough.";
 }
 
 Verdict verdict(const AppState& state) {
+  if (state.tool == Tool::draw) return of_drawing(state);
   if (state.refusal) {
     return {Mood::refused, sentence(*state.refusal) + ".",
             state.placement ? "The last result is shown dimmed." : ""};
   }
   if (!state.placement) return {Mood::refused, "Nothing is open.", ""};
-  return of_placement(*state.placement);
+  return of_placement(*state.placement, state.capacity);
 }
 
 std::string summary(const AppState& state) {
   const Verdict v = verdict(state);
-  std::string text = join(v.headline, v.detail);
+  std::string text = join(join(v.headline, v.detail), state.refusal ? "" : need_in_words(state));
   if (state.refusal || !state.placement) return text;
   const Placement& placement = *state.placement;
   text += " " + count(placement.teams.size(), "team", "teams") + " of " +

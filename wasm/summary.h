@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-enum class Mood : std::uint8_t { good, not_quite, refused };
+enum class Mood : std::uint8_t { good, not_quite, refused, drawing };
 
 struct Verdict {
   Mood mood = Mood::good;
@@ -20,6 +20,10 @@ Verdict verdict(const AppState& state);
 
 // What can still move: "It cannot move.", "It can still turn clockwise and slide."
 std::string freedom(const Closure& closure);
+
+// With a capacity of one robot: whether each stays within it, and how many robots are needed; else
+// empty.
+std::string need_in_words(const AppState& state);
 
 // Verdict, teams and their loads, each a sentence: the text of the page's live region. O(teams).
 std::string summary(const AppState& state);

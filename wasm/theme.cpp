@@ -1,6 +1,9 @@
 #include "theme.h"
 
+#include <iterator>
+
 #include "fonts.h"
+#include "heat.h"
 
 namespace evenlift::view {
 namespace {
@@ -19,6 +22,7 @@ constexpr Theme light = {
     .hull = {0x2FA36B, 0.24f},
     .hull_outline = {0x1F7A4E},
     .hull_text = {0x14603B},
+    .heat = {{0xA63A00}, {0xC75A12}, {0xDE7F33}, {0xEDA565}, {0xF6C898}, {0xFBE3C8}, {0xD3EDDF}},
     .clockwise = {0xD1495B, 0.16f},
     .clockwise_line = {0xD1495B},
     .counter = {0x2D6CDF, 0.16f},
@@ -50,6 +54,7 @@ constexpr Theme dark = {
     .hull = {0x3BBF80, 0.30f},
     .hull_outline = {0x1F9A60},
     .hull_text = {0x0E5433},
+    .heat = {{0xB0480A}, {0xCC6A24}, {0xDF8C48}, {0xEBAE78}, {0xF1CBA6}, {0xF3E0CD}, {0xBFE3D0}},
     .clockwise = {0xF0697B, 0.20f},
     .clockwise_line = {0xF0697B},
     .counter = {0x5B93FF, 0.20f},
@@ -92,6 +97,13 @@ ImU32 Colour::packed() const {
 ImVec4 Colour::vec() const {
   return {static_cast<float>(rgb >> 16 & 0xFF) / 255, static_cast<float>(rgb >> 8 & 0xFF) / 255,
           static_cast<float>(rgb & 0xFF) / 255, opacity};
+}
+
+Colour heat_colour(const Theme& theme, double share) {
+  std::size_t band = 0;
+  while (band < std::size(heat_levels) && share >= heat_levels[band]) ++band;
+  if (share > heat_levels[std::size(heat_levels) - 1]) ++band;
+  return theme.heat[band];
 }
 
 const Theme& theme(const AppState& state) { return state.screen.dark ? dark : light; }

@@ -24,6 +24,7 @@ struct Theme {
   Colour panel, panel_line, well;   // well: what a control is sunk into
   Colour text, second_text, quiet;  // quiet: lines and icons that are off
   Colour hull, hull_outline, hull_text;
+  Colour heat[7];  // from where least tips to where nothing does
   Colour clockwise, clockwise_line, counter, counter_line;
   Colour robot, robot_ring, robot_track, robot_text;
   Colour chord, candidate;
@@ -33,6 +34,9 @@ struct Theme {
 };
 
 const Theme& theme(const AppState& state);
+
+// Of the heat map, where a push of `share` of the weight tips; infinity: where none does.
+Colour heat_colour(const Theme& theme, double share);
 
 // Sizes in CSS pixels: label 13, text 15, verdict 20; strong ones are semibold.
 enum class Face { tiny, label, strong_label, text, strong, verdict };

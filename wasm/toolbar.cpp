@@ -1,4 +1,6 @@
 // What floats over the drawing: the bar at the top, the view's tools, the notice.
+#include <algorithm>
+
 #include "actions.h"
 #include "browser.h"
 #include "panels.h"
@@ -35,6 +37,7 @@ void named_button(const Ui& ui, ActionId id, float size, bool named) {
 }
 
 void divider(const Ui& ui, float height) {
+  if (ui.layout.toolbar.width() < 440) return ImGui::SameLine(0, 0);
   ImGui::SameLine(0, 6);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(
@@ -53,24 +56,28 @@ void draw_embedded_bar(const Ui& ui) {
 
 void draw_toolbar(const Ui& ui) {
   if (ui.state.screen.embed) return draw_embedded_bar(ui);
-  const float height = ui.layout.wide ? ui.control() : 44, padding = ui.layout.wide ? 8.0f : 2.0f;
+  // On a phone eight buttons just fit.
+  const float all = static_cast<float>(ui.layout.toolbar.width()) - 4;
+  const float height = ui.layout.wide ? ui.control() : std::clamp(all / 8, 40.0f, 44.0f),
+              padding = ui.layout.wide ? 8.0f : 2.0f;
   begin_card(ui, "toolbar", ui.layout.toolbar, {.fixed_width = false, .padding = padding});
   if (ui.state.screen.width > 480) {
     wordmark(ui, height);
     divider(ui, height);
   }
   const double width = ui.layout.toolbar.width();
-  for (const ActionId id : {ActionId::samples, ActionId::open, ActionId::save}) {
+  const float gap = width < 440 ? 0.0f : 2.0f;
+  for (const ActionId id : {ActionId::samples, ActionId::draw, ActionId::open, ActionId::save}) {
     named_button(ui, id, height, width > 700);
-    ImGui::SameLine(0, 2);
+    ImGui::SameLine(0, gap);
   }
   divider(ui, height);
   action_button(ui, ActionId::undo, height);
-  ImGui::SameLine(0, 2);
+  ImGui::SameLine(0, gap);
   action_button(ui, ActionId::redo, height);
   divider(ui, height);
   named_button(ui, ActionId::copy_link, height, width > 560);
-  ImGui::SameLine(0, 2);
+  ImGui::SameLine(0, gap);
   action_button(ui, ActionId::help, height);
   end_card(ui);
 }
@@ -78,6 +85,7 @@ void draw_toolbar(const Ui& ui) {
 void draw_view_tools(const Ui& ui) {
   begin_card(ui, "tools", ui.layout.tools,
              {.fixed_height = true, .padding = ui.layout.wide ? 8.0f : 2.0f, .scrolls = false});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
   // A wheel and two fingers do the same; narrow screens have no room to spare for it.
   if (ui.layout.wide) {
     action_button(ui, ActionId::zoom_out, ui.control());
@@ -86,6 +94,11 @@ void draw_view_tools(const Ui& ui) {
     ImGui::SameLine(0, 2);
   }
   action_button(ui, ActionId::fit, ui.control());
+  if (ui.layout.wide) divider(ui, ui.control());
+  action_button(ui, ActionId::whole, ui.control());
+  if (ui.layout.wide) ImGui::SameLine(0, 2);
+  action_button(ui, ActionId::table, ui.control());
+  ImGui::PopStyleVar();
   end_card(ui);
 }
 

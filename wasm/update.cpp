@@ -38,7 +38,33 @@ void adopt(AppState& state, Result<Placement> placement) {
   browser::document_changed();
 }
 
-void recompute(AppState& state) { adopt(state, place(state.document)); }
+// What is shown beside the placement. The plan waits while something is dragged: it costs as much
+// as the placement itself and nobody reads it then.
+void follow_up(AppState& state) {
+  if (state.refusal) return;
+  state.other.reset();
+  if (state.compared) {
+    Document document = state.placed;
+    document.settings.metric = *state.compared;
+    // Methods that do not choose among candidates cannot take all of them.
+    const bool all = !document.settings.teams;
+    if (all)
+      document.settings.teams =
+          static_cast<std::uint32_t>(std::max<std::size_t>(state.placement->teams.size(), 1));
+    if (Result<Placement> placement = place(document)) state.other = std::move(placement).value();
+  }
+  if (state.edit_open) return;
+  state.plan.reset();
+  if (state.capacity) {
+    if (const Result<CapacityPlan> plan = plan_capacity(state.placed, *state.capacity))
+      state.plan = *plan;
+  }
+}
+
+void recompute(AppState& state) {
+  adopt(state, place(state.document));
+  follow_up(state);
+}
 
 // A selection or a grip on something that an undo or a new document took away is none.
 void drop_stale_picks(AppState& state) {
@@ -61,10 +87,26 @@ void fit_view(AppState& state) { state.camera_follows = state.fit_due = true; }
 void open(AppState& state, Document document) {
   begin_edit(state, false);
   state.document = std::move(document);
+  if (state.tool == Tool::draw) state.tool = Tool::parts;
+  state.drawing = {};
   state.selected.reset();
   state.hover = state.held = {};
   fit_view(state);
   recompute(state);
+}
+
+// The polygon that was drawn, with the settings in force.
+void finish_drawing(AppState& state) {
+  Document drawn;
+  drawn.vertices = state.drawing.points;
+  drawn.settings = state.document.settings;
+  drawn.settings.step.reset();
+  const Result<Placement> placement = place(drawn);
+  if (!placement) {
+    show(state, {Notice::Kind::problem, sentence(placement.error()) + "."});
+    return;
+  }
+  open(state, std::move(drawn));
 }
 
 // Whether the camera shows all of the points, and not from afar.
@@ -143,12 +185,73 @@ struct Applier {
     recompute(state);
   }
   void operator()(const OpenDocument& c) const { open(state, c.document); }
-  void operator()(const EndEdit&) const { state.edit_open = false; }
+  void operator()(const SetWhole& c) const {
+    if (c.vertices == state.document.vertices) return;
+    begin_edit(state, c.live);
+    state.document.vertices = c.vertices;
+    state.document.centre_of_mass = c.centre_of_mass;
+    recompute(state);
+  }
+  void operator()(const EndEdit&) const {
+    if (!state.edit_open) return;
+    state.edit_open = false;
+    follow_up(state);
+  }
   void operator()(const Undo&) const {
     if (state.history.can_undo()) step_back(state, state.history.undo(state.document));
   }
   void operator()(const Redo&) const {
     if (state.history.can_redo()) step_back(state, state.history.redo(state.document));
+  }
+
+  void operator()(const SetTool& c) const {
+    state.tool = c.tool;
+    state.drawing = {};
+    state.selected.reset();
+    state.hover = state.held = {};
+    if (c.tool == Tool::draw) state.compared.reset();
+    show(state, {});
+  }
+  void operator()(const GripWhole&) const {
+    state.grip = {state.document.vertices, state.document.centre_of_mass};
+  }
+  void operator()(const AddPoint& c) const {
+    Points& points = state.drawing.points;
+    if (!points.empty() && points.back() == c.at) return;
+    points.push_back(c.at);
+    state.drawing.undone.clear();
+    show(state, {});
+  }
+  void operator()(const TakePointBack&) const {
+    Drawing& drawing = state.drawing;
+    if (drawing.points.empty()) return;
+    drawing.undone.push_back(drawing.points.back());
+    drawing.points.pop_back();
+    show(state, {});
+  }
+  void operator()(const PutPointBack&) const {
+    Drawing& drawing = state.drawing;
+    if (drawing.undone.empty()) return;
+    drawing.points.push_back(drawing.undone.back());
+    drawing.undone.pop_back();
+  }
+  void operator()(const FinishDrawing&) const { finish_drawing(state); }
+  void operator()(const SetDrawCursor& c) const { state.drawing.cursor = c.at; }
+  void operator()(const SetSnap& c) const { state.snap = c.snap; }
+  void operator()(const Compare& c) const {
+    state.compared = c.metric;
+    state.hover = state.held = {};
+    follow_up(state);
+    ++state.revision;
+  }
+  void operator()(const SetCapacity& c) const {
+    state.capacity = c.capacity;
+    follow_up(state);
+    browser::preferences_changed();
+  }
+  void operator()(const SetMotion& c) const {
+    state.motion = c.on;
+    browser::preferences_changed();
   }
 
   void operator()(const SelectVertex& c) const {
@@ -199,7 +302,8 @@ bool apply(AppState& state, Commands& commands) {
 }
 
 void frame_view(AppState& state) {
-  if (!state.camera_follows || state.edit_open) return;
+  // What is being drawn must not move under the hand.
+  if (!state.camera_follows || state.edit_open || state.tool == Tool::draw) return;
   const Rect room = layout(state).room;
   if (!state.fit_due && room == state.fitted) return;
   state.camera = fit(state.document.vertices, room);
@@ -237,6 +341,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited) {
   begin_edit(state, false);
   state.document = edited;
   adopt(state, std::move(placement));
+  follow_up(state);
   return std::nullopt;
 }
 

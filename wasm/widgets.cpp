@@ -84,6 +84,14 @@ void draw_swatch(const Ui& ui, Swatch swatch, ImVec2 low, bool on) {
       list.AddCircleFilled(ImVec2(low.x + 2, y), 3, shade(t.text).packed(), 12);
       list.AddCircleFilled(ImVec2(high.x - 2, y), 3, shade(t.text).packed(), 12);
       break;
+    case Swatch::tipping:
+      for (int i = 0; i < 4; ++i) {
+        const float left = low.x + 4 * static_cast<float>(i);
+        const Colour band =
+            on ? t.heat[2 * i] : t.quiet.at(0.2f + 0.15f * static_cast<float>(3 - i));
+        list.AddRectFilled(ImVec2(left, low.y), ImVec2(left + 4, high.y), band.packed());
+      }
+      break;
     case Swatch::candidate:
       for (float x = 0; x < 16; x += 6) {
         list.AddLine(ImVec2(low.x + x, y), ImVec2(low.x + x + 3.5f, y),
@@ -171,6 +179,37 @@ bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, con
   draw_text(list, Face::text, ImVec2(a.low.x + before, y - text.y / 2), ui.theme.text, label);
   draw_icon(list, after, ImVec2(a.high.x - 18, y), 12, ui.theme.second_text);
   if (a.hovered && about) tip(ui, about);
+  return a.pressed;
+}
+
+bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled,
+                 bool strong) {
+  const Area a = area(ui, id, ImVec2(width, ui.control()), enabled);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Colour still = strong && enabled ? ui.theme.accent : ui.theme.well;
+  const Colour hovered = strong ? ui.theme.accent.at(0.88f) : ui.theme.panel_line;
+  list.AddRectFilled(a.low, a.high, (a.hovered ? hovered : still).packed(), 7);
+  const ImVec2 text = text_size(Face::text, label);
+  const Colour ink = !enabled ? ui.theme.quiet : strong ? ui.theme.on_accent : ui.theme.text;
+  draw_text(list, Face::text, ImVec2(a.middle().x - text.x / 2, a.middle().y - text.y / 2), ink,
+            label);
+  return a.pressed;
+}
+
+bool switch_chip(const Ui& ui, const char* label, bool on) {
+  const ImVec2 text = text_size(Face::label, label);
+  const float height = ui.control();
+  const Area a = area(ui, label, ImVec2(text.x + 46, height));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(a.low, a.high, (a.hovered ? ui.theme.panel_line : ui.theme.panel).packed(),
+                     height / 2);
+  list.AddRect(a.low, a.high, (on ? ui.theme.accent : ui.theme.panel_line).packed(), height / 2, 0,
+               1);
+  const float y = a.middle().y;
+  const ImVec2 low(a.low.x + 8, y - 7), high(a.low.x + 32, y + 7);
+  list.AddRectFilled(low, high, (on ? ui.theme.accent : ui.theme.quiet).packed(), 7);
+  list.AddCircleFilled(ImVec2(on ? high.x - 7 : low.x + 7, y), 5, ui.theme.panel.packed(), 16);
+  draw_text(list, Face::label, ImVec2(a.low.x + 38, y - text.y / 2), ui.theme.text, label);
   return a.pressed;
 }
 

@@ -33,6 +33,13 @@ bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const ch
 bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* tip,
                  float height, Icon after = Icon::none);
 
+// A button with a ground of its own; a strong one is the next thing to do.
+bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled = true,
+                 bool strong = false);
+
+// A switch with a word.
+bool switch_chip(const Ui& ui, const char* label, bool on);
+
 // "− 3 +": -1, 0 or +1, again and again while held.
 int stepper(const Ui& ui, const char* id, const std::string& value, bool can_lower, bool can_raise,
             float width);
@@ -47,7 +54,7 @@ SliderResult slider(const Ui& ui, const char* id, double value, double low, doub
                     double step, float width);
 
 // How an overlay is drawn in the picture.
-enum class Swatch { hull, clockwise, counterclockwise, chord, candidate };
+enum class Swatch { hull, clockwise, counterclockwise, chord, candidate, tipping };
 bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on);
 
 // A label at the left of its control: the cursor is left where the control begins; `width` is the

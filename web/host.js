@@ -17,6 +17,7 @@ export function createHost(publisher) {
     },
     measureScreen: () => screen?.measure(),
     documentChanged: () => publisher.changed(),
+    preferencesChanged: () => publisher.keepPreferences(),
     async copyAddress(link) {
       const url = new URL(location.href);
       url.search = "";

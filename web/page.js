@@ -68,6 +68,7 @@ async function start() {
   const kept = publisher.kept(fragment);
   const problem = program.text("page_start", kept.own ? "" : fragment, kept.work, kept.draft, embed ? 1 : 0);
   publisher.connect(program);
+  publisher.restorePreferences();
   if (kept.own) publisher.changed();
   host.connect(connectScreen(program));
   connectInput(program, { embed });

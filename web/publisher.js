@@ -4,6 +4,7 @@ const betweenWrites = 400;
 const beforeSpeaking = 600;
 const workKey = "evenlift.work";
 const draftKey = "evenlift.draft";
+const preferencesKey = "evenlift.preferences";
 const addressKey = "evenlift.address";
 
 // Where storage is forbidden, naming it throws.
@@ -44,6 +45,17 @@ export class Publisher {
     this.#writeTimer ||= setTimeout(() => this.#write(), wait);
     clearTimeout(this.#speakTimer);
     this.#speakTimer = setTimeout(() => this.#speak(), beforeSpeaking);
+  }
+
+  // What this browser keeps besides the document: `name=value` lines of the program's own.
+  keepPreferences() {
+    if (this.#program && !this.#embed) write(lasting, preferencesKey, this.#program.text("page_kept"));
+  }
+
+  restorePreferences() {
+    if (this.#embed) return;
+    const kept = Object.fromEntries(read(lasting, preferencesKey).split("\n").map((line) => line.split("=")));
+    this.#program.call("page_keep", kept.motion === "0" ? 0 : 1, Number(kept.capacity) || 0);
   }
 
   // Writes what is waiting to be written.

@@ -1,0 +1,28 @@
+// The force that tips the object as a heat map: how far out of the lifting base one can push how
+// hard.
+#pragma once
+
+#include <vector>
+
+#include "evenlift/placement.h"
+
+namespace evenlift::view {
+
+// Of the object's weight. Between two neighbours lies a band.
+inline constexpr double heat_levels[] = {0.1, 0.2, 0.5, 1, 2};
+
+// The part of the polygon where a push of `share` times the weight is needed to tip, or more, as
+// triangles: three points each. The innermost, without a level, is where none tips.
+struct HeatBand {
+  double share = 0;
+  std::vector<Vec2> triangles;
+};
+
+// From the outermost, which is all of the polygon (share 0), inwards: each is painted over the one
+// before. `triangles` are the polygon's, as triangulate() gives them. Where a force tips is an
+// intersection of half-planes, the sides of H moved outwards (algorithm.md, Stability). O(levels n
+// h), h the sides of H beyond which some of the polygon lies.
+std::vector<HeatBand> heat_bands(const Placement& placement,
+                                 const std::vector<std::uint32_t>& triangles);
+
+}  // namespace evenlift::view
