@@ -100,6 +100,11 @@ if(EVENLIFT_VIEW)
   # PUBLIC: the configuration changes types, so everybody who includes imgui.h must see the same one.
   target_compile_definitions(imgui PUBLIC "IMGUI_USER_CONFIG=\"${PROJECT_SOURCE_DIR}/wasm/imgui_config.h\"")
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
+  if(EMSCRIPTEN)
+    # It reads its settings file with sscanf. The page has none, and a scanner of numbers of all kinds would be 7 KB of
+    # it after compression (wasm/left_out.cpp).
+    target_compile_definitions(imgui PRIVATE sscanf=evenlift_reads_no_settings)
+  endif()
 endif()
 
 # --- SDL2 and ImGui's backend: the page only ------------------------------------------------------------------------

@@ -22,7 +22,7 @@ endif()
 # was measured too, and made the page no smaller.
 set(evenlift_small "")
 if(EMSCRIPTEN)
-  set(evenlift_small -Os)
+  set(evenlift_small -Oz -fno-rtti)
 endif()
 
 # A program for Node: real files, standard streams byte for byte, its exit status, C++ exceptions.
@@ -52,6 +52,7 @@ function(evenlift_page_program target)
     -fno-exceptions
     -sENVIRONMENT=web
     -sFILESYSTEM=0
+    -sMALLOC=emmalloc
     -sDYNAMIC_EXECUTION=0
     -sMIN_WEBGL_VERSION=2
     -sMAX_WEBGL_VERSION=2
