@@ -129,7 +129,7 @@ Points degenerate_region(const Grasp& grasp, Sense sense, double reach) {
     const HalfPlane &a = planes[pair->first], &b = planes[pair->second];
     const Vec2 normal = a.normal() / length(a.normal());
     const double middle = 0.5 * (a.bound / length(a.normal()) - b.bound / length(b.normal()));
-    const Points ends = clip_line(planes, reach, middle * normal, left_normal(normal));
+    Points ends = clip_line(planes, reach, middle * normal, left_normal(normal));
     if (ends.empty() || length(ends[1] - ends[0]) > 4 * grasp.near) return ends;
     return {0.5 * (ends[0] + ends[1])};
   }

@@ -142,7 +142,7 @@ std::optional<InputError> check_settings(const Settings& settings) {
 Result<Placement> place(const Document& document) {
   if (auto error = check_settings(document.settings)) return *error;
   const int exponent = document.vertices.empty() ? 0 : exponent_of_size(document.vertices);
-  if (exponent >= smallest_exponent || exponent == 0) return place_unscaled(document);
+  if (exponent >= smallest_exponent) return place_unscaled(document);
 
   Document shifted = document;
   scale(shifted.vertices, -exponent);

@@ -46,7 +46,7 @@ class Selector {
   }
   void sharpen(Index candidate);
   bool widen_base(Index candidate);
-  void enter_wedge(Index wedge);
+  void enter_wedge(Index index);
   bool gains(const Wedge& wedge, const Vec2& p) const;
   void line_up(Indices leaders);
 

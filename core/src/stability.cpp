@@ -29,7 +29,7 @@ double segment_tipping_force(const Points& hull, const Vec2& centre, double weig
 double coverage(const Polygon& polygon, const Points& hull) {
   if (hull.size() < 3) return 0;
   // Relative to a corner of H, so that a polygon far from the origin loses nothing.
-  const Vec2 origin = hull.front();
+  const Vec2& origin = hull.front();
   Points part;
   part.reserve(polygon.size());
   for (const Vec2& v : polygon.vertices()) part.push_back(v - origin);

@@ -26,7 +26,7 @@ inline constexpr Metric all_metrics[] = {Metric::area, Metric::circle, Metric::d
 
 // The metric's name in JSON and options ("area"); and back, nothing for an unknown name. O(1).
 std::string_view name(Metric metric);
-std::optional<Metric> metric_from_name(std::string_view name);
+std::optional<Metric> metric_from_name(std::string_view text);
 
 // What the picture shows besides the polygon and its robots. The core carries it, no more.
 struct Overlays {

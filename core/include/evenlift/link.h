@@ -20,7 +20,7 @@ Result<std::string> encode_link(const Document& document);
 // white space around it does not matter. Total: any byte string gives a document or an error, whose
 // place is the link and, if it is one character's fault, that one, counted from 1. Reads every version
 // ever written. Bounded by max_link_bytes and max_link_vertices. O(bytes).
-Result<Document> decode_link(std::string_view link);
+Result<Document> decode_link(std::string_view text);
 
 // Whether a text looks like a share link rather than a polygon or a path: an optional address and
 // `#`, then digits, a dot and link characters only; also if it was percent-escaped, so that
