@@ -40,7 +40,8 @@ TEST_CASE("a hull without area covers nothing", "[stability]") {
   CHECK(coverage(square, {{0, 1}, {2, 1}}) == 0);
 }
 
-TEST_CASE("an edge of the hull that is hardly longer than rounding cuts nothing off", "[stability]") {
+TEST_CASE("an edge of the hull that is hardly longer than rounding cuts nothing off",
+          "[stability]") {
   const Polygon square = polygon({{-10, -10}, {10, -10}, {10, 10}, {-10, 10}});
   // Relative to another corner, this edge would have another direction.
   const Vec2 p(1, 1 + 0x3p-52), q(1 - 0x4p-52, 1 + 0x5p-52);

@@ -3,8 +3,8 @@
 namespace evenlift {
 namespace {
 
-// One half-plane's part in clipping: of the chain's points, one after another, it passes on those that are
-// inside, and before each where the chain crossed the line since the last.
+// One half-plane's part in clipping: of the chain's points, one after another, it passes on those
+// that are inside, and before each where the chain crossed the line since the last.
 class Clip {
  public:
   Clip(const Vec2& a, const Vec2& direction) : a_(a), line_(direction) {}

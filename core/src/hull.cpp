@@ -17,7 +17,8 @@ template <class Iterator>
 void append_chain(Iterator first, Iterator last, Points& hull) {
   const std::size_t base = hull.size();
   for (Iterator p = first; p != last; ++p) {
-    while (hull.size() >= base + 2 && orient(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
+    while (hull.size() >= base + 2 && orient(hull[hull.size() - 2], hull.back(), *p) <= 0)
+      hull.pop_back();
     hull.push_back(*p);
   }
   hull.pop_back();

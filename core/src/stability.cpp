@@ -34,7 +34,8 @@ double coverage(const Polygon& polygon, const Points& hull) {
   part.reserve(polygon.size());
   for (const Vec2& v : polygon.vertices()) part.push_back(v - origin);
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    // The direction from the corners as they are: of two that only rounding keeps apart it would be lost.
+    // The direction from the corners as they are: of two that only rounding keeps apart it would be
+    // lost.
     part = clip_left_of_ray(part, hull[i] - origin, hull[(i + 1) % hull.size()] - hull[i]);
   }
   return std::clamp(std::fabs(signed_area(part)) / polygon.area(), 0.0, 1.0);
