@@ -199,7 +199,8 @@ Points symmetric(Draw& draw) {
   const int k = draw.between(2, 6);
   Points half;
   for (int i = 0; i < k; ++i) {
-    const Point q = polar((i + draw.unit() * 0.8) / (2.0 * k) - 0.25, draw.between(2.0, 10.0));
+    const double radius = draw.between(2.0, 10.0);
+    const Point q = polar((i + draw.unit() * 0.8) / (2.0 * k) - 0.25, radius);
     half.push_back(draw.chance(50) ? q : Point{std::round(q[0]), std::round(q[1])});
   }
   const bool mirror = draw.chance(60);

@@ -40,6 +40,16 @@ TEST_CASE("a hull without area covers nothing", "[stability]") {
   CHECK(coverage(square, {{0, 1}, {2, 1}}) == 0);
 }
 
+TEST_CASE("an edge of the hull that is hardly longer than rounding cuts nothing off",
+          "[stability]") {
+  const Polygon square = polygon({{-10, -10}, {10, -10}, {10, 10}, {-10, 10}});
+  // Relative to another corner, this edge would have another direction.
+  const Vec2 p(1, 1 + 0x3p-52), q(1 - 0x4p-52, 1 + 0x5p-52);
+  CHECK(coverage(square, {{-8, -8}, {8, -8}, p, q}) == Approx(72.0 / 400));
+  CHECK(coverage(square, {{8, -8}, p, q, {-8, -8}}) == Approx(72.0 / 400));
+  CHECK(coverage(square, {p, q, {-8, -8}, {8, -8}}) == Approx(72.0 / 400));
+}
+
 TEST_CASE("coverage agrees with a sum over horizontal slabs", "[stability]") {
   std::mt19937_64 engine(9);
   int partial = 0;

@@ -28,8 +28,9 @@ void set_teams(const AppState& s, Commands& out, std::int64_t teams) {
 
 void next_method(const AppState& s, Commands& out) {
   Settings changed = settings(s);
-  const auto at = std::find(std::begin(all_metrics), std::end(all_metrics), changed.metric);
-  changed.metric = std::next(at) == std::end(all_metrics) ? all_metrics[0] : *std::next(at);
+  const auto* at = std::find(std::begin(all_metrics), std::end(all_metrics), changed.metric);
+  const auto next = static_cast<std::size_t>(at - std::begin(all_metrics)) + 1;
+  changed.metric = all_metrics[next % std::size(all_metrics)];
   out.push_back(SetSettings{changed});
 }
 

@@ -37,7 +37,8 @@ void sort_line(const std::vector<Candidate>& candidates, Index* first, Index* la
       std::sort(from, to, [&](Index a, Index b) {
         const auto p = coordinates(candidates[a]), q = coordinates(candidates[b]);
         if (p != q) return p < q;
-        if (candidates[a].kind != candidates[b].kind) return candidates[a].kind < candidates[b].kind;
+        if (candidates[a].kind != candidates[b].kind)
+          return candidates[a].kind < candidates[b].kind;
         return a < b;
       });
     });
@@ -48,7 +49,8 @@ void sort_line(const std::vector<Candidate>& candidates, Index* first, Index* la
 // cannot agree, since each key changes by no more than the ends move.
 template <class Key, class Visit>
 void split_at_gaps(Index* first, Index* last, double near, Key key, Visit visit) {
-  std::sort(first, last, [&](Index a, Index b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  std::sort(first, last,
+            [&](Index a, Index b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   while (first != last) {
     Index* end = first + 1;
     while (end != last && key(*end) - key(*(end - 1)) <= near) ++end;
@@ -78,10 +80,14 @@ class Merger {
   double key(Index i, int which) const {
     const auto c = coordinates(candidates_[i]);
     switch (which) {
-      case 0: return std::max(c[0], c[2]);
-      case 1: return std::max(c[1], c[3]);
-      case 2: return std::min(c[0], c[2]);
-      default: return std::min(c[1], c[3]);
+      case 0:
+        return std::max(c[0], c[2]);
+      case 1:
+        return std::max(c[1], c[3]);
+      case 2:
+        return std::min(c[0], c[2]);
+      default:
+        return std::min(c[1], c[3]);
     }
   }
 
@@ -90,9 +96,11 @@ class Merger {
   void split(Index* first, Index* last, int which, int whole) {
     if (last - first < 2) return;
     if (whole == 4) return compare_all(first, last);
-    split_at_gaps(first, last, near_, [&](Index i) { return key(i, which); }, [&](Index* begin, Index* end) {
-      split(begin, end, (which + 1) % 4, end - begin == last - first ? whole + 1 : 1);
-    });
+    split_at_gaps(
+        first, last, near_, [&](Index i) { return key(i, which); },
+        [&](Index* begin, Index* end) {
+          split(begin, end, (which + 1) % 4, end - begin == last - first ? whole + 1 : 1);
+        });
   }
 
   void compare_all(const Index* first, const Index* last) {
@@ -139,7 +147,8 @@ void sort_by_slope(std::vector<Candidate>& candidates) {
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
     if (vertical[a] != vertical[b]) return vertical[a] < vertical[b];
     if (!vertical[a]) {
-      const double side = cross_of_differences(zero, candidates[a].direction, zero, candidates[b].direction);
+      const double side =
+          cross_of_differences(zero, candidates[a].direction, zero, candidates[b].direction);
       if (side != 0) return side > 0;
     }
     return a < b;
@@ -147,7 +156,8 @@ void sort_by_slope(std::vector<Candidate>& candidates) {
   for (Index* first = order.data(); first != order.data() + order.size();) {
     Index* last = first + 1;
     while (last != order.data() + order.size() && vertical[*last] == vertical[*first] &&
-           (vertical[*first] || directions_agree(candidates[*(last - 1)].direction, candidates[*last].direction))) {
+           (vertical[*first] ||
+            directions_agree(candidates[*(last - 1)].direction, candidates[*last].direction))) {
       ++last;
     }
     if (last - first > 1) sort_line(candidates, first, last);

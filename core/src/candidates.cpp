@@ -51,13 +51,14 @@ SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const Seen& a
 }
 
 Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& direction) {
-  return {chord, kind, points_right(direction) ? direction : Vec2(-direction), chord.arm1 + chord.arm2};
+  return {chord, kind, points_right(direction) ? direction : Vec2(-direction),
+          chord.arm1 + chord.arm2};
 }
 
 Candidate vertex_candidate(const Polygon& polygon, const Vec2& centre, const Seen& a, const Seen& b,
                            const SectionEnd& end, CandidateKind kind) {
-  const Chord chord = chord_from_vertex(polygon, centre, end.vertex, end.on_a ? a.edge : b.edge, end.across,
-                                        end.on_a ? b.edge : a.edge, end.opposite);
+  const Chord chord = chord_from_vertex(polygon, centre, end.vertex, end.on_a ? a.edge : b.edge,
+                                        end.across, end.on_a ? b.edge : a.edge, end.opposite);
   return make_candidate(chord, kind, centre - polygon.vertex(end.vertex));
 }
 
@@ -67,21 +68,23 @@ Vec2 offset_on_a(const Polygon& polygon, const Vec2& centre, const SectionEnd& e
   return end.on_a ? offset : Vec2(-end.across.factor * offset);
 }
 
-Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const Seen& a, const Seen& b,
-                             const SectionEnd& begin, const SectionEnd& end) {
-  const Vec2 offset = 0.5 * (offset_on_a(polygon, centre, begin) + offset_on_a(polygon, centre, end));
+Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const Seen& a,
+                             const Seen& b, const SectionEnd& begin, const SectionEnd& end) {
+  const Vec2 offset =
+      0.5 * (offset_on_a(polygon, centre, begin) + offset_on_a(polygon, centre, end));
   // 1 / g is linear along a.
   const double g = 2.0 / (1.0 / begin.g + 1.0 / end.g);
   const double arm = length(offset);
-  Chord chord = order_ends({centre + offset, a.edge}, arm, {centre - g * offset, b.edge}, g * arm, offset);
+  Chord chord =
+      order_ends({centre + offset, a.edge}, arm, {centre - g * offset, b.edge}, g * arm, offset);
   chord.ratio = g < 1.0 ? g : 1.0 / g;
   return make_candidate(chord, CandidateKind::midpoint, offset);
 }
 
-// C r_a for the chord that C bisects: where the line of a meets the line of b reflected through C, which
-// is equation 3.6 without trigonometry. With d the edges' vectors and h twice the areas that they span
-// with C it is -(h_b d_a + h_a d_b) / (d_a x d_b). The sum cancels for nearly parallel edges; then it is
-// taken in double-double.
+// C r_a for the chord that C bisects: where the line of a meets the line of b reflected through C,
+// which is equation 3.6 without trigonometry. With d the edges' vectors and h twice the areas that
+// they span with C it is -(h_b d_a + h_a d_b) / (d_a x d_b). The sum cancels for nearly parallel
+// edges; then it is taken in double-double.
 Vec2 bisecting_offset(const Vec2& centre, const Seen& a, const Seen& b) {
   const Vec2 da = a.last - a.first, db = b.last - b.first;
   const double ha = orient(centre, a.first, a.last), hb = orient(centre, b.first, b.last);
@@ -95,7 +98,9 @@ Vec2 bisecting_offset(const Vec2& centre, const Seen& a, const Seen& b) {
   const auto difference = [](const Vec2& p, const Vec2& q) {
     return std::pair(two_difference(q.x(), p.x()), two_difference(q.y(), p.y()));
   };
-  const auto area = [](const auto& u, const auto& v) { return u.first * v.second - u.second * v.first; };
+  const auto area = [](const auto& u, const auto& v) {
+    return u.first * v.second - u.second * v.first;
+  };
   const auto fine_da = difference(a.first, a.last), fine_db = difference(b.first, b.last);
   const auto fine_ha = area(difference(centre, a.first), difference(centre, a.last));
   const auto fine_hb = area(difference(centre, b.first), difference(centre, b.last));
@@ -108,7 +113,8 @@ Vec2 bisecting_offset(const Vec2& centre, const Seen& a, const Seen& b) {
 Candidate bisecting_candidate(const Vec2& centre, const Seen& a, const Seen& b) {
   const Vec2 offset = bisecting_offset(centre, a, b);
   const double arm = length(offset);
-  const Chord chord = order_ends({centre + offset, a.edge}, arm, {centre - offset, b.edge}, arm, offset);
+  const Chord chord =
+      order_ends({centre + offset, a.edge}, arm, {centre - offset, b.edge}, arm, offset);
   return make_candidate(chord, CandidateKind::bisecting, offset);
 }
 
@@ -116,16 +122,20 @@ Candidate bisecting_candidate(const Vec2& centre, const Seen& a, const Seen& b) 
 
 std::string_view name(CandidateKind kind) {
   switch (kind) {
-    case CandidateKind::bisecting: return "bisecting";
-    case CandidateKind::midpoint: return "midpoint";
-    case CandidateKind::vertex: return "vertex";
+    case CandidateKind::bisecting:
+      return "bisecting";
+    case CandidateKind::midpoint:
+      return "midpoint";
+    case CandidateKind::vertex:
+      return "vertex";
   }
   return {};
 }
 
 bool is_even(const Chord& chord) { return chord.ratio >= 1.0 - tau; }
 
-PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgePair& pair, double min_ratio) {
+PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
+                         double min_ratio) {
   const Seen a = see(polygon, centre, pair.a), b = see(polygon, centre, pair.b);
   const SectionEnd begin = section_end(polygon, centre, a, b, pair.begin_a, pair.begin_b);
   const SectionEnd end = section_end(polygon, centre, a, b, pair.end_a, pair.end_b);
@@ -155,12 +165,14 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
   // g is monotonic and does not pass 1: the end nearer to 1 is the nearer to the bisecting chord.
   const bool begin_is_nearer = load_ratio(1.0, begin.g) > load_ratio(1.0, end.g);
   const SectionEnd& nearer = begin_is_nearer ? begin : end;
-  const Candidate candidate = vertex_candidate(polygon, centre, a, b, nearer, CandidateKind::vertex);
+  const Candidate candidate =
+      vertex_candidate(polygon, centre, a, b, nearer, CandidateKind::vertex);
   if (candidate.chord.ratio >= least) verdict.candidate = candidate;
   return verdict;
 }
 
-Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre, double min_ratio) {
+Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
+                                               double min_ratio) {
   const RadialView view(polygon, centre);
   if (auto error = check_number(count_edge_pairs(polygon, view), "edge-pairs")) return *error;
   std::vector<Candidate> candidates;

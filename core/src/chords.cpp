@@ -19,16 +19,18 @@ struct Group {
   }
 };
 
-VertexChord chord_between(const Polygon& polygon, const Vec2& centre, std::uint32_t v, std::uint32_t w) {
-  const double arm_v = length(polygon.vertex(v) - centre), arm_w = length(polygon.vertex(w) - centre);
+VertexChord chord_between(const Polygon& polygon, const Vec2& centre, std::uint32_t v,
+                          std::uint32_t w) {
+  const double arm_v = length(polygon.vertex(v) - centre),
+               arm_w = length(polygon.vertex(w) - centre);
   const Across across{arm_w / arm_v, (arm_w > arm_v) - (arm_w < arm_v)};
   return {v, w, chord_from_vertex(polygon, centre, v, v, across, w, w)};
 }
 
-VertexChord chord_into(const Polygon& polygon, const Vec2& centre, const RadialView& view, std::uint32_t v,
-                       std::uint32_t edge) {
-  const Across across =
-      look_across(centre, polygon.vertex(v), polygon.vertex(view.first(edge)), polygon.vertex(view.last(edge)));
+VertexChord chord_into(const Polygon& polygon, const Vec2& centre, const RadialView& view,
+                       std::uint32_t v, std::uint32_t edge) {
+  const Across across = look_across(centre, polygon.vertex(v), polygon.vertex(view.first(edge)),
+                                    polygon.vertex(view.last(edge)));
   return {v, inside_edge, chord_from_vertex(polygon, centre, v, v, across, edge, inside_edge)};
 }
 
@@ -50,15 +52,19 @@ Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec
     sweep.leave(turn);
     // Between leaving and entering, the active edges are those that the line meets in their inside.
     group.fill(view, turn);
-    const std::uint64_t number = chords.size() + group.ahead.size() * (sweep.behind().size() + group.behind.size()) +
-                                 group.behind.size() * sweep.ahead().size();
+    const std::uint64_t number =
+        chords.size() + group.ahead.size() * (sweep.behind().size() + group.behind.size()) +
+        group.behind.size() * sweep.ahead().size();
     if (auto error = check_number(number, "vertex-chords or more")) return *error;
     for (const std::uint32_t v : group.ahead) {
-      for (const std::uint32_t w : group.behind) chords.push_back(chord_between(polygon, centre, v, w));
-      for (const std::uint32_t edge : sweep.behind()) chords.push_back(chord_into(polygon, centre, view, v, edge));
+      for (const std::uint32_t w : group.behind)
+        chords.push_back(chord_between(polygon, centre, v, w));
+      for (const std::uint32_t edge : sweep.behind())
+        chords.push_back(chord_into(polygon, centre, view, v, edge));
     }
     for (const std::uint32_t v : group.behind) {
-      for (const std::uint32_t edge : sweep.ahead()) chords.push_back(chord_into(polygon, centre, view, v, edge));
+      for (const std::uint32_t edge : sweep.ahead())
+        chords.push_back(chord_into(polygon, centre, view, v, edge));
     }
     sweep.enter(turn, [](std::uint32_t, bool) {});
   }

@@ -3,11 +3,11 @@
 namespace evenlift {
 namespace {
 
-// One half-plane's part in clipping: of the chain's points, one after another, it passes on those that are
-// inside, and before each where the chain crossed the line since the last.
+// One half-plane's part in clipping: of the chain's points, one after another, it passes on those
+// that are inside, and before each where the chain crossed the line since the last.
 class Clip {
  public:
-  Clip(const Vec2& a, const Vec2& b) : a_(a), line_(b - a) {}
+  Clip(const Vec2& a, const Vec2& direction) : a_(a), line_(direction) {}
 
   double side(const Vec2& v) const { return cross(line_, v - a_); }
 
@@ -68,17 +68,21 @@ class RunningArea {
 }  // namespace
 
 Points clip_left(const Points& chain, const Vec2& a, const Vec2& b) {
+  return clip_left_of_ray(chain, a, b - a);
+}
+
+Points clip_left_of_ray(const Points& chain, const Vec2& from, const Vec2& direction) {
   Points kept;
   if (chain.empty()) return kept;
   kept.reserve(chain.size() + 4);
-  Clip clip(a, b);
+  Clip clip(from, direction);
   clip.begin_after(chain.back());
   for (const Vec2& v : chain) clip.advance(v, [&](const Vec2& point) { kept.push_back(point); });
   return kept;
 }
 
 double area_left_of_both(const Points& chain, const Vec2& a, const Vec2& b, const Vec2& c) {
-  Clip first(a, b), second(b, c);
+  Clip first(a, b - a), second(b, c - b);
   Vec2 last = Vec2::Zero();
   if (!first.find_last(chain, last)) return 0;
   first.begin_after(chain.back());

@@ -20,11 +20,11 @@ constexpr double square_half_side = 100;
 
 enum class Sense { counterclockwise, clockwise };
 
-// The object and its contacts, with each contact's edge directed so that the interior is on its left:
-// the inward normal is the edge's direction turned by +90 degrees.
+// The object and its contacts, with each contact's edge directed so that the interior is on its
+// left: the inward normal is the edge's direction turned by +90 degrees.
 struct Grasp {
   struct Touch {
-    Vec2 from, to;         // of the edge, as directed
+    Vec2 from, to;  // of the edge, as directed
     Vec2 position;
     std::uint32_t edge;
     Vec2 direction() const { return to - from; }
@@ -36,7 +36,8 @@ struct Grasp {
   std::vector<Touch> touches;
 };
 
-Grasp make_grasp(const Polygon& polygon, const Vec2& centre, const std::vector<LiftingPoint>& points) {
+Grasp make_grasp(const Polygon& polygon, const Vec2& centre,
+                 const std::vector<LiftingPoint>& points) {
   Grasp grasp{centre, polygon.diagonal(), near_distance(polygon.diagonal()), {}};
   for (const Contact& contact : contacts(polygon, points)) {
     Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
@@ -46,9 +47,9 @@ Grasp make_grasp(const Polygon& polygon, const Vec2& centre, const std::vector<L
   return grasp;
 }
 
-// The free rotation centres of one sense, relative to C, widened by `offset`: those on or left of every
-// normal line (counter-clockwise) or on or right of it. With d the edge's direction, which the normal line
-// crosses at a right angle, left of the line at p is d . (q - p) <= 0.
+// The free rotation centres of one sense, relative to C, widened by `offset`: those on or left of
+// every normal line (counter-clockwise) or on or right of it. With d the edge's direction, which
+// the normal line crosses at a right angle, left of the line at p is d . (q - p) <= 0.
 std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double offset) {
   std::vector<HalfPlane> planes;
   planes.reserve(grasp.touches.size());
@@ -75,9 +76,10 @@ Points clip_square(const Grasp& grasp, const std::vector<HalfPlane>& planes) {
   return region;
 }
 
-// The part of the line through `point` along `direction` that lies in all half-planes and no farther than
-// `reach` from C along either axis: its ends, or nothing.
-Points clip_line(const std::vector<HalfPlane>& planes, double reach, const Vec2& point, const Vec2& direction) {
+// The part of the line through `point` along `direction` that lies in all half-planes and no
+// farther than `reach` from C along either axis: its ends, or nothing.
+Points clip_line(const std::vector<HalfPlane>& planes, double reach, const Vec2& point,
+                 const Vec2& direction) {
   const Vec2 unit = direction / length(direction);
   double low = -4 * reach, high = 4 * reach;
   const auto keep = [&](const Vec2& normal, double bound) {
@@ -96,7 +98,8 @@ Points clip_line(const std::vector<HalfPlane>& planes, double reach, const Vec2&
 }
 
 // Two half-planes whose normals are opposite and whose lines are one, within tolerance.
-std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(const std::vector<HalfPlane>& planes, double near) {
+std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(
+    const std::vector<HalfPlane>& planes, double near) {
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const Vec2 ni = planes[i].normal();
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
@@ -110,8 +113,8 @@ std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(const std::v
   return std::nullopt;
 }
 
-// The least widening, to far below the tolerance, at which a bounded region exists that vanishes when
-// narrowed by `near`; and the region there.
+// The least widening, to far below the tolerance, at which a bounded region exists that vanishes
+// when narrowed by `near`; and the region there.
 Points sharpest_region(const Grasp& grasp, Sense sense) {
   double empty = -grasp.near, full = grasp.near;
   for (int i = 0; i < 40; ++i) {
@@ -121,15 +124,15 @@ Points sharpest_region(const Grasp& grasp, Sense sense) {
   return bounded_intersection(rotation_centres(grasp, sense, full));
 }
 
-// One point or the two ends of a region without area, relative to C, no farther from it than `reach`
-// along either axis.
+// One point or the two ends of a region without area, relative to C, no farther from it than
+// `reach` along either axis.
 Points degenerate_region(const Grasp& grasp, Sense sense, double reach) {
   const auto planes = rotation_centres(grasp, sense, grasp.near);
   if (const auto pair = coinciding_lines(planes, grasp.near)) {
     const HalfPlane &a = planes[pair->first], &b = planes[pair->second];
     const Vec2 normal = a.normal() / length(a.normal());
     const double middle = 0.5 * (a.bound / length(a.normal()) - b.bound / length(b.normal()));
-    const Points ends = clip_line(planes, reach, middle * normal, left_normal(normal));
+    Points ends = clip_line(planes, reach, middle * normal, left_normal(normal));
     if (ends.empty() || length(ends[1] - ends[0]) > 4 * grasp.near) return ends;
     return {0.5 * (ends[0] + ends[1])};
   }
@@ -154,30 +157,31 @@ FreeRegion free_region(const Grasp& grasp, Sense sense) {
   return region;
 }
 
-// A direction of free translation, if there is one: it makes no obtuse angle with any inward normal, so
-// the normals leave a gap of at least 180 degrees.
+// A direction of free translation, if there is one: it makes no obtuse angle with any inward
+// normal, so the normals leave a gap of at least 180 degrees.
 std::optional<Vec2> free_translation(const Grasp& grasp) {
   if (grasp.touches.empty()) return Vec2(1, 0);
   std::vector<HalfPlane> directions;
   for (const Grasp::Touch& touch : grasp.touches) directions.push_back({touch.from, touch.to, 0});
   const NormalGap gap = widest_gap(directions);
   if (gap.excess < 0) return std::nullopt;
-  // The middle of the fan of normals, which opens from `after` counter-clockwise to `before` by at most
-  // 180 degrees. Either half of the sum may vanish, both cannot.
+  // The middle of the fan of normals, which opens from `after` counter-clockwise to `before` by at
+  // most 180 degrees. Either half of the sum may vanish, both cannot.
   const Vec2 first = grasp.touches[gap.after].inward(), last = grasp.touches[gap.before].inward();
   const Vec2 middle = (first + last) + (left_normal(first) - left_normal(last));
   return Vec2(middle / length(middle));
 }
 
-// Whether contacts whose normals pass through c (relative to C) resist the second-order motion: some
-// balanced non-negative weights have a positive sum of signed distances to c. By Farkas' lemma that is so
-// just if no q has n . q <= -d for all of them. Keeping q within L / tau lets forces balance within
-// tolerance: nearly opposite normals would meet farther out.
+// Whether contacts whose normals pass through c (relative to C) resist the second-order motion:
+// some balanced non-negative weights have a positive sum of signed distances to c. By Farkas' lemma
+// that is so just if no q has n . q <= -d for all of them. Keeping q within L / tau lets forces
+// balance within tolerance: nearly opposite normals would meet farther out.
 bool resists_at(const Grasp& grasp, const Vec2& c) {
   const Vec2 origin = Vec2::Zero();
   const double far = grasp.diagonal / tau;
   std::vector<HalfPlane> planes;
-  for (const Vec2& axis : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) planes.push_back({origin, axis, far});
+  for (const Vec2& axis : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})
+    planes.push_back({origin, axis, far});
   for (const Grasp::Touch& touch : grasp.touches) {
     const Vec2 to_c = c - (touch.position - grasp.centre);
     const double size = length(touch.direction());
@@ -191,11 +195,13 @@ bool resists_at(const Grasp& grasp, const Vec2& c) {
 
 bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
   if (closure.form_closure || closure.translation_free) return false;
-  for (const auto& [region, sense] : {std::pair(&closure.clockwise, Sense::clockwise),
-                                      std::pair(&closure.counterclockwise, Sense::counterclockwise)}) {
+  for (const auto& [region, sense] :
+       {std::pair(&closure.clockwise, Sense::clockwise),
+        std::pair(&closure.counterclockwise, Sense::counterclockwise)}) {
     if (!region->exists) continue;
     if (region->has_area) return false;
-    // Bounded, since no translation is free; the reach is only a finite number beyond all it can be.
+    // Bounded, since no translation is free; the reach is only a finite number beyond all it can
+    // be.
     const Points region_at_rest = degenerate_region(grasp, sense, grasp.diagonal / tau);
     if (region_at_rest.empty()) return false;
     if (!resists_at(grasp, 0.5 * (region_at_rest.front() + region_at_rest.back()))) return false;
@@ -203,13 +209,14 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
   return true;
 }
 
-// Wrenches of the contacts, torques in units of L / 2. Between the extreme contacts of one edge others
-// add nothing to the hull.
+// Wrenches of the contacts, torques in units of L / 2. Between the extreme contacts of one edge
+// others add nothing to the hull.
 std::vector<Wrench> extreme_wrenches(const Grasp& grasp) {
   std::map<std::uint32_t, std::pair<Wrench, Wrench>> by_edge;
   for (const Grasp::Touch& touch : grasp.touches) {
     const Vec2 n = touch.inward();
-    const Wrench wrench(n.x(), n.y(), cross(touch.position - grasp.centre, n) / (0.5 * grasp.diagonal));
+    const Wrench wrench(n.x(), n.y(),
+                        cross(touch.position - grasp.centre, n) / (0.5 * grasp.diagonal));
     const auto [at, is_new] = by_edge.try_emplace(touch.edge, wrench, wrench);
     if (wrench.z() < at->second.first.z()) at->second.first = wrench;
     if (wrench.z() > at->second.second.z()) at->second.second = wrench;
@@ -224,14 +231,16 @@ std::vector<Wrench> extreme_wrenches(const Grasp& grasp) {
 
 }  // namespace
 
-Closure analyse_closure(const Polygon& polygon, const Vec2& centre, const std::vector<LiftingPoint>& points) {
+Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
+                        const std::vector<LiftingPoint>& points) {
   const Grasp grasp = make_grasp(polygon, centre, points);
   Closure closure;
   closure.translation = free_translation(grasp);
   closure.translation_free = closure.translation.has_value();
   closure.clockwise = free_region(grasp, Sense::clockwise);
   closure.counterclockwise = free_region(grasp, Sense::counterclockwise);
-  closure.form_closure = !closure.translation_free && !closure.clockwise.exists && !closure.counterclockwise.exists;
+  closure.form_closure =
+      !closure.translation_free && !closure.clockwise.exists && !closure.counterclockwise.exists;
   closure.second_order = immobile_to_second_order(grasp, closure);
   if (!grasp.touches.empty()) closure.margin = wrench_margin(extreme_wrenches(grasp));
   return closure;

@@ -10,17 +10,21 @@ namespace {
 // Finds the vertex within a distance of a point.
 class VertexFinder {
  public:
-  VertexFinder(const Polygon& polygon, double near) : polygon_(polygon), near_(near), by_x_(polygon.size()) {
+  VertexFinder(const Polygon& polygon, double near)
+      : polygon_(polygon), near_(near), by_x_(polygon.size()) {
     std::iota(by_x_.begin(), by_x_.end(), std::uint32_t{0});
     std::sort(by_x_.begin(), by_x_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return polygon.vertex(a).x() != polygon.vertex(b).x() ? polygon.vertex(a).x() < polygon.vertex(b).x() : a < b;
+      return polygon.vertex(a).x() != polygon.vertex(b).x()
+                 ? polygon.vertex(a).x() < polygon.vertex(b).x()
+                 : a < b;
     });
   }
 
   // The nearest one within `near`, if any.
   std::optional<std::uint32_t> find(const Vec2& p) const {
-    auto at = std::lower_bound(by_x_.begin(), by_x_.end(), p.x() - near_,
-                               [&](std::uint32_t v, double x) { return polygon_.vertex(v).x() < x; });
+    auto at =
+        std::lower_bound(by_x_.begin(), by_x_.end(), p.x() - near_,
+                         [&](std::uint32_t v, double x) { return polygon_.vertex(v).x() < x; });
     std::optional<std::uint32_t> nearest;
     double least = near_;
     for (; at != by_x_.end() && polygon_.vertex(*at).x() <= p.x() + near_; ++at) {
@@ -54,7 +58,8 @@ std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingP
     if (turn == Turn::convex) continue;
     const Vec2& position = polygon.vertex(*vertex);
     contacts.push_back({position, *vertex, i});
-    if (turn == Turn::reflex) contacts.push_back({position, static_cast<std::uint32_t>(polygon.previous(*vertex)), i});
+    if (turn == Turn::reflex)
+      contacts.push_back({position, static_cast<std::uint32_t>(polygon.previous(*vertex)), i});
   }
   return contacts;
 }

@@ -10,8 +10,8 @@
 
 namespace evenlift {
 
-// In [0, 4), growing counter-clockwise from the positive x axis; opposite directions differ by 2. The
-// rounding is far below the tolerance with which directions agree. O(1).
+// In [0, 4), growing counter-clockwise from the positive x axis; opposite directions differ by 2.
+// The rounding is far below the tolerance with which directions agree. O(1).
 inline double direction_key(const Vec2& u) {
   const double size = std::fabs(u.x()) + std::fabs(u.y());
   if (size == 0) return 0;
@@ -22,7 +22,8 @@ inline double direction_key(const Vec2& u) {
   return key < 4 ? key : 0;  // a part below the last place of 4 rounds up to the full turn
 }
 
-// The key `key` counted from `origin`, in [-1, 3): what lies a little before the origin is negative.
+// The key `key` counted from `origin`, in [-1, 3): what lies a little before the origin is
+// negative.
 inline double key_from(double origin, double key) {
   double difference = key - origin;
   if (difference < -1) difference += 4;
@@ -30,17 +31,18 @@ inline double key_from(double origin, double key) {
   return difference;
 }
 
-// Visits the items that C sees between two corners of H, `h1` included, `h2` not, where a direction that
-// agrees with a corner's is that corner's; in counter-clockwise order. `items` are sorted by key,
-// seen(item) has `position` (relative to C) and `key`. O(log m) besides the visits.
+// Visits the items that C sees between two corners of H, `h1` included, `h2` not, where a direction
+// that agrees with a corner's is that corner's; in counter-clockwise order. `items` are sorted by
+// key, seen(item) has `position` (relative to C) and `key`. O(log m) besides the visits.
 template <class Items, class See, class Visit>
 void for_each_between(const Items& items, See seen, const Vec2& h1, const Vec2& h2, Visit visit) {
   const double margin = 4 * tau;  // keys of directions that agree differ by less
   const double key1 = direction_key(h1);
   const double width = key_from(key1, direction_key(h2));
   const double start = key1 - margin < 0 ? key1 - margin + 4 : key1 - margin;
-  const auto first = std::lower_bound(items.begin(), items.end(), start,
-                                      [&](const auto& item, double key) { return seen(item).key < key; });
+  const auto first =
+      std::lower_bound(items.begin(), items.end(), start,
+                       [&](const auto& item, double key) { return seen(item).key < key; });
   const std::size_t n = items.size(), offset = static_cast<std::size_t>(first - items.begin());
   for (std::size_t k = 0; k < n; ++k) {
     const auto& item = items[offset + k < n ? offset + k : offset + k - n];

@@ -1,6 +1,6 @@
-// Double-double arithmetic: an unevaluated sum hi + lo of two doubles, about 106 bits (T. J. Dekker,
-// A floating-point technique for extending the available precision, 1971). Needs strict IEEE
-// arithmetic without contraction, which the build guarantees. Products below 2^-969 lose bits:
+// Double-double arithmetic: an unevaluated sum hi + lo of two doubles, about 106 bits (T. J.
+// Dekker, A floating-point technique for extending the available precision, 1971). Needs strict
+// IEEE arithmetic without contraction, which the build guarantees. Products below 2^-969 lose bits:
 // callers stay clear of that range.
 #pragma once
 

@@ -99,7 +99,8 @@ double Dyadic::to_double() const {
   for (std::size_t i = 0; i < used; ++i) value = value * 4294967296.0 + limbs_[n - 1 - i];
   const std::int64_t exponent = exponent_ + 32 * static_cast<std::int64_t>(n - used);
   value = std::ldexp(value, static_cast<int>(std::clamp<std::int64_t>(exponent, -5000, 5000)));
-  value = std::clamp(value, std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max());
+  value = std::clamp(value, std::numeric_limits<double>::denorm_min(),
+                     std::numeric_limits<double>::max());
   return sign_ < 0 ? -value : value;
 }
 
@@ -117,7 +118,8 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, int sign_of_b) {
   Dyadic first = a;
   Dyadic& higher = first.exponent_ > second.exponent_ ? first : second;
   const std::int64_t lowest = std::min(first.exponent_, second.exponent_);
-  higher.limbs_.insert(higher.limbs_.begin(), static_cast<std::size_t>((higher.exponent_ - lowest) / 32), 0u);
+  higher.limbs_.insert(higher.limbs_.begin(),
+                       static_cast<std::size_t>((higher.exponent_ - lowest) / 32), 0u);
   higher.exponent_ = lowest;
 
   Dyadic result;

@@ -138,7 +138,7 @@ GridPolygon spiral(std::size_t n, Rng& rng) {
   const std::size_t steps = n / 2 - 1;
   const double wished_turns = std::min(6.0, 0.35 * std::sqrt(static_cast<double>(steps)));
   const auto rays = std::max<std::size_t>(
-      5, static_cast<std::size_t>(static_cast<double>(steps) / wished_turns + 0.5));
+      5, static_cast<std::size_t>(std::round(static_cast<double>(steps) / wished_turns)));
   const double turns = static_cast<double>(steps) / static_cast<double>(rays);
 
   const double width = 0.35 + 0.25 * rng.uniform();  // of the strip, in pitches

@@ -1,6 +1,7 @@
 // Irregular convex polygons by Valtr's method: draw the steps of x and y of a closed walk, pair
 // them at random, and put the vectors in order of direction.
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "generate_families.h"
@@ -78,6 +79,7 @@ void make_directions_distinct(std::vector<Vector>& vectors, std::int64_t reach, 
 }
 
 std::vector<GridPoint> draw_outline(std::size_t n, std::int64_t extent, Rng& rng) {
+  assert(n >= 3);
   const std::vector<std::int64_t> xs = closed_walk(n, extent, rng);
   std::vector<std::int64_t> ys = closed_walk(n, extent, rng);
   shuffle(ys, rng);

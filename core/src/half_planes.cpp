@@ -12,7 +12,9 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-double normals_cross(const HalfPlane& a, const HalfPlane& b) { return cross_of_differences(a.from, a.to, b.from, b.to); }
+double normals_cross(const HalfPlane& a, const HalfPlane& b) {
+  return cross_of_differences(a.from, a.to, b.from, b.to);
+}
 
 bool normals_are_same(const HalfPlane& a, const HalfPlane& b) {
   return normals_cross(a, b) == 0 && dot_of_differences(a.from, a.to, b.from, b.to) > 0;
@@ -31,14 +33,15 @@ struct ExactNormal {
 
 Dyadic exact_cross(const ExactNormal& a, const ExactNormal& b) { return a.x * b.y - a.y * b.x; }
 
-// A sum of terms whose relative errors are below 2^-44 has the right sign if it is not smaller than this
-// part of their sizes.
+// A sum of terms whose relative errors are below 2^-44 has the right sign if it is not smaller than
+// this part of their sizes.
 constexpr double sum_is_enough = 0x1p-40;
 
-// Sign of the determinant of the rows (normal, bound): for normals i, j that turn left it is positive
-// if the corner of i and j lies inside k.
+// Sign of the determinant of the rows (normal, bound): for normals i, j that turn left it is
+// positive if the corner of i and j lies inside k.
 int corner_side(const HalfPlane& i, const HalfPlane& j, const HalfPlane& k) {
-  const double terms[] = {i.bound * normals_cross(j, k), -j.bound * normals_cross(i, k), k.bound * normals_cross(i, j)};
+  const double terms[] = {i.bound * normals_cross(j, k), -j.bound * normals_cross(i, k),
+                          k.bound * normals_cross(i, j)};
   const double sum = terms[0] + terms[1] + terms[2];
   const double size = std::fabs(terms[0]) + std::fabs(terms[1]) + std::fabs(terms[2]);
   if (std::fabs(sum) > sum_is_enough * size && size > 1e-250) return sum > 0 ? 1 : -1;
@@ -53,8 +56,8 @@ Dyadic exact_size(const HalfPlane& a) {
   return (n.x.sign() < 0 ? -n.x : n.x) + (n.y.sign() < 0 ? -n.y : n.y);
 }
 
-// Sign of bound(a) |b| + factor bound(b) |a| for parallel normals: with factor -1 compares how far out
-// two of the same direction lie, with +1 the width of the strip between two opposite ones.
+// Sign of bound(a) |b| + factor bound(b) |a| for parallel normals: with factor -1 compares how far
+// out two of the same direction lie, with +1 the width of the strip between two opposite ones.
 int compare_bounds(const HalfPlane& a, const HalfPlane& b, int factor) {
   const Dyadic first = Dyadic(a.bound) * exact_size(b), second = Dyadic(b.bound) * exact_size(a);
   return (factor < 0 ? first - second : first + second).sign();
@@ -94,9 +97,9 @@ NormalGap widest_gap(const std::vector<HalfPlane>& planes, const Indices& order)
   return widest;
 }
 
-// The half-planes that bound the intersection, counter-clockwise, if every gap is below 180 degrees; at
-// least three, or none if the intersection is empty. A queue of lines by direction from whose ends those
-// are dropped whose corner a new one cuts off.
+// The half-planes that bound the intersection, counter-clockwise, if every gap is below 180
+// degrees; at least three, or none if the intersection is empty. A queue of lines by direction from
+// whose ends those are dropped whose corner a new one cuts off.
 Indices ring(const std::vector<HalfPlane>& planes, const Indices& order) {
   Indices queue;
   std::size_t front = 0;
@@ -119,14 +122,18 @@ Indices ring(const std::vector<HalfPlane>& planes, const Indices& order) {
   queue.erase(queue.begin(), queue.begin() + static_cast<std::ptrdiff_t>(front));
   // A corner that lies in all half-planes proves that the ring is one.
   for (const std::size_t k : order) {
-    if (k != queue[0] && k != queue[1] && corner_side(planes[queue[0]], planes[queue[1]], planes[k]) < 0) return {};
+    if (k != queue[0] && k != queue[1] &&
+        corner_side(planes[queue[0]], planes[queue[1]], planes[k]) < 0)
+      return {};
   }
   return queue;
 }
 
 }  // namespace
 
-NormalGap widest_gap(const std::vector<HalfPlane>& planes) { return widest_gap(planes, by_direction(planes)); }
+NormalGap widest_gap(const std::vector<HalfPlane>& planes) {
+  return widest_gap(planes, by_direction(planes));
+}
 
 bool have_common_point(const std::vector<HalfPlane>& planes) {
   if (planes.empty()) return true;
@@ -146,7 +153,8 @@ Points bounded_intersection(const std::vector<HalfPlane>& planes) {
     const HalfPlane &i = planes[lines[k]], &j = planes[lines[(k + 1) % lines.size()]];
     const Vec2 ni = i.normal(), nj = j.normal();
     const double area = normals_cross(i, j);
-    corners.emplace_back((i.bound * nj.y() - j.bound * ni.y()) / area, (j.bound * ni.x() - i.bound * nj.x()) / area);
+    corners.emplace_back((i.bound * nj.y() - j.bound * ni.y()) / area,
+                         (j.bound * ni.x() - i.bound * nj.x()) / area);
   }
   return corners;
 }

@@ -21,8 +21,8 @@ struct NormalGap {
   int excess = 0;                     // exact sign of its width minus 180 degrees
 };
 
-// Of at least one half-plane; with a single normal direction the gap is the full turn. If some gap is
-// 180 degrees or more, some such gap. O(m log m).
+// Of at least one half-plane; with a single normal direction the gap is the full turn. If some gap
+// is 180 degrees or more, some such gap. O(m log m).
 NormalGap widest_gap(const std::vector<HalfPlane>& planes);
 
 // Whether some point lies in all closed half-planes; exact for the given numbers. O(m log m).

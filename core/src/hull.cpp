@@ -17,7 +17,8 @@ template <class Iterator>
 void append_chain(Iterator first, Iterator last, Points& hull) {
   const std::size_t base = hull.size();
   for (Iterator p = first; p != last; ++p) {
-    while (hull.size() >= base + 2 && orient(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
+    while (hull.size() >= base + 2 && orient(hull[hull.size() - 2], hull.back(), *p) <= 0)
+      hull.pop_back();
     hull.push_back(*p);
   }
   hull.pop_back();
@@ -49,12 +50,12 @@ Points convex_hull(Points points, double flat) {
   append_chain(points.begin(), points.end(), hull);
   append_chain(points.rbegin(), points.rend(), hull);
 
-  const auto [p, q] = extremes(hull);
-  const double reach = flat * length(q - p);
-  const bool is_flat = std::all_of(hull.begin(), hull.end(), [&, p = p, q = q](const Vec2& v) {
-    return std::fabs(orient(p, q, v)) <= reach;
+  const std::pair<Vec2, Vec2> ends = extremes(hull);
+  const double reach = flat * length(ends.second - ends.first);
+  const bool is_flat = std::all_of(hull.begin(), hull.end(), [&](const Vec2& v) {
+    return std::fabs(orient(ends.first, ends.second, v)) <= reach;
   });
-  if (is_flat) return {p, q};
+  if (is_flat) return {ends.first, ends.second};
   return hull;
 }
 

@@ -24,7 +24,9 @@ std::vector<LiftingPoint> lifting_points(const std::vector<Chord>& chords) {
   return points;
 }
 
-bool takes_candidates(Metric metric) { return metric != Metric::distributed && metric != Metric::random; }
+bool takes_candidates(Metric metric) {
+  return metric != Metric::distributed && metric != Metric::random;
+}
 
 // The chords that the teams take, noting which candidates they are.
 std::vector<Chord> choose_chords(const Polygon& polygon, Placement& placement) {
@@ -32,8 +34,12 @@ std::vector<Chord> choose_chords(const Polygon& polygon, Placement& placement) {
   const std::size_t teams = placement.requested_teams;
   std::vector<Chord> chords;
   switch (placement.settings.metric) {
-    case Metric::distributed: chords = distributed_teams(polygon, centre, teams); break;
-    case Metric::random: chords = random_teams(polygon, centre, teams, placement.settings.seed); break;
+    case Metric::distributed:
+      chords = distributed_teams(polygon, centre, teams);
+      break;
+    case Metric::random:
+      chords = random_teams(polygon, centre, teams, placement.settings.seed);
+      break;
     default:
       for (const std::uint32_t i :
            select_teams(polygon, centre, placement.candidates, placement.settings.metric, teams)) {
@@ -46,7 +52,8 @@ std::vector<Chord> choose_chords(const Polygon& polygon, Placement& placement) {
 }
 
 // Everything of a placement that follows from the chords.
-void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords, Placement& placement) {
+void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords,
+                    Placement& placement) {
   const std::vector<LiftingPoint> points = lifting_points(chords);
   Points positions;
   positions.reserve(points.size());
@@ -60,7 +67,8 @@ void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords, Pl
 }
 
 // Exponents are shifted for polygons so small that products of coordinates would leave the range of
-// doubles. Multiplying by a power of two is exact, and the results are those of the shifted polygon.
+// doubles. Multiplying by a power of two is exact, and the results are those of the shifted
+// polygon.
 constexpr int smallest_exponent = -100;
 
 int exponent_of_size(const Points& vertices) {
@@ -76,7 +84,9 @@ int exponent_of_size(const Points& vertices) {
   return exponent;
 }
 
-void scale(Vec2& v, int exponent) { v = {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent)}; }
+void scale(Vec2& v, int exponent) {
+  v = {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent)};
+}
 
 void scale(Points& points, int exponent) {
   for (Vec2& p : points) scale(p, exponent);
@@ -125,10 +135,13 @@ Result<Placement> place_unscaled(const Document& document) {
 }  // namespace
 
 std::optional<InputError> check_settings(const Settings& settings) {
-  if (settings.teams && *settings.teams < 1) return bad_option("teams", "at least 1 team is needed");
-  if (settings.teams && *settings.teams > max_teams) return bad_option("teams", "at most 1048576 teams can be asked for");
+  if (settings.teams && *settings.teams < 1)
+    return bad_option("teams", "at least 1 team is needed");
+  if (settings.teams && *settings.teams > max_teams)
+    return bad_option("teams", "at most 1048576 teams can be asked for");
   if (!settings.teams && !takes_candidates(settings.metric)) {
-    return bad_option("teams", "all candidates can be placed by area, circle and distance only; give a number");
+    return bad_option(
+        "teams", "all candidates can be placed by area, circle and distance only; give a number");
   }
   if (!(settings.min_ratio >= 0 && settings.min_ratio <= 1)) {
     return bad_option("min_ratio", "the minimum load ratio is a number from 0 to 1");
@@ -142,7 +155,7 @@ std::optional<InputError> check_settings(const Settings& settings) {
 Result<Placement> place(const Document& document) {
   if (auto error = check_settings(document.settings)) return *error;
   const int exponent = document.vertices.empty() ? 0 : exponent_of_size(document.vertices);
-  if (exponent >= smallest_exponent || exponent == 0) return place_unscaled(document);
+  if (exponent >= smallest_exponent) return place_unscaled(document);
 
   Document shifted = document;
   scale(shifted.vertices, -exponent);

@@ -67,7 +67,8 @@ struct Moments {
   Vec2 centroid;
 };
 
-// Twice the area and six times its first moments, relative to a point, with bounds on what cancelled.
+// Twice the area and six times its first moments, relative to a point, with bounds on what
+// cancelled.
 struct Sums {
   DoubleDouble twice_area, x, y;
   double size_area = 0, size_moments = 0;
@@ -88,7 +89,8 @@ Sums double_double_sums(const Points& vertices, const Vec2& corner) {
     sums.y = sums.y + (py + qy) * part;
     const double size = std::fabs(first.hi) + std::fabs(second.hi);
     sums.size_area += size;
-    sums.size_moments += size * (std::fabs(px.hi) + std::fabs(qx.hi) + std::fabs(py.hi) + std::fabs(qy.hi));
+    sums.size_moments +=
+        size * (std::fabs(px.hi) + std::fabs(qx.hi) + std::fabs(py.hi) + std::fabs(qy.hi));
     px = qx;
     py = qy;
   }
@@ -120,9 +122,9 @@ Vec2 exact_centroid(const Points& vertices, const Vec2& guess) {
   return {exact_quotient(x, divisor, guess.x()), exact_quotient(y, divisor, guess.y())};
 }
 
-// Area and centroid, in double-double about a corner of the bounding box, so that polygons far from the
-// origin lose nothing. The centroid is the nearest doubles: where the error bound leaves that open (thin
-// polygons, centroids near 0) exact sums decide.
+// Area and centroid, in double-double about a corner of the bounding box, so that polygons far from
+// the origin lose nothing. The centroid is the nearest doubles: where the error bound leaves that
+// open (thin polygons, centroids near 0) exact sums decide.
 Moments moments(const Points& vertices, const Vec2& corner) {
   const Sums sums = double_double_sums(vertices, corner);
   const DoubleDouble divisor = DoubleDouble(3.0) * sums.twice_area;
@@ -131,11 +133,12 @@ Moments moments(const Points& vertices, const Vec2& corner) {
   const double area = 0.5 * sums.twice_area.to_double();
   const Vec2 rounded(x.to_double(), y.to_double());
 
-  // Each operation is off by at most 2^-100 of its operands, and there are fewer than 2^22 in a sum.
+  // Each operation is off by at most 2^-100 of its operands, and there are fewer than 2^22 in a
+  // sum.
   const double size = std::fabs(divisor.hi);
   const double reach = std::fabs(sums.x.hi / size) + std::fabs(sums.y.hi / size);
-  const double error = 0x1p-78 * (sums.size_moments / size + reach * (sums.size_area / size) + reach +
-                                  std::fabs(corner.x()) + std::fabs(corner.y()));
+  const double error = 0x1p-78 * (sums.size_moments / size + reach * (sums.size_area / size) +
+                                  reach + std::fabs(corner.x()) + std::fabs(corner.y()));
   const auto is_certain = [&](const DoubleDouble& value) {
     return value.hi + (value.lo - error) == value.hi && value.hi + (value.lo + error) == value.hi;
   };
@@ -162,10 +165,12 @@ Result<Polygon> Polygon::create(Points vertices) {
   if (auto error = check_coordinates(vertices)) return *error;
   if (auto error = check_repetition(vertices)) return *error;
   if (all_on_one_line(vertices)) {
-    return InputError{ErrorCode::no_area, "the polygon has no area: all its vertices are on one line", {}};
+    return InputError{
+        ErrorCode::no_area, "the polygon has no area: all its vertices are on one line", {}};
   }
   if (const auto crossing = find_crossing(vertices)) {
-    return InputError{ErrorCode::edges_cross, "the edges cross, touch or overlap",
+    return InputError{ErrorCode::edges_cross,
+                      "the edges cross, touch or overlap",
                       {Place::Kind::edge, crossing->first, crossing->second, {}}};
   }
 
@@ -199,10 +204,12 @@ Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Ve
   const Vec2 centre = given.value_or(polygon.centroid());
   const Place place{Place::Kind::centre_of_mass, 0, 0, {}};
   if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
-    return InputError{ErrorCode::bad_coordinate, "a coordinate of the centre of mass is not a finite number", place};
+    return InputError{ErrorCode::bad_coordinate,
+                      "a coordinate of the centre of mass is not a finite number", place};
   }
   if (std::fabs(centre.x()) > max_coordinate || std::fabs(centre.y()) > max_coordinate) {
-    return InputError{ErrorCode::bad_coordinate, "a coordinate of the centre of mass exceeds 1e9 in size", place};
+    return InputError{ErrorCode::bad_coordinate,
+                      "a coordinate of the centre of mass exceeds 1e9 in size", place};
   }
   const Points& hull = polygon.hull();
   for (std::size_t i = 0; i < hull.size(); ++i) {

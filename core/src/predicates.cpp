@@ -22,11 +22,12 @@ struct Products {
   Number x1, y1, x2, y2;
 };
 
-// The determinant x1 y2 - x2 y1. `coarse` holds the four factors rounded once from at most two differences, `size1` and
-// `size2` bounds on what entered the factors of each product; `fine` and `exact` make the factors
-// again in the better number types, only when asked.
+// The determinant x1 y2 - x2 y1. `coarse` holds the four factors rounded once from at most two
+// differences, `size1` and `size2` bounds on what entered the factors of each product; `fine` and
+// `exact` make the factors again in the better number types, only when asked.
 template <class Fine, class Exact>
-double robust(const Products<double>& coarse, double size1, double size2, const Fine& fine, const Exact& exact) {
+double robust(const Products<double>& coarse, double size1, double size2, const Fine& fine,
+              const Exact& exact) {
   // A factor is exactly 0 only if its differences are: gradual underflow.
   const bool first_is_zero = coarse.x1 == 0 || coarse.y2 == 0;
   const bool second_is_zero = coarse.x2 == 0 || coarse.y1 == 0;
@@ -41,7 +42,8 @@ double robust(const Products<double>& coarse, double size1, double size2, const 
     if (f.x1.is_double() && f.y1.is_double() && f.x2.is_double() && f.y2.is_double()) {
       // Integers and other short coordinates: both products are exact. Equal products are what
       // points on one line of a grid give, the most frequent case after the first test.
-      const DoubleDouble first = two_product(f.x1.hi, f.y2.hi), second = two_product(f.x2.hi, f.y1.hi);
+      const DoubleDouble first = two_product(f.x1.hi, f.y2.hi),
+                         second = two_product(f.x2.hi, f.y1.hi);
       if (first.hi == second.hi && first.lo == second.lo) return 0;
       const double value_of_exact = (first.hi - second.hi) + (first.lo - second.lo);
       if (value_of_exact != 0) return value_of_exact;
@@ -66,8 +68,9 @@ double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, cons
   return robust(
       coarse, std::fabs(coarse.x1 * coarse.y2), std::fabs(coarse.x2 * coarse.y1),
       [&] {
-        return Products<DoubleDouble>{fine_difference(a1.x(), a0.x()), fine_difference(a1.y(), a0.y()),
-                                      fine_difference(b1.x(), b0.x()), fine_difference(b1.y(), b0.y())};
+        return Products<DoubleDouble>{
+            fine_difference(a1.x(), a0.x()), fine_difference(a1.y(), a0.y()),
+            fine_difference(b1.x(), b0.x()), fine_difference(b1.y(), b0.y())};
       },
       [&] {
         return Products<Dyadic>{exact_difference(a1.x(), a0.x()), exact_difference(a1.y(), a0.y()),
@@ -75,7 +78,9 @@ double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, cons
       });
 }
 
-double orient(const Vec2& a, const Vec2& b, const Vec2& c) { return cross_of_differences(a, b, a, c); }
+double orient(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return cross_of_differences(a, b, a, c);
+}
 
 double dot_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
   // a . b = a x (b turned by +90 degrees): the same determinant with other coordinates.

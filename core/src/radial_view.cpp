@@ -109,8 +109,8 @@ std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view) {
 std::optional<InputError> check_number(std::uint64_t number, const char* what) {
   if (number <= max_edge_pairs) return std::nullopt;
   return InputError{ErrorCode::too_many_edge_pairs,
-                    "the polygon has " + std::to_string(number) + ' ' + what + " about its centre of mass, more than " +
-                        std::to_string(max_edge_pairs),
+                    "the polygon has " + std::to_string(number) + ' ' + what +
+                        " about its centre of mass, more than " + std::to_string(max_edge_pairs),
                     {}};
 }
 

@@ -1,11 +1,11 @@
-// The polygon as C sees it: vertices and edges by direction, exactly ordered, and the line through C
-// that sweeps once over them.
+// The polygon as C sees it: vertices and edges by direction, exactly ordered, and the line through
+// C that sweeps once over them.
 //
 // A direction and its opposite share a place: vertices are sorted by direction modulo 180 degrees
 // into `turns` groups of equal directions. Position k < turns is group k seen forward (direction in
-// [0, 180)), position k + turns the same group seen backward. So an edge, which C sees under less than
-// 180 degrees, covers the whole-numbered positions from its first to its last end, and all that the
-// sweep decides it decides by integers.
+// [0, 180)), position k + turns the same group seen backward. So an edge, which C sees under less
+// than 180 degrees, covers the whole-numbered positions from its first to its last end, and all
+// that the sweep decides it decides by integers.
 #pragma once
 
 #include <cstdint>
@@ -48,14 +48,14 @@ class RadialView {
   void sort_vertices(const Polygon& polygon, const Vec2& centre);
 
   std::uint32_t turns_ = 0;
-  std::vector<Arms> arms_;                    // by edge
+  std::vector<Arms> arms_;  // by edge
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> group_begins_;   // into order_, one more than groups
-  std::vector<std::uint32_t> positions_;      // by vertex
+  std::vector<std::uint32_t> group_begins_;  // into order_, one more than groups
+  std::vector<std::uint32_t> positions_;     // by vertex
 };
 
-// The edges that the line through C meets, forward and backward, while it turns from 0 to 180 degrees.
-// At each group first the edges that end there leave, then those that begin there enter.
+// The edges that the line through C meets, forward and backward, while it turns from 0 to 180
+// degrees. At each group first the edges that end there leave, then those that begin there enter.
 class RadialSweep {
  public:
   RadialSweep(const Polygon& polygon, const RadialView& view);

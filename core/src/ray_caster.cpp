@@ -15,7 +15,8 @@ RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centr
     const Vec2 &p = polygon.edge_start(i), &q = polygon.edge_end(i);
     const double area = orient(centre, p, q);
     const bool radial = std::fabs(area) <= near * length(q - p);
-    // Counter-clockwise about C, so that the order of the vertex list does not show in the rounding.
+    // Counter-clockwise about C, so that the order of the vertex list does not show in the
+    // rounding.
     if (radial || area > 0) {
       edges_.push_back({p - centre, q - centre, area, radial});
     } else {
@@ -30,9 +31,10 @@ std::vector<RayCaster::Hit> RayCaster::hits(const Vec2& u) const {
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const Edge& edge = edges_[i];
     if (edge.radial) {
-      // Each vertex once: as the start of its edge, or as the end if the next edge is not radial and
-      // so does not list it.
-      if (directions_agree(u, edge.start)) hits.push_back({length(edge.start), {centre_ + edge.start, i}});
+      // Each vertex once: as the start of its edge, or as the end if the next edge is not radial
+      // and so does not list it.
+      if (directions_agree(u, edge.start))
+        hits.push_back({length(edge.start), {centre_ + edge.start, i}});
       const std::uint32_t next = i + 1 == edges_.size() ? 0 : i + 1;
       if (!edges_[next].radial && directions_agree(u, edge.end)) {
         hits.push_back({length(edge.end), {centre_ + edge.end, i}});

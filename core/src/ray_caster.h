@@ -17,18 +17,19 @@ class RayCaster {
     double distance = 0;  // from C
     LiftingPoint point;
   };
-  // Boundary points on the ray from C in direction u, nearest first: of a radial edge its end vertices
-  // in that direction, of others the one point in their inside or at one end. O(n + k log k).
+  // Boundary points on the ray from C in direction u, nearest first: of a radial edge its end
+  // vertices in that direction, of others the one point in their inside or at one end. O(n + k log
+  // k).
   std::vector<Hit> hits(const Vec2& u) const;
 
-  // The farthest point on the ray among `edges` (not empty, not radial), which C sees around direction u: a
-  // ray that rounding takes past an edge meets its end. O(number of edges).
+  // The farthest point on the ray among `edges` (not empty, not radial), which C sees around
+  // direction u: a ray that rounding takes past an edge meets its end. O(number of edges).
   Hit farthest(const Vec2& u, const std::vector<std::uint32_t>& edges) const;
 
  private:
   struct Edge {
-    Vec2 start, end;   // relative to C; counter-clockwise about it, unless radial
-    double area = 0;   // start x end, accurate
+    Vec2 start, end;  // relative to C; counter-clockwise about it, unless radial
+    double area = 0;  // start x end, accurate
     bool radial = false;
   };
   Vec2 centre_;

@@ -9,8 +9,9 @@
 namespace evenlift {
 
 Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c) {
-  // With X = (C - w) x (c - b) and h = (b - C) x (c - C) the factor is h / X, and h - X is the side on
-  // which the mirror image of w lies. That difference is found exactly, so factors near 1 are too.
+  // With X = (C - w) x (c - b) and h = (b - C) x (c - C) the factor is h / X, and h - X is the side
+  // on which the mirror image of w lies. That difference is found exactly, so factors near 1 are
+  // too.
   const double x = cross_of_differences(w, centre, b, c);
   const double difference = orient_mirrored(centre, w, b, c);
   Across across;
@@ -29,8 +30,8 @@ bool points_right(const Vec2& direction) {
 
 double load_ratio(double arm1, double arm2) { return arm1 < arm2 ? arm1 / arm2 : arm2 / arm1; }
 
-Chord order_ends(const LiftingPoint& ahead, double arm_ahead, const LiftingPoint& behind, double arm_behind,
-                 const Vec2& direction) {
+Chord order_ends(const LiftingPoint& ahead, double arm_ahead, const LiftingPoint& behind,
+                 double arm_behind, const Vec2& direction) {
   Chord chord{behind, ahead, arm_behind, arm_ahead, load_ratio(arm_ahead, arm_behind)};
   if (!points_right(direction)) {
     std::swap(chord.r1, chord.r2);
@@ -39,8 +40,9 @@ Chord order_ends(const LiftingPoint& ahead, double arm_ahead, const LiftingPoint
   return chord;
 }
 
-Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_t w, std::uint32_t edge_w,
-                        const Across& across, std::uint32_t edge_hit, std::uint32_t hit) {
+Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_t w,
+                        std::uint32_t edge_w, const Across& across, std::uint32_t edge_hit,
+                        std::uint32_t hit) {
   const Vec2& position = polygon.vertex(w);
   const Vec2 direction = centre - position;
   const double arm = length(direction);

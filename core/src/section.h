@@ -18,14 +18,16 @@ struct Across {
 // The edge b c is given counter-clockwise about C and not radial; the ray meets it.
 Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c);
 
-// The chord from vertex w (on edge `edge_w`) through C to the point `across` on edge `edge_hit`, which is
-// vertex `hit` if that is not inside_edge. Its ends are ordered as Chord says.
-Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_t w, std::uint32_t edge_w,
-                        const Across& across, std::uint32_t edge_hit, std::uint32_t hit);
+// The chord from vertex w (on edge `edge_w`) through C to the point `across` on edge `edge_hit`,
+// which is vertex `hit` if that is not inside_edge. Its ends are ordered as Chord says.
+Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_t w,
+                        std::uint32_t edge_w, const Across& across, std::uint32_t edge_hit,
+                        std::uint32_t hit);
 
-// A chord from its forward half: `ahead` and `behind` in either order, `direction` from behind to ahead.
-Chord order_ends(const LiftingPoint& ahead, double arm_ahead, const LiftingPoint& behind, double arm_behind,
-                 const Vec2& direction);
+// A chord from its forward half: `ahead` and `behind` in either order, `direction` from behind to
+// ahead.
+Chord order_ends(const LiftingPoint& ahead, double arm_ahead, const LiftingPoint& behind,
+                 double arm_behind, const Vec2& direction);
 
 // Whether a direction points from r1 to r2: to the right, or upward if it counts as vertical.
 bool points_right(const Vec2& direction);

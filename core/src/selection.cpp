@@ -24,15 +24,16 @@ double angle_of(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex
   return arctangent2(u.y(), u.x());
 }
 
-// Visits, by rising angle within [0, pi], the open ranges of directions whose lines through C meet the
-// same edges, on both sides of C, as visit(from, to, edges ahead, edges behind).
+// Visits, by rising angle within [0, pi], the open ranges of directions whose lines through C meet
+// the same edges, on both sides of C, as visit(from, to, edges ahead, edges behind).
 template <class Visit>
 void for_each_opening(const Polygon& polygon, const Vec2& centre, Visit visit) {
   const RadialView view(polygon, centre);
   RadialSweep sweep(polygon, view);
   double from = 0;
   const auto close_at = [&](double to) {
-    if (!sweep.ahead().empty() && !sweep.behind().empty() && to > from) visit(from, to, sweep.ahead(), sweep.behind());
+    if (!sweep.ahead().empty() && !sweep.behind().empty() && to > from)
+      visit(from, to, sweep.ahead(), sweep.behind());
     from = to;
   };
   for (std::uint32_t group = 0; group < view.turns(); ++group) {
@@ -47,14 +48,16 @@ void for_each_opening(const Polygon& polygon, const Vec2& centre, Visit visit) {
 }  // namespace
 
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
-                                        const std::vector<Candidate>& candidates, Metric metric, std::size_t teams) {
+                                        const std::vector<Candidate>& candidates, Metric metric,
+                                        std::size_t teams) {
   Selector selector(polygon, centre, candidates, metric);
   while (selector.taken().size() < teams && selector.take_next()) {
   }
   return selector.taken();
 }
 
-std::vector<double> scores(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
+std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
+                           const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric) {
   Selector selector(polygon, centre, candidates, metric);
   for (const std::uint32_t candidate : selected) selector.take(candidate);
@@ -63,32 +66,37 @@ std::vector<double> scores(const Polygon& polygon, const Vec2& centre, const std
   return scores;
 }
 
-std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams) {
+std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre,
+                                     std::size_t teams) {
   double measure = 0;
-  for_each_opening(polygon, centre, [&](double from, double to, const auto&, const auto&) { measure += to - from; });
+  for_each_opening(polygon, centre,
+                   [&](double from, double to, const auto&, const auto&) { measure += to - from; });
   if (measure <= tau) return {};  // nothing but what rounding leaves between radial edges
 
   const RayCaster rays(polygon, centre);
   std::vector<Chord> chords;
   chords.reserve(teams);
   double before = 0;  // measure of the openings before the current one
-  for_each_opening(polygon, centre, [&](double from, double to, const auto& ahead, const auto& behind) {
-    // A target on the rim between two openings belongs to the lower one. Rounding of the sums must not
-    // lose the last.
-    const double after = before + (to - from);
-    for (; chords.size() < teams; ) {
-      const double target = measure * ((static_cast<double>(chords.size()) + 0.5) / static_cast<double>(teams));
-      if (target > after && after < measure) break;
-      const double angle = std::min(from + std::max(0.0, target - before), to);
-      const Vec2 u(cosine(angle), sine(angle));
-      chords.push_back(make_chord(rays.farthest(u, ahead), rays.farthest(-u, behind), u));
-    }
-    before = after;
-  });
+  for_each_opening(
+      polygon, centre, [&](double from, double to, const auto& ahead, const auto& behind) {
+        // A target on the rim between two openings belongs to the lower one. Rounding of the sums
+        // must not lose the last.
+        const double after = before + (to - from);
+        for (; chords.size() < teams;) {
+          const double target =
+              measure * ((static_cast<double>(chords.size()) + 0.5) / static_cast<double>(teams));
+          if (target > after && after < measure) break;
+          const double angle = std::min(from + std::max(0.0, target - before), to);
+          const Vec2 u(cosine(angle), sine(angle));
+          chords.push_back(make_chord(rays.farthest(u, ahead), rays.farthest(-u, behind), u));
+        }
+        before = after;
+      });
   return chords;
 }
 
-std::vector<Chord> random_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams, std::uint64_t seed) {
+std::vector<Chord> random_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams,
+                                std::uint64_t seed) {
   std::vector<double> ends;  // of each edge, along the perimeter
   ends.reserve(polygon.size());
   double perimeter = 0;

@@ -29,7 +29,8 @@ double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
 
 }  // namespace
 
-Selector::Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates, Metric metric)
+Selector::Selector(const Polygon& polygon, const Vec2& centre,
+                   const std::vector<Candidate>& candidates, Metric metric)
     : candidates_(candidates),
       surroundings_(polygon, centre),
       metric_(metric),
@@ -64,8 +65,10 @@ bool Selector::take_next() {
   }
   Indices leaders = find_leaders();
   Indices chosen = leaders;
-  keep_best(chosen, [&](Index i) { return candidates_[i].chord.ratio; }, ratios_tie);
-  keep_best(chosen, [&](Index i) { return candidates_[i].length; }, lengths_tie);
+  keep_best(
+      chosen, [&](Index i) { return candidates_[i].chord.ratio; }, ratios_tie);
+  keep_best(
+      chosen, [&](Index i) { return candidates_[i].length; }, lengths_tie);
   const Points before = hull_;
   take(chosen.front());
   if (hull_ == before) line_up(std::move(leaders));
@@ -82,7 +85,8 @@ void Selector::take(std::uint32_t candidate) {
 
 double Selector::score(std::uint32_t candidate) {
   for (End* end : {&ends_[2 * candidate], &ends_[2 * candidate + 1]}) {
-    if (!end->gain.exact()) end->gain = {wedges_[end->wedge].evaluate(end->position), Certainty::exact};
+    if (!end->gain.exact())
+      end->gain = {wedges_[end->wedge].evaluate(end->position), Certainty::exact};
   }
   return bound(candidate);
 }
@@ -128,9 +132,13 @@ Selector::Indices Selector::find_leaders() {
   const auto ties = [&](double largest, double score) {
     return score >= largest - score_slack(std::fabs(largest), floor_);
   };
-  const auto smaller_bound = [&](Index a, Index b) { return bound(a) != bound(b) ? bound(a) < bound(b) : a > b; };
-  // The one with the largest bound is examined first: what cannot tie with it need not stand in the heap.
-  if (!open.empty()) best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
+  const auto smaller_bound = [&](Index a, Index b) {
+    return bound(a) != bound(b) ? bound(a) < bound(b) : a > b;
+  };
+  // The one with the largest bound is examined first: what cannot tie with it need not stand in the
+  // heap.
+  if (!open.empty())
+    best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
   std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
   std::make_heap(open.begin(), open.end(), smaller_bound);
   while (!open.empty() && ties(best, bound(open.front()))) {
@@ -154,13 +162,14 @@ Selector::Indices Selector::find_leaders() {
 
 void Selector::line_up(Indices leaders) {
   std::erase_if(leaders, [&](Index i) { return is_taken_[i] != 0; });
-  best_in_line_ = static_cast<std::size_t>(
-      std::count_if(leaders.begin(), leaders.end(), [&](Index i) { return bound(i) == best_score_; }));
+  best_in_line_ = static_cast<std::size_t>(std::count_if(
+      leaders.begin(), leaders.end(), [&](Index i) { return bound(i) == best_score_; }));
   if (best_in_line_ == 0) return;
   const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
   const auto length_of = [&](Index i) { return candidates_[i].length; };
   for_each_tie_class(leaders.begin(), leaders.end(), ratio, ratios_tie, [&](auto first, auto last) {
-    for_each_tie_class(first, last, length_of, lengths_tie, [](auto begin, auto end) { std::sort(begin, end); });
+    for_each_tie_class(first, last, length_of, lengths_tie,
+                       [](auto begin, auto end) { std::sort(begin, end); });
   });
   std::reverse(leaders.begin(), leaders.end());
   line_ = std::move(leaders);
@@ -196,16 +205,17 @@ bool Selector::widen_base(Index candidate) {
   return true;
 }
 
-// Gives the ends that C sees in a new wedge over to it: from a little before its first corner, for the
-// ends that agree with its direction, to before the next.
+// Gives the ends that C sees in a new wedge over to it: from a little before its first corner, for
+// the ends that agree with its direction, to before the next.
 void Selector::enter_wedge(Index index) {
   const Wedge& wedge = wedges_[index];
-  for_each_between(by_direction_, [&](Index end) -> const End& { return ends_[end]; }, wedge.h1(), wedge.h2(),
-                   [&](Index i) {
-                     End& end = ends_[i];
-                     end.wedge = index;
-                     end.gain = gains(wedge, end.position) ? wedge.estimate(end.position) : Gain{};
-                   });
+  for_each_between(
+      by_direction_, [&](Index end) -> const End& { return ends_[end]; }, wedge.h1(), wedge.h2(),
+      [&](Index i) {
+        End& end = ends_[i];
+        end.wedge = index;
+        end.gain = gains(wedge, end.position) ? wedge.estimate(end.position) : Gain{};
+      });
 }
 
 // Whether p, which C sees in the wedge, is outside H by more than the tolerance. Its line counts as

@@ -10,12 +10,14 @@
 
 namespace evenlift {
 
-// Lazy in two ways. Each end of a candidate carries an upper bound of its gain; only those whose bound
-// can still win are looked at closer, in the end evaluated, and only where the edge of H before them has changed. And while teams
-// are taken that leave H as it is, scores stay too: those that tied for the best stand in line.
+// Lazy in two ways. Each end of a candidate carries an upper bound of its gain; only those whose
+// bound can still win are looked at closer, in the end evaluated, and only where the edge of H
+// before them has changed. And while teams are taken that leave H as it is, scores stay too: those
+// that tied for the best stand in line.
 class Selector {
  public:
-  Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates, Metric metric);
+  Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
+           Metric metric);
 
   // Takes one more team; false if no candidate is left.
   bool take_next();
@@ -33,38 +35,40 @@ class Selector {
   using Indices = std::vector<Index>;
 
   struct End {
-    Vec2 position;     // relative to C
-    double key = 0;    // its direction
-    Index wedge = 0;   // into wedges_
+    Vec2 position;    // relative to C
+    double key = 0;   // its direction
+    Index wedge = 0;  // into wedges_
     Gain gain;
   };
   Index best_first_team() const;
   Indices find_leaders();
-  double bound(Index candidate) const { return ends_[2 * candidate].gain.value + ends_[2 * candidate + 1].gain.value; }
+  double bound(Index candidate) const {
+    return ends_[2 * candidate].gain.value + ends_[2 * candidate + 1].gain.value;
+  }
   bool exact(Index candidate) const {
     return ends_[2 * candidate].gain.exact() && ends_[2 * candidate + 1].gain.exact();
   }
   void sharpen(Index candidate);
   bool widen_base(Index candidate);
-  void enter_wedge(Index wedge);
+  void enter_wedge(Index index);
   bool gains(const Wedge& wedge, const Vec2& p) const;
   void line_up(Indices leaders);
 
   const std::vector<Candidate>& candidates_;
   Surroundings surroundings_;
   Metric metric_;
-  double near_;    // tau L
-  double floor_;   // below which scores tie
+  double near_;   // tau L
+  double floor_;  // below which scores tie
 
-  std::vector<End> ends_;            // of candidate i: 2 i (r1) and 2 i + 1 (r2)
-  Indices by_direction_;  // ends by key
-  Points hull_;                      // corners of H relative to C, counter-clockwise
-  Indices edges_;                    // the wedge of each edge of H, from corner i to i + 1
-  std::vector<Wedge> wedges_;        // all that ever were; an end's index stays good
+  std::vector<End> ends_;      // of candidate i: 2 i (r1) and 2 i + 1 (r2)
+  Indices by_direction_;       // ends by key
+  Points hull_;                // corners of H relative to C, counter-clockwise
+  Indices edges_;              // the wedge of each edge of H, from corner i to i + 1
+  std::vector<Wedge> wedges_;  // all that ever were; an end's index stays good
 
   std::vector<char> is_taken_;
   std::vector<std::uint32_t> taken_;
-  Indices line_;            // who comes next while H stays as it is, last first
+  Indices line_;                  // who comes next while H stays as it is, last first
   std::size_t best_in_line_ = 0;  // how many of them have the best score itself
   double best_score_ = 0;
 };

@@ -27,9 +27,12 @@ struct Segment {
 // Whether closed segments share a point other than a common end; for neighbours (who share an end)
 // that is whether one lies along the other.
 bool meet_improperly(const Segment& s, const Segment& t) {
-  const int t_left = sign(orient(s.left, s.right, t.left)), t_right = sign(orient(s.left, s.right, t.right));
-  const int s_left = sign(orient(t.left, t.right, s.left)), s_right = sign(orient(t.left, t.right, s.right));
-  const bool neighbours = s.left == t.left || s.left == t.right || s.right == t.left || s.right == t.right;
+  const int t_left = sign(orient(s.left, s.right, t.left)),
+            t_right = sign(orient(s.left, s.right, t.right));
+  const int s_left = sign(orient(t.left, t.right, s.left)),
+            s_right = sign(orient(t.left, t.right, s.right));
+  const bool neighbours =
+      s.left == t.left || s.left == t.right || s.right == t.left || s.right == t.right;
   const bool parallel = t_left == 0 && t_right == 0;
   if (parallel) {
     // On one line: they overlap in more than an end if each begins before the other ends.
@@ -56,8 +59,9 @@ class Sweep {
     const Index n = vertices_.size();
     std::vector<Index> order(n);
     std::iota(order.begin(), order.end(), Index{0});
-    std::sort(order.begin(), order.end(),
-              [&](Index a, Index b) { return lexicographically_before(vertices_[a], vertices_[b]); });
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+      return lexicographically_before(vertices_[a], vertices_[b]);
+    });
     for (const Index v : order) {
       const Index incident[] = {v == 0 ? n - 1 : v - 1, v};
       for (const Index edge : incident) {

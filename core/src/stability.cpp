@@ -29,12 +29,14 @@ double segment_tipping_force(const Points& hull, const Vec2& centre, double weig
 double coverage(const Polygon& polygon, const Points& hull) {
   if (hull.size() < 3) return 0;
   // Relative to a corner of H, so that a polygon far from the origin loses nothing.
-  const Vec2 origin = hull.front();
+  const Vec2& origin = hull.front();
   Points part;
   part.reserve(polygon.size());
   for (const Vec2& v : polygon.vertices()) part.push_back(v - origin);
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    part = clip_left(part, hull[i] - origin, hull[(i + 1) % hull.size()] - origin);
+    // The direction from the corners as they are: of two that only rounding keeps apart it would be
+    // lost.
+    part = clip_left_of_ray(part, hull[i] - origin, hull[(i + 1) % hull.size()] - hull[i]);
   }
   return std::clamp(std::fabs(signed_area(part)) / polygon.area(), 0.0, 1.0);
 }

@@ -15,6 +15,8 @@ bool directions_agree(const Vec2& a, const Vec2& b) {
   return dot(a, b) > 0 && std::fabs(cross(a, b)) <= tau * length(a) * length(b);
 }
 
-bool is_vertical(const Vec2& direction) { return std::fabs(direction.x()) <= tau * length(direction); }
+bool is_vertical(const Vec2& direction) {
+  return std::fabs(direction.x()) <= tau * length(direction);
+}
 
 }  // namespace evenlift

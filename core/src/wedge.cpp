@@ -29,7 +29,9 @@ class Outside {
   double length_;
 };
 
-double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c) { return 0.5 * std::fabs(cross(b - a, c - a)); }
+double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return 0.5 * std::fabs(cross(b - a, c - a));
+}
 
 double inscribed_circle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double perimeter = length(b - a) + length(c - b) + length(a - c);
@@ -72,10 +74,12 @@ void Wedge::collect_area() {
 
 void Wedge::collect_outer_vertices() {
   sums_.push_back(Vec2::Zero());
-  const auto seen = [](const Surroundings::Seen& item) -> const Surroundings::Seen& { return item; };
+  const auto seen = [](const Surroundings::Seen& item) -> const Surroundings::Seen& {
+    return item;
+  };
   for_each_between(surroundings_->vertices, seen, h1_, h2_, [&](const Surroundings::Seen& vertex) {
-    // What lies within H adds nothing. Vertices in the direction of h1 may lie beyond it on the edge's
-    // own line, if H is a segment: not outside that line, yet outside the new edge.
+    // What lies within H adds nothing. Vertices in the direction of h1 may lie beyond it on the
+    // edge's own line, if H is a segment: not outside that line, yet outside the new edge.
     const double distance = std::max(0.0, this->distance(vertex.position));
     if (distance == 0 && !directions_agree(h1_, vertex.position)) return;
     outer_.push_back({vertex.position, key_from(key1_, vertex.key), distance});
@@ -88,9 +92,12 @@ double Wedge::distance(const Vec2& p) const { return distance_outside(h1_, h2_, 
 
 Gain Wedge::estimate(const Vec2& p) const {
   switch (metric_) {
-    case Metric::circle: return {inscribed_circle_area(h1_, h2_, p), Certainty::exact};
-    case Metric::distance: return {distance_bound(p), Certainty::bound};
-    default: break;
+    case Metric::circle:
+      return {inscribed_circle_area(h1_, h2_, p), Certainty::exact};
+    case Metric::distance:
+      return {distance_bound(p), Certainty::bound};
+    default:
+      break;
   }
   const double triangle = triangle_area(h1_, h2_, p);
   if (surroundings_->convex) return {triangle, Certainty::exact};
@@ -101,15 +108,16 @@ Gain Wedge::estimate(const Vec2& p) const {
 
 double Wedge::evaluate(const Vec2& p) const {
   switch (metric_) {
-    case Metric::circle: return inscribed_circle_area(h1_, h2_, p);
-    case Metric::distance: return distance_gain(p);
-    default: return surroundings_->convex ? triangle_area(h1_, h2_, p) : area_gain(p);
+    case Metric::circle:
+      return inscribed_circle_area(h1_, h2_, p);
+    case Metric::distance:
+      return distance_gain(p);
+    default:
+      return surroundings_->convex ? triangle_area(h1_, h2_, p) : area_gain(p);
   }
 }
 
-double Wedge::area_gain(const Vec2& p) const {
-  return area_left_of_both(outside_, h1_, p, h2_);
-}
+double Wedge::area_gain(const Vec2& p) const { return area_left_of_both(outside_, h1_, p, h2_); }
 
 std::size_t Wedge::seen_up_to(const Vec2& p) const {
   const double key = key_from(key1_, direction_key(p));
@@ -131,8 +139,8 @@ double Wedge::distance_gain(const Vec2& p) const {
 }
 
 double Wedge::distance_bound(const Vec2& p) const {
-  // The sum of positive parts is at least the positive part of the sum, and sums of distances from one
-  // line follow from the sums of positions.
+  // The sum of positive parts is at least the positive part of the sum, and sums of distances from
+  // one line follow from the sums of positions.
   const auto sum_outside = [](const Vec2& a, const Vec2& b, const Vec2& sum, std::size_t number) {
     const Vec2 line = b - a;
     return -cross(line, sum - static_cast<double>(number) * a) / length(line);
@@ -161,7 +169,8 @@ bool Wedge::prepare_close_bounds() {
   constexpr std::size_t few_vertices = 48;
   constexpr int few_evaluations = 4;
   constexpr double narrow = 1e-3;  // the rounding of bins would show
-  if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations) return false;
+  if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations)
+    return false;
   if (metric_ == Metric::area) {
     if (key_from(key1_, direction_key(h2_)) < narrow) return false;
     area_bins_.emplace(outside_, h1_, h2_, surroundings_->diagonal);

@@ -1,5 +1,5 @@
-// An edge of the lifting base H as C sees it, and what a new lifting point beyond it would gain by each
-// metric (algorithm.md, Selection: f(p)).
+// An edge of the lifting base H as C sees it, and what a new lifting point beyond it would gain by
+// each metric (algorithm.md, Selection: f(p)).
 #pragma once
 
 #include <optional>
@@ -19,10 +19,10 @@ struct Surroundings {
     Vec2 position;  // relative to C
     double key;     // direction_key of it
   };
-  Points boundary;              // P relative to C, counter-clockwise
-  std::vector<Seen> vertices;   // other than C, by key
+  Points boundary;             // P relative to C, counter-clockwise
+  std::vector<Seen> vertices;  // other than C, by key
   bool convex = false;
-  double diagonal = 0;          // L
+  double diagonal = 0;  // L
 };
 
 // How much one end of a chord gains: the value, or an upper bound that costs less.
@@ -35,8 +35,8 @@ struct Gain {
 
 class Wedge {
  public:
-  // The edge h1 h2 of H, corners relative to C and counter-clockwise. With an H that is a segment each
-  // of its sides is such an edge. O(n) for area and distance, else O(1).
+  // The edge h1 h2 of H, corners relative to C and counter-clockwise. With an H that is a segment
+  // each of its sides is such an edge. O(n) for area and distance, else O(1).
   Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2);
 
   const Vec2& h1() const { return h1_; }
@@ -48,8 +48,9 @@ class Wedge {
   // f(p) for a p that lies beyond, or a bound: never below f(p). O(log n).
   Gain estimate(const Vec2& p) const;
 
-  // From an estimate to a close bound, from there to f(p) itself; straight to f(p) while bounds have not paid for
-  // themselves. The first close bound costs as much as a few evaluations, the others O(sqrt(m) log m).
+  // From an estimate to a close bound, from there to f(p) itself; straight to f(p) while bounds
+  // have not paid for themselves. The first close bound costs as much as a few evaluations, the
+  // others O(sqrt(m) log m).
   Gain sharpen(const Vec2& p, const Gain& known);
 
   // f(p) itself. O(m) for the m vertices and crossings of P in the wedge beyond the edge.
@@ -71,7 +72,7 @@ class Wedge {
   Vec2 h1_, h2_;
   double key1_ = 0;
 
-  Points outside_;          // area: P in the wedge beyond the edge
+  Points outside_;  // area: P in the wedge beyond the edge
   double outside_area_ = 0;
 
   struct Outer {
@@ -79,8 +80,8 @@ class Wedge {
     double key;       // from key1_
     double distance;  // outside the edge's line, not negative
   };
-  std::vector<Outer> outer_;   // distance: vertices of P in the wedge beyond the edge, by direction
-  Points sums_;                // sums_[k]: of the first k positions
+  std::vector<Outer> outer_;  // distance: vertices of P in the wedge beyond the edge, by direction
+  Points sums_;               // sums_[k]: of the first k positions
   double distance_sum_ = 0;
 
   int evaluations_ = 0;  // before close bounds were made

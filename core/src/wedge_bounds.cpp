@@ -29,9 +29,11 @@ double share_up_to(double level, double s, double t) {
   return along + (1 - along) * (level / t);
 }
 
-// About as many as each then holds. More than a few dozen bins made bounds no cheaper to use, as measured.
+// About as many as each then holds. More than a few dozen bins made bounds no cheaper to use, as
+// measured.
 std::size_t number_of_parts(std::size_t m, std::size_t most) {
-  return std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(m))), std::size_t{1}, most);
+  return std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(m))), std::size_t{1},
+                    most);
 }
 
 }  // namespace
@@ -55,7 +57,8 @@ void AreaBins::make_bins(std::size_t number) {
   rims_.reserve(number + 1);
   rims_.push_back(h1_ / size_of(h1_));
   for (std::size_t k = 1; k < number; ++k) {
-    rims_.push_back(direction_with_key(key1_ + width_ * (static_cast<double>(k) / static_cast<double>(number))));
+    rims_.push_back(direction_with_key(
+        key1_ + width_ * (static_cast<double>(k) / static_cast<double>(number))));
   }
   rims_.push_back(h2_ / size_of(h2_));
   for (std::size_t k = 0; k < number; ++k) {
@@ -68,11 +71,13 @@ void AreaBins::make_bins(std::size_t number) {
 }
 
 std::size_t AreaBins::bin_of(const Vec2& v) const {
-  const double part = key_from(key1_, direction_key(v)) / width_ * static_cast<double>(bins_.size());
+  const double part =
+      key_from(key1_, direction_key(v)) / width_ * static_cast<double>(bins_.size());
   return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(bins_.size() - 1)));
 }
 
-// Where the line a -> b meets a rim, in units of the rim's vector; at the first and last rim, h1 and h2.
+// Where the line a -> b meets a rim, in units of the rim's vector; at the first and last rim, h1
+// and h2.
 double AreaBins::level_at_rim(const Vec2& a, const Vec2& b, std::size_t rim) const {
   if (rim == 0) return size_of(h1_);
   if (rim == bins_.size()) return size_of(h2_);
@@ -134,7 +139,8 @@ void AreaBins::measure_levels(const std::vector<Piece>& pieces) {
   }
 }
 
-// The area of the region in the bin up to a level: between two known levels at most all that is there.
+// The area of the region in the bin up to a level: between two known levels at most all that is
+// there.
 double AreaBins::Bin::inside_at_most(double level) const {
   const double steps = (level - lowest) / step;
   if (!(steps < levels)) return inside[levels];
@@ -196,7 +202,8 @@ DistanceBlocks::DistanceBlocks(Points points) : points_(std::move(points)) {
   }
 }
 
-double DistanceBlocks::least_sum_beyond(const Vec2& a, const Vec2& b, std::size_t first, std::size_t last) const {
+double DistanceBlocks::least_sum_beyond(const Vec2& a, const Vec2& b, std::size_t first,
+                                        std::size_t last) const {
   const Vec2 along = b - a;
   const Line line{a, along, length(along), cross(along, a)};
   double sum = 0;  // times the line's length
@@ -213,13 +220,14 @@ double DistanceBlocks::least_sum_beyond(const Vec2& a, const Vec2& b, std::size_
   return sum / line.length;
 }
 
-// Any of the points give a sum that is not above: those are taken that lie beyond where the line meets the block's
-// middle direction.
+// Any of the points give a sum that is not above: those are taken that lie beyond where the line
+// meets the block's middle direction.
 double DistanceBlocks::least_sum_of_block(const Line& line, std::size_t block) const {
   const Vec2& ahead = aheads_[block];
   const double level = dot(ahead, ahead) * (line.side / cross(line.along, ahead));
   const auto begin = levels_.begin() + static_cast<std::ptrdiff_t>(block * size_);
-  const auto end = levels_.begin() + static_cast<std::ptrdiff_t>(std::min((block + 1) * size_, levels_.size()));
+  const auto end =
+      levels_.begin() + static_cast<std::ptrdiff_t>(std::min((block + 1) * size_, levels_.size()));
   const auto found = std::lower_bound(begin, end, level);
   if (found == end) return 0;
   const Vec2& sum = sums_[static_cast<std::size_t>(found - levels_.begin())];

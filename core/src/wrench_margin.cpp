@@ -26,10 +26,12 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
   if (std::fabs(value) > 0x1p-48 * size) return value > 0 ? 1 : -1;
   using Row = std::array<Dyadic, 3>;
   const auto difference = [&](const Wrench& v) {
-    return Row{Dyadic(v.x()) - Dyadic(a.x()), Dyadic(v.y()) - Dyadic(a.y()), Dyadic(v.z()) - Dyadic(a.z())};
+    return Row{Dyadic(v.x()) - Dyadic(a.x()), Dyadic(v.y()) - Dyadic(a.y()),
+               Dyadic(v.z()) - Dyadic(a.z())};
   };
   const Row x = difference(b), y = difference(c), z = difference(d);
-  return (x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) + x[2] * (y[0] * z[1] - y[1] * z[0]))
+  return (x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
+          x[2] * (y[0] * z[1] - y[1] * z[0]))
       .sign();
 }
 
@@ -42,8 +44,8 @@ bool collinear(const Wrench& a, const Wrench& b, const Wrench& c) {
   return flat(0, 1) && flat(1, 2) && flat(2, 0);
 }
 
-// Four points that are not on one plane, the first three counter-clockwise seen from outside; none if
-// all are on one.
+// Four points that are not on one plane, the first three counter-clockwise seen from outside; none
+// if all are on one.
 std::optional<std::array<Index, 4>> first_tetrahedron(const std::vector<Wrench>& w) {
   const auto n = static_cast<Index>(w.size());
   Index b = 1;
@@ -58,8 +60,8 @@ std::optional<std::array<Index, 4>> first_tetrahedron(const std::vector<Wrench>&
   return std::nullopt;
 }
 
-// Facets of the convex hull, counter-clockwise seen from outside; empty if all points are on one plane. Point
-// after point: the facets that see it give way to the cone from it over their rim.
+// Facets of the convex hull, counter-clockwise seen from outside; empty if all points are on one
+// plane. Point after point: the facets that see it give way to the cone from it over their rim.
 std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
   const auto start = first_tetrahedron(w);
   if (!start) return {};
@@ -82,14 +84,15 @@ std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
   return facets;
 }
 
-// Distance of the plane through three points from the origin, positive if they turn counter-clockwise
-// seen from beyond it. Wrenches of parallel edges are on one line but for rounding, which leaves facets
-// that are slivers: only exactly do these lie outside the hull.
+// Distance of the plane through three points from the origin, positive if they turn
+// counter-clockwise seen from beyond it. Wrenches of parallel edges are on one line but for
+// rounding, which leaves facets that are slivers: only exactly do these lie outside the hull.
 double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
   const Wrench p = b - a, q = c - a;
   const Wrench normal = p.cross(q);
   constexpr double wide_enough = 1e-6;
-  if (normal.squaredNorm() > wide_enough * p.squaredNorm() * q.squaredNorm()) return normal.dot(a) / normal.norm();
+  if (normal.squaredNorm() > wide_enough * p.squaredNorm() * q.squaredNorm())
+    return normal.dot(a) / normal.norm();
 
   const auto difference = [&](const Wrench& v, int i) { return Dyadic(v[i]) - Dyadic(a[i]); };
   const auto component = [&](int i, int j) {
@@ -97,17 +100,20 @@ double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
   };
   const std::array<Dyadic, 3> exact{component(1, 2), component(2, 0), component(0, 1)};
   const Dyadic height = exact[0] * Dyadic(a[0]) + exact[1] * Dyadic(a[1]) + exact[2] * Dyadic(a[2]);
-  return height.to_double() / Wrench(exact[0].to_double(), exact[1].to_double(), exact[2].to_double()).norm();
+  return height.to_double() /
+         Wrench(exact[0].to_double(), exact[1].to_double(), exact[2].to_double()).norm();
 }
 
 // The point of least length in the affine hull of the corral, as weights of its points.
-std::optional<Eigen::VectorXd> affine_minimizer(const std::vector<Wrench>& w, const std::vector<Index>& corral) {
+std::optional<Eigen::VectorXd> affine_minimizer(const std::vector<Wrench>& w,
+                                                const std::vector<Index>& corral) {
   const auto n = static_cast<Eigen::Index>(corral.size());
   Eigen::MatrixXd system = Eigen::MatrixXd::Ones(n + 1, n + 1);
   system(0, 0) = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j) {
-      system(i + 1, j + 1) = w[corral[static_cast<std::size_t>(i)]].dot(w[corral[static_cast<std::size_t>(j)]]);
+      system(i + 1, j + 1) =
+          w[corral[static_cast<std::size_t>(i)]].dot(w[corral[static_cast<std::size_t>(j)]]);
     }
   }
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
@@ -150,7 +156,8 @@ double distance_from_origin(const std::vector<Wrench>& w) {
       std::vector<Index> kept;
       std::vector<double> kept_weights;
       for (std::size_t k = 0; k < corral.size(); ++k) {
-        const double weight = weights[k] + step * ((*target)(static_cast<Eigen::Index>(k)) - weights[k]);
+        const double weight =
+            weights[k] + step * ((*target)(static_cast<Eigen::Index>(k)) - weights[k]);
         if (weight <= 1e-14) continue;
         kept.push_back(corral[k]);
         kept_weights.push_back(weight);
@@ -171,10 +178,11 @@ double wrench_margin(const std::vector<Wrench>& wrenches) {
   const std::vector<Triangle> facets = hull_facets(wrenches);
   double least = facets.empty() ? 0 : std::numeric_limits<double>::infinity();
   for (Triangle facet : facets) {
-    // From its first wrench on: where std::partition leaves a facet, and so how it began, differs between
-    // standard libraries, and the rounding must not.
+    // From its first wrench on: where std::partition leaves a facet, and so how it began, differs
+    // between standard libraries, and the rounding must not.
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-    least = std::min(least, distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]));
+    least = std::min(least,
+                     distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]));
   }
   return least > 0 ? least : 0.0 - distance_from_origin(wrenches);  // never -0
 }

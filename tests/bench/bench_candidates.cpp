@@ -1,4 +1,5 @@
-// From a polygon to its candidates: the claims O(n log n) of validation, O(n log n + K) of the edge-pairs.
+// From a polygon to its candidates: the claims O(n log n) of validation, O(n log n + K) of the
+// edge-pairs.
 #include "bench.h"
 #include "evenlift/candidates.h"
 

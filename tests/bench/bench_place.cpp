@@ -27,17 +27,22 @@ void for_20_teams_twice(benchmark::internal::Benchmark* metric) {
 }
 
 BENCHMARK_CAPTURE(place, random_by_area, Family::random, Metric::area)->Apply(for_20_teams_twice);
-BENCHMARK_CAPTURE(place, random_by_circle, Family::random, Metric::circle)->Apply(for_20_teams_twice);
-BENCHMARK_CAPTURE(place, random_by_distance, Family::random, Metric::distance)->Apply(for_20_teams_twice);
-BENCHMARK_CAPTURE(place, random_distributed, Family::random, Metric::distributed)->Apply(for_20_teams_twice);
-BENCHMARK_CAPTURE(place, random_at_random, Family::random, Metric::random)->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, random_by_circle, Family::random, Metric::circle)
+    ->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, random_by_distance, Family::random, Metric::distance)
+    ->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, random_distributed, Family::random, Metric::distributed)
+    ->Apply(for_20_teams_twice);
+BENCHMARK_CAPTURE(place, random_at_random, Family::random, Metric::random)
+    ->Apply(for_20_teams_twice);
 BENCHMARK_CAPTURE(place, comb_by_area, Family::comb, Metric::area)->Apply(for_20_teams);
 BENCHMARK_CAPTURE(place, comb_by_circle, Family::comb, Metric::circle)->Apply(for_20_teams);
 BENCHMARK_CAPTURE(place, comb_by_distance, Family::comb, Metric::distance)->Apply(for_20_teams);
 BENCHMARK_CAPTURE(place, comb_distributed, Family::comb, Metric::distributed)->Apply(for_20_teams);
 BENCHMARK_CAPTURE(place, comb_at_random, Family::comb, Metric::random)->Apply(for_20_teams);
 
-// Hard for the bounds by area and distance: the radii are random, so that nearly all ends gain about as much.
+// Hard for the bounds by area and distance: the radii are random, so that nearly all ends gain
+// about as much.
 void hard_for_bounds(benchmark::internal::Benchmark* metric) {
   metric->ArgNames({"n", "teams"})->Unit(benchmark::kMillisecond);
   for (const std::int64_t n : {1000, 3000, 10000, 30000}) metric->Args({n, 3});

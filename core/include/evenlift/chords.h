@@ -21,16 +21,16 @@ struct LiftingPoint {
 
 // A segment through C whose ends lie on the boundary on opposite sides of C.
 struct Chord {
-  LiftingPoint r1;      // the left end (lower, if the direction counts as vertical)
-  LiftingPoint r2;      // the right end (upper, if vertical)
-  double arm1 = 0;      // |C r1| > 0, more precise than from the rounded positions
-  double arm2 = 0;      // |C r2| > 0
-  double ratio = 1;     // load ratio min(arm1, arm2) / max(arm1, arm2), in (0, 1]
+  LiftingPoint r1;   // the left end (lower, if the direction counts as vertical)
+  LiftingPoint r2;   // the right end (upper, if vertical)
+  double arm1 = 0;   // |C r1| > 0, more precise than from the rounded positions
+  double arm2 = 0;   // |C r2| > 0
+  double ratio = 1;  // load ratio min(arm1, arm2) / max(arm1, arm2), in (0, 1]
 };
 
 // Two non-radial edges of which parts face each other across C: a seen along a range of directions,
-// b against it. Counter-clockwise the open range begins where a or b or both begin, and ends where one
-// or both end: at the vertices given here, `inside_edge` for the one that is met in its inside.
+// b against it. Counter-clockwise the open range begins where a or b or both begin, and ends where
+// one or both end: at the vertices given here, `inside_edge` for the one that is met in its inside.
 inline constexpr std::uint32_t inside_edge = ~std::uint32_t{0};
 struct EdgePair {
   std::uint32_t a = 0, b = 0;
@@ -46,15 +46,16 @@ std::vector<bool> radial_edges(const Polygon& polygon, const Vec2& centre);
 
 // A chord that starts at a vertex.
 struct VertexChord {
-  std::uint32_t vertex = 0;                 // where it starts
-  std::uint32_t hit_vertex = inside_edge;   // the vertex where it ends, if it does not end inside an edge
+  std::uint32_t vertex = 0;  // where it starts
+  std::uint32_t hit_vertex =
+      inside_edge;  // the vertex where it ends, if it does not end inside an edge
   Chord chord;
 };
 
-// Every chord from a vertex through C, in the order of the rotating line through C, first those whose
-// vertex is on its forward side; a chord between two vertices is listed once, at the forward one.
-// Radial edges are met at their end vertices only. Refused beyond max_edge_pairs chords.
-// O(n log n + k) for k chords.
+// Every chord from a vertex through C, in the order of the rotating line through C, first those
+// whose vertex is on its forward side; a chord between two vertices is listed once, at the forward
+// one. Radial edges are met at their end vertices only. Refused beyond max_edge_pairs chords. O(n
+// log n + k) for k chords.
 Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec2& centre);
 
 // Number of edge-pairs, without listing them. O(n log n).

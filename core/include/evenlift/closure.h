@@ -16,16 +16,17 @@ struct Contact {
   std::uint32_t point = 0;  // index of the lifting point it belongs to
 };
 
-// The contacts of lifting points: at a point inside an edge one, at a reflex vertex two, at a straight
-// vertex one, at a convex vertex none. "At a vertex" is within tau L of it. O(m log n + n log n).
+// The contacts of lifting points: at a point inside an edge one, at a reflex vertex two, at a
+// straight vertex one, at a convex vertex none. "At a vertex" is within tau L of it. O(m log n + n
+// log n).
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // Centres of free rotation of one sense: a convex region, perhaps unbounded or far away.
 struct FreeRegion {
-  bool exists = false;  // some centre is free, wherever it lies
+  bool exists = false;    // some centre is free, wherever it lies
   bool has_area = false;  // wider than the tolerance alone makes it
-  Points clipped;       // the region within the square about C with half side 100 L,
-                        // counter-clockwise; empty, one or two points where it has no area there
+  Points clipped;         // the region within the square about C with half side 100 L,
+                          // counter-clockwise; empty, one or two points where it has no area there
 };
 
 struct Closure {
@@ -37,9 +38,11 @@ struct Closure {
   FreeRegion clockwise, counterclockwise;
 };
 
-// Analyses the grasp of robots at `points`. Emptiness of the regions and free translations are decided
-// exactly from the edges' directions and the rounded points. O(m log m) for m contacts; O(e^2) for the
-// margin, e the number of different edges touched; O(m^2) where a free region has no area.
-Closure analyse_closure(const Polygon& polygon, const Vec2& centre, const std::vector<LiftingPoint>& points);
+// Analyses the grasp of robots at `points`. Emptiness of the regions and free translations are
+// decided exactly from the edges' directions and the rounded points. O(m log m) for m contacts;
+// O(e^2) for the margin, e the number of different edges touched; O(m^2) where a free region has no
+// area.
+Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
+                        const std::vector<LiftingPoint>& points);
 
 }  // namespace evenlift

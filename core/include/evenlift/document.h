@@ -12,12 +12,12 @@
 namespace evenlift {
 
 // Bounds on everything from outside; beyond them a clear refusal.
-inline constexpr double max_coordinate = 1e9;               // size of a coordinate, inclusive
-inline constexpr std::size_t max_vertices = 1u << 20;       // of a polygon
-inline constexpr std::size_t max_link_vertices = 32768;     // of a polygon in a link
-inline constexpr std::size_t max_text_bytes = 64u << 20;    // of a file
-inline constexpr std::size_t max_link_bytes = 1u << 20;     // of a link
-inline constexpr std::uint32_t max_teams = 1u << 20;        // asked for by number
+inline constexpr double max_coordinate = 1e9;             // size of a coordinate, inclusive
+inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon
+inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a link
+inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
+inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
+inline constexpr std::uint32_t max_teams = 1u << 20;      // asked for by number
 
 // How teams are selected (algorithm.md, Selection; thesis 3.3 and 5.2).
 enum class Metric : std::uint8_t { area, circle, distance, distributed, random };
@@ -26,16 +26,16 @@ inline constexpr Metric all_metrics[] = {Metric::area, Metric::circle, Metric::d
 
 // The metric's name in JSON and options ("area"); and back, nothing for an unknown name. O(1).
 std::string_view name(Metric metric);
-std::optional<Metric> metric_from_name(std::string_view name);
+std::optional<Metric> metric_from_name(std::string_view text);
 
 // What the picture shows besides the polygon and its robots. The core carries it, no more.
 struct Overlays {
-  bool candidates = false;        // candidate chords that were not selected
-  bool chords = true;             // the teams' chords
-  bool hull = true;               // the lifting base H and coverage
-  bool clockwise = true;          // region of free clockwise rotation centres
-  bool counterclockwise = true;   // region of free counter-clockwise rotation centres
-  bool tipping = false;           // heat map of the force that tips
+  bool candidates = false;       // candidate chords that were not selected
+  bool chords = true;            // the teams' chords
+  bool hull = true;              // the lifting base H and coverage
+  bool clockwise = true;         // region of free clockwise rotation centres
+  bool counterclockwise = true;  // region of free counter-clockwise rotation centres
+  bool tipping = false;          // heat map of the force that tips
   bool operator==(const Overlays&) const = default;
 };
 
@@ -43,17 +43,17 @@ struct Settings {
   std::optional<std::uint32_t> teams = 3;  // 1 .. max_teams; none: every candidate ("max"), which
                                            // only area, circle and distance offer
   Metric metric = Metric::area;
-  double min_ratio = 0.8;                  // minimum load ratio, 0 .. 1, both included
-  double weight = 100;                     // of the object, > 0 and finite; loads have its unit
-  std::uint64_t seed = 1;                  // of Metric::random
+  double min_ratio = 0.8;  // minimum load ratio, 0 .. 1, both included
+  double weight = 100;     // of the object, > 0 and finite; loads have its unit
+  std::uint64_t seed = 1;  // of Metric::random
   Overlays overlays;
-  std::optional<std::uint32_t> step;       // of the lesson, if one is open
+  std::optional<std::uint32_t> step;  // of the lesson, if one is open
   bool operator==(const Settings&) const = default;
 };
 
 struct Document {
-  Points vertices;                      // in the order given, either orientation
-  std::optional<Vec2> centre_of_mass;   // none: the area centroid
+  Points vertices;                     // in the order given, either orientation
+  std::optional<Vec2> centre_of_mass;  // none: the area centroid
   Settings settings;
 };
 

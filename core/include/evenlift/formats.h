@@ -17,9 +17,9 @@ namespace evenlift {
 //   WKT      `POLYGON ((x y, ...))`; a closing vertex equal to the first is dropped; any case
 //   GeoJSON  a `Polygon`, or a `Feature` of one, whose property `centre_of_mass: [x, y]` is taken;
 //            other members are left out, but none of these may stand there twice
-// Settings are the defaults. Holes, other geometries and third coordinates are refused as unsupported;
-// an error names the line. Nothing of the geometry is checked (see Polygon::create). Bounded by
-// max_text_bytes and max_vertices. O(bytes).
+// Settings are the defaults. Holes, other geometries and third coordinates are refused as
+// unsupported; an error names the line. Nothing of the geometry is checked (see Polygon::create).
+// Bounded by max_text_bytes and max_vertices. O(bytes).
 Result<Document> read_polygon(std::string_view text);
 
 // The document's polygon, and centre of mass if it has one of its own, as text ending in a newline.
@@ -29,13 +29,13 @@ std::string write_wkt(const Document& document);
 std::string write_geojson(const Document& document);
 
 // The fewest digits that read back to the same double, of those the nearest, as ECMAScript writes
-// numbers and JSON reads them: "0.1", "-5", "1e+30"; an exponent from 1e21 up and below 1e-6. Only -0
-// is not "0" but "-0.0". The value must be finite. Same on every platform. O(1).
+// numbers and JSON reads them: "0.1", "-5", "1e+30"; an exponent from 1e21 up and below 1e-6. Only
+// -0 is not "0" but "-0.0". The value must be finite. Same on every platform. O(1).
 std::string shortest(double value);
 
-// The number that the whole text is, in the syntax of the formats above: a decimal number with an optional
-// sign, point and exponent, no spaces; none for anything else, infinity, NaN, hexadecimal, or what overflows.
-// O(bytes).
+// The number that the whole text is, in the syntax of the formats above: a decimal number with an
+// optional sign, point and exponent, no spaces; none for anything else, infinity, NaN, hexadecimal,
+// or what overflows. O(bytes).
 std::optional<double> read_number(std::string_view text);
 
 }  // namespace evenlift

@@ -11,7 +11,8 @@ namespace evenlift {
 // monotone chain, O(m log m).
 Points convex_hull(Points points, double flat = 0);
 
-// Signed area by the shoelace formula relative to the first point, positive counter-clockwise. O(m).
+// Signed area by the shoelace formula relative to the first point, positive counter-clockwise.
+// O(m).
 double signed_area(const Points& points);
 
 }  // namespace evenlift

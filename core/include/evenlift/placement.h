@@ -15,14 +15,15 @@
 namespace evenlift {
 
 struct Placement {
-  Points vertices;               // as given
+  Points vertices;  // as given
   Vec2 centre_of_mass = Vec2::Zero();
-  Settings settings;             // as used
-  std::vector<Candidate> candidates;       // in candidate order, for every metric
-  std::uint32_t requested_teams = 0;       // with "max" the number of candidates
-  std::vector<Team> teams;                 // in the order selected
-  std::vector<std::int64_t> team_candidates;  // for each team its candidate's index, -1 if it took none
-  Points hull;                   // corners of H, counter-clockwise; empty with no team
+  Settings settings;                  // as used
+  std::vector<Candidate> candidates;  // in candidate order, for every metric
+  std::uint32_t requested_teams = 0;  // with "max" the number of candidates
+  std::vector<Team> teams;            // in the order selected
+  std::vector<std::int64_t>
+      team_candidates;  // for each team its candidate's index, -1 if it took none
+  Points hull;          // corners of H, counter-clockwise; empty with no team
   double coverage = 0;
   std::optional<LoadSummary> loads;
   Closure closure;

@@ -31,9 +31,9 @@ class Polygon {
 
   bool counter_clockwise() const { return counter_clockwise_; }  // orientation as given; exact
   bool convex() const { return convex_; }                        // no reflex vertex; exact
-  double diagonal() const { return diagonal_; }  // L: of the bounding box, > 0
-  double area() const { return area_; }          // > 0
-  const Vec2& centroid() const { return centroid_; }  // of the area, rounded to doubles
+  double diagonal() const { return diagonal_; }                  // L: of the bounding box, > 0
+  double area() const { return area_; }                          // > 0
+  const Vec2& centroid() const { return centroid_; }             // of the area, rounded to doubles
 
   // Whether the interior angle at vertex i is below, at or above 180 degrees; exact. O(1).
   Turn turn(std::size_t i) const;
@@ -41,7 +41,6 @@ class Polygon {
   // Corners of the convex hull, counter-clockwise from the lowest of the leftmost, no straight
   // ones; exact. O(h) to copy, computed at creation.
   const Points& hull() const { return hull_; }
-
 
  private:
   Polygon() = default;

@@ -10,21 +10,21 @@
 namespace evenlift {
 
 enum class ErrorCode {
-  too_few_vertices,       // fewer than 3
-  too_many_vertices,      // more than max_vertices
-  bad_coordinate,         // not finite, or beyond max_coordinate in size
-  repeated_vertex,        // two vertices at the same place
-  no_area,                // all vertices on one line
-  edges_cross,            // edges cross, touch or overlap
-  centre_outside_hull,    // C not strictly inside the convex hull of P
-  bad_setting,            // a setting outside its range
-  too_many_edge_pairs,    // more than max_edge_pairs
-  bad_syntax,             // a text that is in none of the formats, or breaks off
-  unsupported,            // a valid text of a kind that is not handled (holes, other geometries)
-  text_too_long,          // more than max_text_bytes, or of a link more than max_link_bytes
-  bad_link,               // a link with a character, length or value that no writer makes
-  bad_checksum,           // a link that was cut off or altered
-  unknown_version,        // a link of a newer version
+  too_few_vertices,     // fewer than 3
+  too_many_vertices,    // more than max_vertices
+  bad_coordinate,       // not finite, or beyond max_coordinate in size
+  repeated_vertex,      // two vertices at the same place
+  no_area,              // all vertices on one line
+  edges_cross,          // edges cross, touch or overlap
+  centre_outside_hull,  // C not strictly inside the convex hull of P
+  bad_setting,          // a setting outside its range
+  too_many_edge_pairs,  // more than max_edge_pairs
+  bad_syntax,           // a text that is in none of the formats, or breaks off
+  unsupported,          // a valid text of a kind that is not handled (holes, other geometries)
+  text_too_long,        // more than max_text_bytes, or of a link more than max_link_bytes
+  bad_link,             // a link with a character, length or value that no writer makes
+  bad_checksum,         // a link that was cut off or altered
+  unknown_version,      // a link of a newer version
 };
 
 // Where in the input. `index` counts from 0 for vertices and edges (edge i runs from vertex i to
@@ -60,16 +60,28 @@ class Result {
   explicit operator bool() const { return std::holds_alternative<T>(held_); }
   bool ok() const { return std::holds_alternative<T>(held_); }
 
-  const T& value() const& { assert(ok()); return *std::get_if<T>(&held_); }
-  T& value() & { assert(ok()); return *std::get_if<T>(&held_); }
-  T value() && { assert(ok()); return std::move(*std::get_if<T>(&held_)); }  // a copy: binds safely
+  const T& value() const& {
+    assert(ok());
+    return *std::get_if<T>(&held_);
+  }
+  T& value() & {
+    assert(ok());
+    return *std::get_if<T>(&held_);
+  }
+  T value() && {
+    assert(ok());
+    return std::move(*std::get_if<T>(&held_));
+  }  // a copy: binds safely
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
   T operator*() && { return std::move(*this).value(); }
   const T* operator->() const { return &value(); }
   T* operator->() { return &value(); }
 
-  const InputError& error() const { assert(!ok()); return *std::get_if<InputError>(&held_); }
+  const InputError& error() const {
+    assert(!ok());
+    return *std::get_if<InputError>(&held_);
+  }
 
  private:
   std::variant<T, InputError> held_;

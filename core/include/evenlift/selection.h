@@ -11,10 +11,10 @@
 namespace evenlift {
 
 // Indices into `candidates` in the order selected: at most `teams` of them, fewer only if there are
-// fewer candidates. `metric` is area, circle or distance. Every tie is decided by geometry: the same
-// shape gives the same teams. O(n) per examined end point, of which each further team
-// examines only those whose edge of H changed and whose upper bound can still win, plus O(K) per
-// team that grows H; teams after H is saturated cost O(K log K) together.
+// fewer candidates. `metric` is area, circle or distance. Every tie is decided by geometry: the
+// same shape gives the same teams. O(n) per examined end point, of which each further team examines
+// only those whose edge of H changed and whose upper bound can still win, plus O(K) per team that
+// grows H; teams after H is saturated cost O(K log K) together.
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams);
@@ -26,9 +26,9 @@ std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric);
 
-// Teams at equal angles (thesis 5.2): `teams` chords, or none where no line through C but along radial
-// edges meets the boundary on both sides (C within tolerance of an edge of a convex polygon).
-// O(n log n + teams n).
+// Teams at equal angles (thesis 5.2): `teams` chords, or none where no line through C but along
+// radial edges meets the boundary on both sides (C within tolerance of an edge of a convex
+// polygon). O(n log n + teams n).
 std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams);
 
 // Teams at random (thesis 5.2), the same for the same seed on every platform. Expected O(n) per

@@ -1,5 +1,5 @@
-// A Placement as shapes with roles, in polygon coordinates: no colours, no pixels. The SVG writer and
-// the page's canvas both draw it.
+// A Placement as shapes with roles, in polygon coordinates: no colours, no pixels. The SVG writer
+// and the page's canvas both draw it.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +23,9 @@ enum class Role : std::uint8_t {
 
 struct Shape {
   Role role = Role::object;
-  Points points;        // closed area (3 or more), segment (2) or spot (1)
+  Points points;           // closed area (3 or more), segment (2) or spot (1)
   std::int32_t team = -1;  // for chords and robots: index of the team
-  double load = 0;      // for robots
+  double load = 0;         // for robots
 };
 
 // Back to front, only what the overlays ask for. O(output).

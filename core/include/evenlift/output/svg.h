@@ -7,9 +7,9 @@
 
 namespace evenlift {
 
-// Polygon, H, chords, robots with their loads, centre of mass and the two closure regions (hatched, so that they
-// are told apart without colour), fitted with a margin; a caption and a <title>/<desc> in words. Same bytes on every
-// platform. O(output).
+// Polygon, H, chords, robots with their loads, centre of mass and the two closure regions (hatched,
+// so that they are told apart without colour), fitted with a margin; a caption and a <title>/<desc>
+// in words. Same bytes on every platform. O(output).
 std::string placement_svg(const Placement& placement);
 
 }  // namespace evenlift
