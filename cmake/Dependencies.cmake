@@ -180,6 +180,18 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
   target_link_libraries(imgui_backends PUBLIC imgui::imgui SDL2::SDL2-static)
 endif()
 
+# --- QR codes of links: the page only; Nayuki's generator, its C version, which neither throws nor allocates -----------
+if(EVENLIFT_VIEW AND EMSCRIPTEN)
+  evenlift_cached(FETCHCONTENT_SOURCE_DIR_QRCODEGEN "qr-code-generator-*")
+  evenlift_fetch(
+    qrcodegen https://github.com/nayuki/QR-Code-generator.git 720f62bddb7226106071d4728c292cb1df519ceb) # v1.8.0
+  enable_language(C)
+  add_library(qrcodegen STATIC EXCLUDE_FROM_ALL "${qrcodegen_SOURCE_DIR}/c/qrcodegen.c")
+  add_library(qrcodegen::qrcodegen ALIAS qrcodegen)
+  target_include_directories(qrcodegen SYSTEM PUBLIC "${qrcodegen_SOURCE_DIR}/c")
+  target_compile_options(qrcodegen PRIVATE -w ${evenlift_small})
+endif()
+
 # --- Tests: Catch2, RapidCheck (properties), Boost.Multiprecision (exact oracle) -------------------------------------
 if(EVENLIFT_TESTS AND NOT EMSCRIPTEN)
   # Catch2 2 and 3 have different headers and macros; tests/catch.h tells them apart by EVENLIFT_CATCH2_MAJOR.
