@@ -14,11 +14,11 @@ export function ensureStyles() {
 }
 
 // Opens a window: modal, or beside the canvas. Closed, it is gone, and the focus is back on the canvas (or in the window
-// below). `tools` stand in its head, `focus` is what gets the focus. Gives the element, or nothing where the window, or
-// a modal one, is open already.
-export async function openWindow({ name, title, modal = true, tools = [], body, focus, closed }) {
+// below). `tools` stand in its head, `focus` is what gets the focus. Gives the element, or nothing where it, or a modal
+// window that it is not meant to be `over`, is open already.
+export async function openWindow({ name, title, modal = true, over = false, tools = [], body, focus, closed }) {
   await ensureStyles();
-  if (document.getElementById(name)?.open) return undefined;
+  if (document.getElementById(name)?.open || (!over && document.querySelector("dialog:modal"))) return undefined;
   const before = document.activeElement;
   const close = el("button", { type: "button", class: "button bare", "aria-label": "Close", title: "Close (Esc)", onclick: () => root.close() }, icon("close"));
   const root = el("dialog", { id: name, class: "window", "aria-labelledby": `${name}-title` },

@@ -23,6 +23,7 @@ export async function showQr(page, address) {
   await openWindow({
     name: "qr",
     title: "QR code of the link",
+    over: true,
     body: [el("div", { class: "scroll" }, image), el("footer", {},
       save("SVG", () => new Blob([svg], { type: "image/svg+xml" })), save("PNG", () => rasterise(svg, 2)))],
     closed: () => URL.revokeObjectURL(image.src),

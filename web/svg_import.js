@@ -1,5 +1,6 @@
-// An SVG picture of one polygon as text in the thesis's format. The picture is parsed, never shown. What cannot be
-// understood is refused with a sentence: an Error whose message names the place.
+// An SVG picture of one polygon as text in the thesis's format. What cannot be understood is refused with a sentence: an
+// Error whose message names the place.
+import { readXml } from "./xml.js";
 
 const numberAt = /[\s,]*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)/iy;
 
@@ -20,7 +21,7 @@ function numbers(text, where) {
 }
 
 function ofPolygon(shape) {
-  const all = numbers(shape.getAttribute("points") ?? "", "The SVG's polygon");
+  const all = numbers(shape.attributes.points ?? "", "The SVG's polygon");
   if (all.length % 2) throw new Error("The SVG's polygon: the last point has no y");
   return Array.from({ length: all.length / 2 }, (_, i) => [all[2 * i], all[2 * i + 1]]);
 }
@@ -28,7 +29,7 @@ function ofPolygon(shape) {
 const takes = { M: 2, L: 2, H: 1, V: 1, Z: 0 };
 
 function ofPath(shape) {
-  const text = shape.getAttribute("d") ?? "";
+  const text = shape.attributes.d ?? "";
   const points = [];
   let x = 0, y = 0, closed = false;
   for (const { 0: part, 1: letter, index } of text.matchAll(/([a-df-z])[^a-df-z]*|[^\s,]+?/gi)) {
@@ -74,8 +75,8 @@ function matrixOf(name, v) {
 
 // What the `transform` of an element does to the points inside it.
 function transformed(points, element) {
-  const text = element.getAttribute("transform") ?? "";
-  if (/transform|translate|scale|rotate/.test(element.getAttribute("style"))) throw new Error("The SVG moves its shape by a style, which is not understood; a transform attribute would be");
+  const text = element.attributes.transform ?? "";
+  if (/transform|translate|scale|rotate/.test(element.attributes.style)) throw new Error("The SVG moves its shape by a style, which is not understood; a transform attribute would be");
   const parts = [...text.matchAll(/([a-z]+)\s*\(([^)]*)\)/gi)];
   const rest = text.replace(/([a-z]+)\s*\(([^)]*)\)/gi, "");
   if (/[^\s,]/.test(rest)) throw new Error(`The SVG's transform “${text.slice(0, 60)}” is not understood`);
@@ -85,33 +86,32 @@ function transformed(points, element) {
   }, points);
 }
 
-function parse(text) {
-  // What a few lines could make of themselves is without bound.
-  if (/<!ENTITY/i.test(text)) throw new Error("The SVG defines entities, which are not read");
-  const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
-  const wrong = parsed.querySelector("parsererror");
-  if (wrong) {
-    const [, line, column] = /line (?:number )?(\d+)\D+column (?:number )?(\d+)/i.exec(wrong.textContent) ?? [];
-    throw new Error(`${line ? `Line ${line}, column ${column}` : "The SVG"}: it is not well-formed XML`);
-  }
-  if (parsed.documentElement.localName !== "svg") throw new Error(`The XML is no SVG, its element is <${parsed.documentElement.localName}>`);
-  return parsed;
+const unseen = new Set(["defs", "clipPath", "mask", "pattern", "marker", "symbol"]);
+
+// An element and all that it is in.
+function ancestors(element) {
+  const all = [];
+  for (; element; element = element.parent) all.push(element);
+  return all;
 }
 
 export function svgToText(text) {
-  const parsed = parse(text);
-  const hidden = "defs, clipPath, mask, pattern, marker, symbol";
-  const shapes = [...parsed.querySelectorAll("polygon, path")].filter((shape) => !shape.closest(hidden));
-  if (shapes.length !== 1) {
-    throw new Error(shapes.length === 0 ? "The SVG has no <polygon> and no <path> to read" : `The SVG has ${shapes.length} shapes, and evenlift takes one polygon`);
-  }
+  const shapes = [];
+  readXml(text, (element, content) => {
+    if (element.name === "polygon" || element.name === "path") {
+      if (!ancestors(element.parent).some(({ name }) => unseen.has(name))) shapes.push(element);
+      if (shapes.length > 1) throw new Error("The SVG has more than one shape, and evenlift takes one polygon");
+    } else if (element.name === "style" && /transform|translate:|scale:|rotate:/.test(content())) {
+      throw new Error("The SVG's style sheet moves shapes, which is not understood; a transform attribute would be");
+    }
+  });
   const [shape] = shapes;
-  if (/transform|translate:|scale:|rotate:/.test([...parsed.querySelectorAll("style")].map((s) => s.textContent).join())) {
-    throw new Error("The SVG's style sheet moves shapes, which is not understood; a transform attribute would be");
+  if (!shape) throw new Error("The SVG has no <polygon> and no <path> to read");
+  let points = shape.name === "path" ? ofPath(shape) : ofPolygon(shape);
+  for (const element of ancestors(shape)) {
+    if (element.parent) points = transformed(points, element);
+    if (element.parent && element.name === "svg") throw new Error("The SVG's shape is in an <svg> of its own inside it, which is not understood");
   }
-  let points = shape.localName === "path" ? ofPath(shape) : ofPolygon(shape);
-  for (let element = shape; element.localName !== "svg"; element = element.parentElement) points = transformed(points, element);
-  if (shape.closest("svg") !== parsed.documentElement) throw new Error("The SVG's shape is in an <svg> of its own inside it, which is not understood");
   const last = points.at(-1);
   if (points.length > 1 && last[0] === points[0][0] && last[1] === points[0][1]) points.pop();
   // y is down in a picture and up here.
