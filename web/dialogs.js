@@ -1,6 +1,6 @@
 // The page's own windows, of HTML: text is typed there, lists are read out. This is their frame; each window is a module
-// of its own, which web/host.js loads when it is asked for.
-import { el, icon } from "./elements.js";
+// of its own.
+import { button, el } from "./elements.js";
 
 let styles;
 
@@ -20,7 +20,7 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   await ensureStyles();
   if (document.getElementById(name)?.open || (!over && document.querySelector("dialog:modal"))) return undefined;
   const before = document.activeElement;
-  const close = el("button", { type: "button", class: "button bare", "aria-label": "Close", title: "Close (Esc)", onclick: () => root.close() }, icon("close"));
+  const close = button("", { class: "button bare", "aria-label": "Close", title: "Close (Esc)", onclick: () => root.close() }, "close");
   const root = el("dialog", { id: name, class: "window", "aria-labelledby": `${name}-title` },
     el("header", {}, el("h2", { id: `${name}-title` }, title), ...tools, close), ...body);
   root.addEventListener("close", () => {

@@ -4,9 +4,6 @@ import { connectIntake } from "./intake.js";
 // Some programs cut longer links: mail, chats, older browsers.
 const longLink = 2000;
 
-// The windows are loaded when they are first asked for.
-const windows = { samples: "gallery", open: "open", save: "save", table: "table" };
-
 export function createHost(publisher) {
   let screen;
   let page;
@@ -32,9 +29,9 @@ export function createHost(publisher) {
       : `${length}: some programs cut links from ${longLink.toLocaleString("en")} on. A file holds the same: see Save.`;
   }
 
-  async function load(module) {
+  async function windows() {
     try {
-      return await import(`./${module}.js`);
+      return await import("./windows.js");
     } catch (error) {
       publisher.notice("This window cannot be loaded: the server cannot be reached.", true);
       throw error;
@@ -45,7 +42,7 @@ export function createHost(publisher) {
     // Once the program runs.
     connect(program, connected, { embed }) {
       screen = connected;
-      page = { program, copy, address, lengthOf, load, notice: (text, problem) => publisher.notice(text, problem) };
+      page = { program, copy, address, lengthOf, windows, notice: (text, problem) => publisher.notice(text, problem) };
       if (!embed) connectIntake(page);
     },
     measureScreen: () => screen?.measure(),
@@ -61,7 +58,7 @@ export function createHost(publisher) {
         : "The browser did not let the page copy. The address bar holds the same link.", !done);
     },
     openDialog(name) {
-      load(windows[name]).then(({ show }) => show(page), () => {});
+      windows().then((all) => all[name](page), () => {});
     },
     announce(text) {
       document.getElementById("alert").textContent = text;

@@ -4,7 +4,7 @@ const typesIn = "input, textarea";
 export function connectIntake(page) {
   const take = async (data, verb) => {
     const given = { files: [...data.files], text: data.getData("text/plain") };  // gone once this event is over
-    const { take: open } = await page.load("open");
+    const { take: open } = await page.windows();
     await open(page, given, verb);
   };
   addEventListener("paste", (event) => {
@@ -34,7 +34,7 @@ let wanted = false;
 async function hint(page, on) {
   if (wanted === on) return;
   wanted = on;
-  const { ensureStyles } = await page.load("dialogs");
+  const { ensureStyles } = await page.windows();
   await ensureStyles();
   let element = document.getElementById("drop-hint");
   if (!element && wanted) {

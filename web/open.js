@@ -5,10 +5,10 @@ import { button, el, lowered, number } from "./elements.js";
 import { svgToText } from "./svg_import.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
-const tooLong = "It is longer than 64 MiB, more than evenlift reads";
+const tooLong = (bytes) => bytes > mostBytes && `It has ${number(Math.ceil(bytes / 1048576))} MiB, more than the 64 that evenlift reads`;
 
 function openText(page, text, how = "page_load") {
-  if (text.length > mostBytes) return tooLong;
+  if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
   if (text.includes("\0")) return "It is not a text";
   try {
@@ -19,7 +19,7 @@ function openText(page, text, how = "page_load") {
 }
 
 async function openFile(page, file) {
-  if (file.size > mostBytes) return `It has ${number(Math.ceil(file.size / 1048576))} MiB, more than the 64 that evenlift reads`;
+  if (tooLong(file.size)) return tooLong(file.size);
   let text;
   try {
     text = await file.text();

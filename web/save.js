@@ -1,13 +1,13 @@
 // Share and save: the link, its QR code, and files.
 import { openWindow, problemLine } from "./dialogs.js";
-import { button, download, el, icon, number, rasterise } from "./elements.js";
+import { button, download, el, icon, rasterise } from "./elements.js";
 import { showQr } from "./qr.js";
 
 // A row for each robot; numbers read back to the same double.
 function csv({ teams }) {
   const exact = (value) => (Object.is(value, -0) ? "-0" : String(value));
   const rows = teams.flatMap(({ ends, ratio, loads }, team) => ends.map(([x, y], end) =>
-    [2 * team + end + 1, team + 1, `r${end + 1}`, x, y, loads[end], loads[end] / (loads[0] + loads[1]), ratio].map((v) => (typeof v === "string" ? v : exact(v)))));
+    [2 * team + end + 1, team + 1, `r${end + 1}`, x, y, loads[end], loads[end] / (loads[0] + loads[1]), ratio].map(exact)));
   return [["robot", "team", "end", "x", "y", "load", "share_of_team", "load_ratio"], ...rows].map((row) => `${row.join(",")}\n`).join("");
 }
 

@@ -1,6 +1,6 @@
 // The coordinates as a table beside the canvas: what is typed there moves the drawing, and the other way round.
 import { openWindow, problemLine } from "./dialogs.js";
-import { button, el, icon } from "./elements.js";
+import { button, el } from "./elements.js";
 import { show as openText } from "./open.js";
 
 const name = "table";
@@ -34,7 +34,7 @@ class Table {
     this.refusal = problemLine({ class: "refusal", role: "status" });
     this.problem = problemLine();
     this.body = el("tbody");
-    this.scroll = el("div", { class: "scroll", tabindex: "-1" }, el("table", {}, el("thead", {},
+    this.scroll = el("div", { class: "scroll" }, el("table", {}, el("thead", {},
       el("tr", {}, ...["Vertex", "x", "y"].map((head) => el("th", { scope: "col" }, head)), el("td", {}))), this.body));
     this.whole = button("Edit as text", { class: "button bare", onclick: () => openText(page, { edited: this.#text() }) });
     this.centre = this.#centreRow();
@@ -89,7 +89,7 @@ class Table {
 
   #row(vertex) {
     const inputs = this.#inputs(`Vertex ${vertex + 1}`);
-    const act = (label, picture, run) => el("button", { type: "button", class: "button bare", "aria-label": `${label} ${vertex + 1}`, title: label.replace(/ vertex$| after$/, ""), onclick: run }, icon(picture));
+    const act = (label, picture, run) => button("", { class: "button bare", "aria-label": `${label} ${vertex + 1}`, title: label, onclick: run }, picture);
     const insert = act("Insert a vertex after", "plus", () => {
       this.#program.call("page_insert_vertex", vertex);
       this.#refresh();

@@ -14,7 +14,7 @@ const focused = (page) => page.evaluate(() => document.activeElement.textContent
 
 test("it costs nothing until it is opened, then shows every sample with its outline", async () => {
   const page = await browser.open();
-  const asked = () => page.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => /samples|gallery|dialogs/.test(name)).length);
+  const asked = () => page.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => /samples|windows|dialogs/.test(name)).length);
   assert.equal(await asked(), 0);
   const root = await openWindow(page, "samples");
   assert.ok((await asked()) > 0);
