@@ -1,5 +1,6 @@
-// What the page's own windows (web/dialogs.js) ask of the program: samples, coordinates, files, QR codes. Edits are
-// commands, so each is a step of undo. Functions that may refuse return why as a sentence, or nothing.
+// What the page's own windows (web/dialogs.js) ask of the program: samples, coordinates, files, QR
+// codes. Edits are commands, so each is a step of undo. Functions that may refuse return why as a
+// sentence, or nothing.
 #include <emscripten/emscripten.h>
 #include <qrcodegen.h>
 
@@ -39,7 +40,7 @@ void carry_out(Commands commands) {
   browser::request_frame();
 }
 
-// Opens a polygon's text with the settings in force; `fit` shows all of it.
+// Opens a polygon's text with the settings in force.
 std::string open_with_these_settings(std::string_view text) {
   Result<Document> read = read_polygon(text);
   if (!read) return sentence(read.error());
@@ -133,14 +134,16 @@ EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
   return hand_over(state.refusal ? sentence(*state.refusal) : std::string());
 }
 
-// Sets one coordinate of a vertex, or with vertex -1 of the centre of mass; `axis` is 0 for x, 1 for y.
+// Sets one coordinate of a vertex, or with vertex -1 of the centre of mass; `axis` is 0 for x, 1
+// for y.
 EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const char* text) {
   const AppState& state = app().state;
   const evenlift::Points& vertices = state.document.vertices;
   std::string problem;
   const std::optional<double> value = coordinate(text, problem);
   if (!value) return hand_over(std::move(problem));
-  if (vertex >= static_cast<int>(vertices.size())) return hand_over("There is no such vertex any more");
+  if (vertex >= static_cast<int>(vertices.size()))
+    return hand_over("There is no such vertex any more");
   Vec2 to = vertex < 0 ? state.document.centre_of_mass.value_or(state.placement->centre_of_mass)
                        : vertices[static_cast<std::size_t>(vertex)];
   to[axis] = *value;
@@ -196,12 +199,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
   return hand_over(link ? std::string() : sentence(link.error()));
 }
 
-// A text as a QR code: a line of 0 and 1 (dark) for each row of modules, without the quiet zone. Nothing if it is too
-// long for one. Version and mask are chosen by the generator, and as much error correction as the version has room for.
+// A text as a QR code: a line of 0 and 1 (dark) for each row of modules, without the quiet zone.
+// Nothing if it is too long for one. Version and mask are chosen by the generator, and as much
+// error correction as the version has room for.
 EMSCRIPTEN_KEEPALIVE const char* page_qr(const char* text) {
   static std::array<std::uint8_t, qrcodegen_BUFFER_LEN_MAX> code, work;
-  if (!qrcodegen_encodeText(text, work.data(), code.data(), qrcodegen_Ecc_LOW, qrcodegen_VERSION_MIN,
-                            qrcodegen_VERSION_MAX, qrcodegen_Mask_AUTO, true))
+  if (!qrcodegen_encodeText(text, work.data(), code.data(), qrcodegen_Ecc_LOW,
+                            qrcodegen_VERSION_MIN, qrcodegen_VERSION_MAX, qrcodegen_Mask_AUTO,
+                            true))
     return hand_over({});
   const int size = qrcodegen_getSize(code.data());
   std::string rows;
