@@ -107,6 +107,45 @@ if(EVENLIFT_VIEW)
   endif()
 endif()
 
+# --- Inter, the typeface, and fonttools, which cuts out of it what the page writes ------------------------------------
+# EVENLIFT_FONT_DIR holds Inter-Regular.otf and Inter-SemiBold.otf; EVENLIFT_PYTHON runs assets/fonts/subset.py.
+if(EVENLIFT_VIEW)
+  find_path(
+    EVENLIFT_FONT_DIR NAMES Inter-Regular.otf
+    PATHS /usr/share/fonts/opentype/inter /usr/share/fonts/inter /usr/share/fonts/OTF /usr/local/share/fonts
+    DOC "Folder with Inter-Regular.otf and Inter-SemiBold.otf"
+    NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+  if(NOT EVENLIFT_FONT_DIR)
+    if(NOT EVENLIFT_DOWNLOADS AND NOT FETCHCONTENT_SOURCE_DIR_INTER)
+      message(FATAL_ERROR "evenlift needs the typeface Inter, and EVENLIFT_DOWNLOADS is OFF. Install fonts-inter, or "
+                          "name the folder of Inter-Regular.otf with -DEVENLIFT_FONT_DIR=FOLDER.")
+    endif()
+    FetchContent_Declare(
+      inter
+      URL https://github.com/rsms/inter/releases/download/v4.1/Inter-4.1.zip
+      URL_HASH SHA256=9883fdd4a49d4fb66bd8177ba6625ef9a64aa45899767dde3d36aa425756b11e
+      SOURCE_SUBDIR evenlift-does-not-build-this)
+    FetchContent_MakeAvailable(inter)
+    set(EVENLIFT_FONT_DIR "${inter_SOURCE_DIR}/extras/otf")
+  endif()
+
+  # Of several Pythons the one that has fonttools: continuous integration and people bring theirs along.
+  if(NOT EVENLIFT_PYTHON)
+    find_program(evenlift_python3 NAMES python3 python NO_CACHE)
+    foreach(python "${evenlift_python3}" /usr/bin/python3)
+      execute_process(COMMAND "${python}" -c "import fontTools" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+      if("${failed}" STREQUAL "0")
+        set(EVENLIFT_PYTHON "${python}" CACHE FILEPATH "Python with fonttools")
+        break()
+      endif()
+    endforeach()
+  endif()
+  if(NOT EVENLIFT_PYTHON)
+    message(FATAL_ERROR "evenlift cuts its fonts with fonttools for Python 3: please install python3-fonttools (or "
+                        "`pip install fonttools`, and name that Python with -DEVENLIFT_PYTHON=PROGRAM).")
+  endif()
+endif()
+
 # --- SDL2 and ImGui's backend: the page only ------------------------------------------------------------------------
 if(EVENLIFT_VIEW AND EMSCRIPTEN)
   evenlift_cached(SDL2_DIR "sdl2-*-lean-emscripten-${EMSCRIPTEN_VERSION}/lib/cmake/SDL2")
@@ -144,6 +183,18 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
   # From 1.92 on it needs a macro that Emscripten 3.1.6 declares in a header that it does not include.
   target_compile_options(imgui_backends PRIVATE "SHELL:-include emscripten.h" -fno-exceptions -w ${evenlift_small})
   target_link_libraries(imgui_backends PUBLIC imgui::imgui SDL2::SDL2-static)
+endif()
+
+# --- QR codes of links: the page only; Nayuki's generator, its C version, which neither throws nor allocates -----------
+if(EVENLIFT_VIEW AND EMSCRIPTEN)
+  evenlift_cached(FETCHCONTENT_SOURCE_DIR_QRCODEGEN "qr-code-generator-*")
+  evenlift_fetch(
+    qrcodegen https://github.com/nayuki/QR-Code-generator.git 720f62bddb7226106071d4728c292cb1df519ceb) # v1.8.0
+  enable_language(C)
+  add_library(qrcodegen STATIC EXCLUDE_FROM_ALL "${qrcodegen_SOURCE_DIR}/c/qrcodegen.c")
+  add_library(qrcodegen::qrcodegen ALIAS qrcodegen)
+  target_include_directories(qrcodegen SYSTEM PUBLIC "${qrcodegen_SOURCE_DIR}/c")
+  target_compile_options(qrcodegen PRIVATE -w ${evenlift_small})
 endif()
 
 # --- Tests: Catch2, RapidCheck (properties), Boost.Multiprecision (exact oracle) -------------------------------------

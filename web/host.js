@@ -1,6 +1,12 @@
-// What the program asks of the browser (wasm/browser.cpp).
+// What the program asks of the browser (wasm/browser.cpp), and what the page's own windows need of the page.
+import { connectIntake } from "./intake.js";
+
+// Some programs cut longer links: mail, chats, older browsers.
+const longLink = 2000;
+
 export function createHost(publisher) {
   let screen;
+  let page;
   async function copy(text) {
     try {
       await navigator.clipboard.writeText(text);
@@ -10,24 +16,49 @@ export function createHost(publisher) {
     }
   }
 
+  function address(link) {
+    const url = new URL(location.href);
+    url.search = "";
+    url.hash = link;
+    return url.href;
+  }
+
+  function lengthOf(url) {
+    const length = `It has ${url.length.toLocaleString("en")} characters`;
+    return url.length < longLink ? `${length}; it holds the polygon and all settings.`
+      : `${length}: some programs cut links from ${longLink.toLocaleString("en")} on. A file holds the same: see Save.`;
+  }
+
+  async function windows() {
+    try {
+      return await import("./windows.js");
+    } catch (error) {
+      publisher.notice("This window cannot be loaded: the server cannot be reached.", true);
+      throw error;
+    }
+  }
+
   return {
-    // The screen is connected once the program runs.
-    connect(connected) {
+    // Once the program runs.
+    connect(program, connected, { embed }) {
       screen = connected;
+      page = { program, copy, address, lengthOf, windows, notice: (text, problem) => publisher.notice(text, problem) };
+      if (!embed) connectIntake(page);
     },
     measureScreen: () => screen?.measure(),
-    documentChanged: () => publisher.changed(),
+    documentChanged() {
+      publisher.changed();
+      document.dispatchEvent(new Event("evenlift-change"));
+    },
     preferencesChanged: () => publisher.keepPreferences(),
     async copyAddress(link) {
-      const url = new URL(location.href);
-      url.search = "";
-      url.hash = link;
-      const done = await copy(url.href);
-      publisher.notice(done ? "The link is copied. It holds the polygon and all settings."
+      const url = address(link);
+      const done = await copy(url);
+      publisher.notice(done ? `The link is copied. ${lengthOf(url)}`
         : "The browser did not let the page copy. The address bar holds the same link.", !done);
     },
     openDialog(name) {
-      document.dispatchEvent(new CustomEvent("evenlift-dialog", { detail: name }));
+      windows().then((all) => all[name](page), () => {});
     },
     announce(text) {
       document.getElementById("alert").textContent = text;

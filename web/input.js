@@ -29,7 +29,7 @@ export function connectInput(program, { embed }) {
 }
 
 function connectKeys(program, canvas) {
-  const ours = (event) => event.target === canvas || event.target === document.body;
+  const ours = (event) => (event.target === canvas || event.target === document.body) && !document.querySelector("dialog:modal");
   addEventListener("keydown", (event) => {
     if (!ours(event)) return;
     // SDL would keep every key from the browser: it sees none of them.
@@ -38,6 +38,7 @@ function connectKeys(program, canvas) {
     const command = event.ctrlKey || event.metaKey;
     if (command && event.key.toLowerCase() === "c" && String(getSelection())) return;
     if (program.number("page_key", event.key, command ? 1 : 0, event.shiftKey ? 1 : 0)) event.preventDefault();
+    else if (event.key === "Escape") document.querySelector("dialog[open]")?.close();  // the window beside the canvas
   }, { capture: true });
   for (const type of ["keyup", "keypress"]) {
     addEventListener(type, (event) => ours(event) && event.stopImmediatePropagation(), { capture: true });

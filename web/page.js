@@ -70,7 +70,7 @@ async function start() {
   publisher.connect(program);
   publisher.restorePreferences();
   if (kept.own) publisher.changed();
-  host.connect(connectScreen(program));
+  host.connect(program, connectScreen(program), { embed });
   connectInput(program, { embed });
   followAddress(program);
   if (problem) program.call("page_notice", `This link cannot be opened: ${lowered(problem)}.`, 1);

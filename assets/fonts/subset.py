@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Makes the page's two small fonts from Inter's (Debian packages fonts-inter and fonttools):
+"""Makes the page's two small fonts from Inter's; the build runs it (wasm/CMakeLists.txt), with fonttools:
 
-    python3 assets/fonts/subset.py /usr/share/fonts/opentype/inter
+    subset.py FOLDER OUTPUT
 
-Run only to change the selection of characters; the results are kept beside this file, so that a build needs
-neither package and every build has the same bytes. Figures are the tabular ones (Dear ImGui knows no OpenType
-features), so that a number that changes does not make the text beside it dance.
+FOLDER holds Inter-Regular.otf and Inter-SemiBold.otf, the results go to OUTPUT: the same fonts give the same bytes.
+Figures are the tabular ones (Dear ImGui knows no OpenType features), so that a number that changes does not make
+the text beside it dance; for the same reason kerning stays out.
 """
 import sys
 from pathlib import Path
@@ -26,7 +26,7 @@ def tabular_figures(font):
     lookups = {i for record in gsub.FeatureList.FeatureRecord if record.FeatureTag == "tnum"
                for i in record.Feature.LookupListIndex}
     substitutes = {}
-    for index in lookups:
+    for index in sorted(lookups):
         for subtable in gsub.LookupList.Lookup[index].SubTable:
             substitutes.update(getattr(getattr(subtable, "ExtSubTable", subtable), "mapping", {}))
     for table in font["cmap"].tables:  # tables may share one mapping, hence get()
@@ -35,9 +35,10 @@ def tabular_figures(font):
                 table.cmap[code] = substitutes.get(table.cmap[code], table.cmap[code])
 
 
-def main(folder):
+def main(folder, output):
     for style in ("Regular", "SemiBold"):
-        font = TTFont(Path(folder) / f"Inter-{style}.otf")
+        name = f"Inter-{style}.otf"
+        font = TTFont(Path(folder) / name, recalcTimestamp=False)  # the date of the build is not in it
         tabular_figures(font)
         options = Options()
         options.layout_features = []
@@ -50,12 +51,10 @@ def main(folder):
         for table in ("GPOS", "GSUB", "GDEF", "STAT", "DSIG", "kern"):
             if table in font:
                 del font[table]
-        target = Path(__file__).parent / f"Inter-{style}.otf"
-        save_font(font, target, options)
-        print(target.name, target.stat().st_size)
+        save_font(font, Path(output) / name, options)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) != 3:
         sys.exit(__doc__)
-    main(sys.argv[1])
+    main(*sys.argv[1:])

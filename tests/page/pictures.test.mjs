@@ -6,6 +6,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { asset, load, phone, set, settled, startBrowser, toScreen, wide } from "./browser.mjs";
+import { openWindow } from "./windows.mjs";
 
 let browser;
 before(async () => {
@@ -79,4 +80,23 @@ test("the keys", async () => {
   await page.keyboard.press("?");
   await set(page, {});
   await check(page, "keys");
+});
+
+test("the gallery", async () => {
+  const page = await browser.open();
+  await openWindow(page, "samples");
+  await check(page, "gallery");
+});
+
+test("the coordinates, dark", async () => {
+  const page = await browser.open({ colorScheme: "dark" });
+  await load(page, asset("cross"));
+  await openWindow(page, "table");
+  await check(page, "coordinates-dark");
+});
+
+test("phone: open", async () => {
+  const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+  await openWindow(page, "open");
+  await check(page, "open-phone");
 });

@@ -1,0 +1,247 @@
+// What comes in from outside: files, dropped and pasted texts, links.
+import assert from "node:assert/strict";
+import { after, afterEach, before, test } from "node:test";
+import { asset, evenlift, link, load, phone, settled, startBrowser, state } from "./browser.mjs";
+import { allClosed, drop, noticed, openWindow, paste } from "./windows.mjs";
+
+let browser;
+let page;
+before(async () => {
+  browser = await startBrowser();
+  page = await browser.open();
+});
+after(async () => {
+  await page.done();
+  await browser.close();
+});
+
+// What one test leaves open is not the next one's.
+afterEach(async () => {
+  await page.evaluate(() => document.querySelectorAll("dialog").forEach((root) => root.close()));
+  await allClosed(page);
+});
+
+const triangle = [[0, 0], [40, 0], [10, 30.5]];
+const svg = (inside, more = "") => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 50 50"${more}>${inside}</svg>`;
+
+// What holds the triangle, in all the ways that are read.
+const good = {
+  thesis: "(0,0)\n(40,0)\n(10,30.5)\n",
+  WKT: "POLYGON ((0 0, 40 0, 10 30.5, 0 0))",
+  GeoJSON: '{"type":"Polygon","coordinates":[[[0,0],[40,0],[10,30.5],[0,0]]]}',
+  "SVG polygon": svg('<polygon points="0,0 40,0 10-30.5"/>'),
+  "SVG path": svg('<path d="M0 0L40 0 10,-30.5Z"/>'),
+  "SVG path, relative": svg('<path d="m0,0h40l-30-30.5z"/>'),
+  "SVG path, open": svg('<path d="M0 0H40V0L1e1-30.5"/>').replace("V0", ""),
+  "SVG path, vertical": svg('<path d="M10-30.5V-30.5L0 0h40z"/>').replace("V-30.5", ""),
+  "SVG with transforms": svg('<g transform="translate(1 2)"><g transform="scale(2)rotate(90 1 1)"><polygon transform="translate(-.5,-1) scale(.5) rotate(-90, 2, 2)" points="0,0 40,0 10,-30.5"/></g></g>'),
+  "SVG with a heading": `<?xml version="1.0"?>\n<!-- a drawing -->\n${svg('<defs><path d="M0 0C1 1 2 2 3 3"/></defs><title>T</title><rect width="9" height="9"/><polygon points="0 0 40 0 10 -30.5 0 0"/>')}`,
+};
+
+const polygon = async () => (await state(page)).polygon;
+async function isTriangle(what) {
+  await page.waitForFunction(() => evenlift.state().polygon.length === 3, undefined, { timeout: 10000 });
+  const now = await polygon();
+  const start = now.findIndex(([x, y]) => Math.hypot(x - now[0][0], y - now[0][1]) < 1e9 && Math.abs(y - Math.min(...now.map((p) => p[1]))) < 1e-9 && Math.abs(x - Math.min(...now.map((p) => p[0]))) < 1e-9);
+  const turned = [0, 1, 2].map((i) => now[(start + i) % 3]);
+  const [ox, oy] = turned[0];
+  turned.forEach(([x, y], i) => assert.ok(Math.hypot(x - ox - triangle[i][0], y - oy - triangle[i][1]) < 1e-9, `${what}: ${JSON.stringify(now)}`));
+}
+
+for (const [format, text] of Object.entries(good)) {
+  test(`${format}: dropped as a file, pasted, and typed`, async () => {
+    for (const how of ["drop", "paste", "type"]) {
+      await load(page, asset("cross"));
+      await page.locator("#canvas").focus();
+      if (how === "drop") await drop(page, { files: [["a file", text]] });
+      else if (how === "paste") await paste(page, text);
+      else {
+        const root = await openWindow(page, "open");
+        await root.locator("textarea").fill(text);
+        await root.getByRole("button", { name: "Open" }).click();
+      }
+      await isTriangle(`${format}, ${how}`);
+      await allClosed(page);
+      await settled(page, 40);
+      await page.keyboard.press("Control+z");
+      assert.equal((await polygon()).length, 12, "undo");
+    }
+  });
+}
+
+test("SVG without a transform is taken to the last bit", async () => {
+  await drop(page, { files: [["a.svg", svg('<path d="M.1 .2 12345.6789 0 7e-3 -99.30000000000001z"/>')]] });
+  await page.waitForFunction(() => evenlift.state().polygon[0][0] === 0.1);
+  assert.deepEqual(await polygon(), [[0.1, -0.2], [12345.6789, 0], [0.007, 99.30000000000001]]);
+});
+
+test("a chosen file", async () => {
+  const root = await openWindow(page, "open");
+  const chooser = page.waitForEvent("filechooser");
+  await root.getByRole("button", { name: "Choose a file" }).click();
+  await (await chooser).setFiles({ name: "plate.geojson", mimeType: "application/geo+json", buffer: Buffer.from(good.GeoJSON) });
+  await isTriangle("chosen");
+  assert.match(await noticed(page, /opened/), /“plate.geojson” is opened\. Undo/);
+});
+
+test("links, bare and whole, come with their settings", async () => {
+  const made = evenlift("link", "encode", "assets/polygons/key.txt".replace(/^/, `${process.cwd().replace(/\/tests\/page$/, "")}/`), "--teams", "2").trim();
+  for (const text of [made, `https://example.org/x/index.html#${made}`, ` ${browser.server.url}#${made}\n`]) {
+    await load(page, asset("cross"));
+    await page.locator("#canvas").focus();
+    await paste(page, text);
+    await page.waitForFunction((l) => evenlift.link() === l, made);
+    assert.equal((await state(page)).requested_teams, 2);
+  }
+});
+
+test("the system's clipboard, by Ctrl+V on the canvas", async () => {
+  const other = await browser.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  await other.evaluate((text) => navigator.clipboard.writeText(text), good.WKT);
+  await other.locator("#canvas").focus();
+  await other.keyboard.press("Control+v");
+  await other.waitForFunction(() => evenlift.state().polygon.length === 3);
+  await other.done();
+});
+
+test("pasting into a field is the field's", async () => {
+  const before = await link(page);
+  const root = await openWindow(page, "open");
+  await root.locator("textarea").focus();
+  await paste(page, good.WKT);
+  assert.equal(await link(page), before);
+  await page.keyboard.press("Escape");
+});
+
+const bad = [
+  ["", /empty/i],
+  [" \n ", /empty/i],
+  ["hello", /line 1/i],
+  ["(0,0)\n(1,0)\n(1;1)\n", /line 3/i],
+  ["(0,0)\n(1,0)\n", /at least 3 vertices/i],
+  ["(0,0)\n(4,4)\n(4,0)\n(0,4)\n", /edges 1 and 3/i],
+  ["POLYGON ((0 0, 4 0, 4 4, 0 0), (1 1, 2 1, 2 2, 1 1))", /hole/i],
+  ["1.abcdefgh", /link/i],
+  ["(0,0)\n\0", /not a text/i],
+  ["<html></html>", /no SVG.*<html>/],
+  ["<svg", /line 1.*not well-formed/i],
+  ["<svg>\n<g></svg>", /line 2, column 4: it is not well-formed/i],
+  ["<svg><polygon points='0 0'", /not well-formed/i],
+  ['<!DOCTYPE svg [<!ENTITY a "b">]><svg xmlns="http://www.w3.org/2000/svg"/>', /line 1, column 1: definitions in the DOCTYPE/i],
+  [svg(""), /no <polygon> and no <path>/],
+  [svg('<circle r="4"/>'), /no <polygon> and no <path>/],
+  [svg('<path d="M0 0L1 1"/><path d="M0 0L1 1"/>'), /more than one shape/],
+  [svg('<path d="M0 0L4 0C1 2 3 4 5 6Z"/>'), /character 9: it is curved there \(C\)/],
+  [svg('<path d="M0 0h4v4zM1 1h1v1z"/>'), /character 10: a second outline/],
+  [svg('<path d="L0 0 1 1"/>'), /character 1/],
+  [svg('<path d="M0 0L4 0 4"/>'), /L does not take 3 numbers/],
+  [svg('<path d="M0 0L4 0 x 4"/>'), /character \d+: no command/],
+  [svg('<polygon points="0,0 4,0 4"/>'), /no y/],
+  [svg('<polygon points="0,0 4,0 4,z"/>'), /character 11: not a number/],
+  [svg('<polygon transform="perspective(3)" points="0,0 4,0 4,4"/>'), /transform perspective/],
+  [svg('<g transform="rotate(3"><polygon points="0,0 4,0 4,4"/></g>'), /transform “rotate\(3”/],
+  [svg('<polygon style="transform:rotate(3deg)" points="0,0 4,0 4,4"/>'), /style/],
+  [svg('<style>polygon{transform:scale(2)}</style><polygon points="0,0 4,0 4,4"/>'), /style sheet/],
+  [svg('<svg x="3"><polygon points="0,0 4,0 4,4"/></svg>'), /an <svg> of its own/],
+];
+
+test("what is wrong is said in one sentence, and nothing changes", async () => {
+  await load(page, asset("cross"));
+  const before = JSON.stringify(await state(page));
+  for (const [text, pattern] of bad) {
+    const root = await openWindow(page, "open");
+    await root.locator("textarea").evaluate((area, value) => {
+      area.value = value;
+    }, text);
+    await root.getByRole("button", { name: "Open" }).click();
+    const said = await root.locator(".problem").textContent();
+    assert.match(said, pattern, text.slice(0, 60));
+    assert.match(said, /^[A-Z“1][^\n]*[^.]\.$/, said);
+    assert.equal(JSON.stringify(await state(page)), before);
+    await page.keyboard.press("Escape");
+    await root.waitFor({ state: "detached" });
+  }
+});
+
+test("a large picture is read quickly, and one that is nested without end does no harm", async () => {
+  const corners = 20000;
+  const d = Array.from({ length: corners }, (_, i) => `${i ? "L" : "M"}${(100 * Math.cos((2 * Math.PI * i) / corners)).toFixed(6)} ${(100 * Math.sin((2 * Math.PI * i) / corners)).toFixed(6)}`).join("");
+  const started = Date.now();
+  await drop(page, { files: [["circle.svg", svg(`<g>${"<a b='c'></a>".repeat(50000)}</g><path d="${d}z"/>`)]] });
+  await noticed(page, /circle/);
+  assert.ok(Date.now() - started < 20000);
+  await drop(page, { files: [["deep.svg", `${"<svg>".repeat(300000)}`]] });
+  assert.match(await noticed(page, /deep/), /not well-formed/);
+});
+
+test("bad files and texts dropped or pasted are a notice", async () => {
+  await load(page, asset("cross"));
+  const before = JSON.stringify(await state(page));
+  await page.locator("#canvas").focus();
+  await drop(page, { files: [["plate.svg", svg('<path d="M0 0Q1 1 2 2z"/>')]] });
+  assert.match(await noticed(page, /curved/), /^“plate\.svg” cannot be opened: the SVG’s path|^“plate\.svg” cannot be opened: the SVG's path, character 5: it is curved there/);
+  await paste(page, "(0,0)\n(1,1)\n(2");
+  assert.match(await noticed(page, /^The pasted/), /^The pasted text cannot be opened: line 3/);
+  await drop(page, { text: "nothing" });
+  assert.match(await noticed(page, /^The dropped/), /^The dropped text cannot be opened/);
+  await drop(page, { files: [["a", "1"], ["b", "2"]] });
+  assert.match(await noticed(page, /^Please/), /^Please open one file at a time\.$/);
+  assert.equal(JSON.stringify(await state(page)), before);
+});
+
+test("files beyond 64 MiB are refused unread", async () => {
+  await page.evaluate(() => {
+    const file = new File([new Uint8Array(64 * 1024 * 1024 + 1)], "large.txt");
+    file.text = () => {
+      throw new Error("was read");
+    };
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(file);
+    dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
+  });
+  assert.match(await noticed(page, /large/), /“large\.txt” cannot be opened: it has 65 MiB/);
+});
+
+test("a drop is shown where it will be taken, above an open window, too", async () => {
+  await openWindow(page, "open");
+  const data = await page.evaluateHandle(() => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File(["(0,0)"], "x"));
+    return transfer;
+  });
+  await page.dispatchEvent("#canvas", "dragover", { dataTransfer: data });
+  await page.locator("#drop-hint").waitFor();
+  assert.ok(await page.evaluate(() => document.getElementById("drop-hint").matches(":popover-open")));
+  await page.dispatchEvent("#canvas", "drop", { dataTransfer: data });
+  await page.locator("#drop-hint").waitFor({ state: "detached" });
+  assert.match(await page.locator("#open .problem").textContent(), /“x” cannot be opened: .*at least 3/);
+  await page.keyboard.press("Escape");
+});
+
+test("Escape in the window changes nothing; Ctrl+Enter opens", async () => {
+  const root = await openWindow(page, "open");
+  await page.keyboard.type(good.thesis);
+  await page.keyboard.press("Control+Enter");
+  await root.waitFor({ state: "detached" });
+  await isTriangle("Ctrl+Enter");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "canvas");
+});
+
+test("embedded, the page takes nothing in", async () => {
+  const embedded = await browser.open({ address: "?embed=1" });
+  const before = await link(embedded);
+  await embedded.locator("#canvas").focus();
+  await paste(embedded, good.WKT);
+  await embedded.waitForTimeout(200);
+  assert.equal(await link(embedded), before);
+  await embedded.done();
+});
+
+test("under a finger on a phone", async () => {
+  const small = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
+  const root = await openWindow(small, "open");
+  await root.locator("textarea").fill(good.WKT);
+  await root.getByRole("button", { name: "Open" }).tap();
+  await small.waitForFunction(() => evenlift.state().polygon.length === 3);
+  await small.done();
+});

@@ -1,0 +1,47 @@
+// The page's own windows, for the tests beside this file.
+import { settled } from "./browser.mjs";
+
+const keys = { samples: "g", open: "o", save: "s", table: "e" };
+
+// Opens a window by its key, and waits until it is there.
+export async function openWindow(page, name) {
+  await page.locator("#canvas").focus();
+  await page.keyboard.press(keys[name]);
+  const root = page.locator(`#${name}`);
+  await root.waitFor();
+  if (name === "samples") await root.locator(".sample").first().waitFor();
+  await settled(page);
+  return root;
+}
+
+// The page's notice, once it is like that, else as it is.
+export async function noticed(page, pattern) {
+  await page.waitForFunction(([source]) => new RegExp(source).test(document.getElementById("alert").textContent), [pattern.source], { timeout: 10000 }).catch(() => {});
+  return page.locator("#alert").textContent();
+}
+
+// Drops files or a text onto the page: what a browser sends, with a DataTransfer of the page's own.
+export async function drop(page, { files = [], text }, target = "#canvas") {
+  const data = await page.evaluateHandle(([list, plain]) => {
+    const transfer = new DataTransfer();
+    for (const [name, content] of list) transfer.items.add(new File([content], name));
+    if (plain !== undefined) transfer.setData("text/plain", plain);
+    return transfer;
+  }, [files, text]);
+  await page.dispatchEvent(target, "dragover", { dataTransfer: data });
+  await page.dispatchEvent(target, "drop", { dataTransfer: data });
+}
+
+// Pastes by the clipboard's own event, as Ctrl+V does.
+export async function paste(page, text) {
+  await page.evaluate((plain) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", plain);
+    document.activeElement.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  }, text);
+}
+
+// Waits until no window is open.
+export async function allClosed(page) {
+  await page.waitForFunction(() => !document.querySelector("dialog"), undefined, { timeout: 10000 });
+}

@@ -1,0 +1,61 @@
+// The page's own windows, of HTML: text is typed there, lists are read out. This is their frame; each window is a module
+// of its own.
+import { button, el } from "./elements.js";
+
+let styles;
+
+// Resolves once the windows' style sheet is there.
+export function ensureStyles() {
+  styles ??= new Promise((done) => {
+    const sheet = el("link", { rel: "stylesheet", href: new URL("dialogs.css", import.meta.url).href, onload: done, onerror: done });
+    document.head.append(sheet);
+  });
+  return styles;
+}
+
+// Opens a window: modal, or beside the canvas. Closed, it is gone, and the focus is back on the canvas (or in the window
+// below). `tools` stand in its head, `focus` is what gets the focus. Gives the element, or nothing where it, or a modal
+// window that it is not meant to be `over`, is open already.
+export async function openWindow({ name, title, modal = true, over = false, tools = [], body, focus, closed }) {
+  await ensureStyles();
+  if (document.getElementById(name)?.open || (!over && document.querySelector("dialog:modal"))) return undefined;
+  const before = document.activeElement;
+  const close = button("", { class: "button bare", "aria-label": "Close", title: "Close (Esc)", onclick: () => root.close() }, "close");
+  const root = el("dialog", { id: name, class: "window", "aria-labelledby": `${name}-title` },
+    el("header", {}, el("h2", { id: `${name}-title` }, title), ...tools, close), ...body);
+  root.addEventListener("close", () => {
+    closed?.();
+    root.remove();
+    const below = before?.isConnected && before.closest("dialog") ? before : document.getElementById("canvas");
+    below.focus({ preventScroll: true });
+  });
+  if (modal) closeOutside(root);
+  document.body.append(root);
+  if (modal) root.showModal();
+  else root.show();
+  (focus ?? close).focus();
+  return root;
+}
+
+// A press and release beside the window, on what it covers, closes it; a text selected too far does not.
+function closeOutside(root) {
+  let pressed = false;
+  const outside = (event) => {
+    const { left, right, top, bottom } = root.getBoundingClientRect();
+    return event.target === root && (event.clientX < left || event.clientX > right || event.clientY < top || event.clientY > bottom);
+  };
+  root.addEventListener("pointerdown", (event) => {
+    pressed = outside(event);
+  });
+  root.addEventListener("click", (event) => pressed && outside(event) && root.close());
+}
+
+// A line that says what went wrong, read out at once; empty and unseen at first.
+export function problemLine(attributes = {}) {
+  const line = el("p", { class: "problem", role: "alert", ...attributes });
+  return Object.assign(line, {
+    say(text) {
+      line.textContent = text && `${text.replace(/\.$/, "")}.`;
+    },
+  });
+}

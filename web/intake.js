@@ -1,0 +1,47 @@
+// Files and texts that are dropped or pasted anywhere on the page.
+const typesIn = "input, textarea";
+
+export function connectIntake(page) {
+  const take = async (data, verb) => {
+    const given = { files: [...data.files], text: data.getData("text/plain") };  // gone once this event is over
+    const { take: open } = await page.windows();
+    await open(page, given, verb);
+  };
+  addEventListener("paste", (event) => {
+    if (event.target.closest?.(typesIn)) return;
+    event.preventDefault();
+    take(event.clipboardData, "pasted");
+  });
+
+  const opens = (event) => event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain") &&
+    (event.dataTransfer.types.includes("Files") || !event.target.closest?.(typesIn));
+  addEventListener("dragover", (event) => {
+    if (!opens(event)) return;
+    event.preventDefault();
+    event.dataTransfer.dropEffect = "copy";
+    hint(page, true);
+  });
+  addEventListener("dragleave", (event) => event.relatedTarget === null && hint(page, false));
+  addEventListener("drop", (event) => {
+    hint(page, false);
+    if (!opens(event)) return;
+    event.preventDefault();
+    take(event.dataTransfer, "dropped");
+  });
+}
+
+let wanted = false;
+async function hint(page, on) {
+  if (wanted === on) return;
+  wanted = on;
+  const { ensureStyles } = await page.windows();
+  await ensureStyles();
+  let element = document.getElementById("drop-hint");
+  if (!element && wanted) {
+    element = Object.assign(document.createElement("div"), { id: "drop-hint", popover: "manual", textContent: "Drop to open" });
+    document.body.append(element);
+    element.showPopover?.();  // above a window that is open
+  } else if (element && !wanted) {
+    element.remove();
+  }
+}
