@@ -5,8 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "candidate_list.h"
+#include "candidate_order.h"
 #include "catch.h"
+#include "duplicates.h"
 #include "evenlift/tolerance.h"
 #include "small_polygons.h"
 
@@ -145,6 +146,20 @@ Candidate made(const Vec2& r1, const Vec2& r2, CandidateKind kind, double ratio 
   return c;
 }
 
+void sort_by_slope(std::vector<Candidate>& list) {
+  std::vector<SlopeKey> keys;
+  for (const Candidate& c : list) {
+    const bool right = is_vertical(c.direction) ? c.direction.y() > 0 : c.direction.x() > 0;
+    REQUIRE(right);
+    keys.push_back(slope_key(c.direction, static_cast<std::uint32_t>(keys.size())));
+  }
+  sort_keys(keys);
+  std::vector<Candidate> sorted;
+  for (const SlopeKey key : keys) sorted.push_back(list[number_of(key)]);
+  settle_order(sorted);
+  list.swap(sorted);
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -187,6 +202,31 @@ TEST_CASE("chords that share one end only are not duplicates", "[candidates]") {
                               made({-1, 0}, {1, 2e-9}, vertex)};
   merge_duplicates(list, 1e-9);
   CHECK(list.size() == 3);
+}
+
+TEST_CASE("many candidates of many slopes come in exact order of slope", "[candidates]") {
+  std::mt19937_64 engine(12);
+  std::vector<Candidate> list;
+  for (int i = 0; i < 3000; ++i) {
+    // Few different coordinates: equal slopes, and slopes near the vertical, too.
+    const double x = static_cast<double>(1 + engine() % 40),
+                 y = static_cast<double>(engine() % 81) - 40;
+    list.push_back(made({-x, -y}, {x, y}, vertex));
+  }
+  sort_by_slope(list);
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const Vec2 &before = list[i - 1].direction, &after = list[i].direction;
+    const double side = cross(before, after);
+    CHECK(side >= 0);
+    if (side == 0) CHECK(list[i - 1].length >= list[i].length);
+  }
+}
+
+TEST_CASE("duplicates are found beside a chord that rounding made a point", "[candidates]") {
+  std::vector<Candidate> list{made({0, 0}, {0, 0}, vertex), made({-1, 0}, {1, 0}, vertex),
+                              made({-1, 0}, {1, 0}, vertex)};
+  merge_duplicates(list, 1e-9);
+  CHECK(list.size() == 2);
 }
 
 TEST_CASE("duplicates are found whichever end is called the right one", "[candidates]") {

@@ -30,7 +30,7 @@ VertexChord chord_between(const Polygon& polygon, const Vec2& centre, std::uint3
 VertexChord chord_into(const Polygon& polygon, const Vec2& centre, const RadialView& view,
                        std::uint32_t v, std::uint32_t edge) {
   const Across across = look_across(centre, polygon.vertex(v), polygon.vertex(view.first(edge)),
-                                    polygon.vertex(view.last(edge)));
+                                    polygon.vertex(view.last(edge)), view.area(edge));
   return {v, inside_edge, chord_from_vertex(polygon, centre, v, v, across, edge, inside_edge)};
 }
 

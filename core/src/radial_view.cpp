@@ -10,6 +10,21 @@
 namespace evenlift {
 namespace {
 
+// A vertex's direction modulo 180 degrees, in [0, 4), about as the angle.
+struct Turned {
+  double key;
+  std::uint32_t vertex;
+};
+
+// `u` in [0, 180) degrees.
+double turn_key(const Vec2& u) {
+  if (u.y() > std::fabs(u.x())) return 2 - u.x() / u.y();
+  return u.x() > 0 ? u.y() / u.x() : 4 + u.y() / u.x();
+}
+
+// Keys of directions that are rounded once differ by less than 2^-49 from those of the true ones.
+constexpr double surely_apart = 0x1p-46;
+
 // Whether the direction from C to v is in [0, 180) degrees.
 bool is_forward(const Vec2& centre, const Vec2& v) {
   return v.y() > centre.y() || (v.y() == centre.y() && v.x() > centre.x());
@@ -28,15 +43,20 @@ RadialView::RadialView(const Polygon& polygon, const Vec2& centre) {
     arms_[edge].radial = std::fabs(side) <= near * length(q - p);
     arms_[edge].first = side > 0 ? edge : next;
     arms_[edge].last = side > 0 ? next : edge;
+    arms_[edge].area = std::fabs(side);  // exchanging p and q changes the sign and no bit else
   }
 }
 
 void RadialView::sort_vertices(const Polygon& polygon, const Vec2& centre) {
   const auto n = static_cast<std::uint32_t>(polygon.size());
   std::vector<char> forward(n);
+  std::vector<Turned> turned;
+  turned.reserve(n);
   for (std::uint32_t v = 0; v < n; ++v) {
     forward[v] = is_forward(centre, polygon.vertex(v));
-    if (polygon.vertex(v) != centre) order_.push_back(v);
+    if (polygon.vertex(v) == centre) continue;
+    const Vec2 u = polygon.vertex(v) - centre;
+    turned.push_back({turn_key(forward[v] ? u : Vec2(-u)), v});
   }
   // Twice the signed area between the forward directions of two vertices: exact sign, so the order
   // is a strict weak one.
@@ -44,14 +64,31 @@ void RadialView::sort_vertices(const Polygon& polygon, const Vec2& centre) {
     const double side = orient(centre, polygon.vertex(a), polygon.vertex(b));
     return forward[a] == forward[b] ? side : -side;
   };
-  std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const double side = turn(a, b);
-    return side != 0 ? side > 0 : a < b;
+  std::sort(turned.begin(), turned.end(), [](const Turned& a, const Turned& b) {
+    return a.key != b.key ? a.key < b.key : a.vertex < b.vertex;
   });
+  const auto may_tie = [&](std::size_t k) {
+    return turned[k].key - turned[k - 1].key <= surely_apart;
+  };
+  for (std::size_t begin = 0, end; begin < turned.size(); begin = end) {
+    end = begin + 1;
+    while (end < turned.size() && may_tie(end)) ++end;
+    if (end - begin == 1) continue;
+    std::sort(turned.begin() + static_cast<std::ptrdiff_t>(begin),
+              turned.begin() + static_cast<std::ptrdiff_t>(end),
+              [&](const Turned& a, const Turned& b) {
+                const double side = turn(a.vertex, b.vertex);
+                return side != 0 ? side > 0 : a.vertex < b.vertex;
+              });
+  }
 
+  order_.reserve(turned.size());
   positions_.assign(n, 0);
-  for (std::uint32_t k = 0; k < order_.size(); ++k) {
-    if (k == 0 || turn(order_[k - 1], order_[k]) != 0) group_begins_.push_back(k);
+  for (std::uint32_t k = 0; k < turned.size(); ++k) {
+    order_.push_back(turned[k].vertex);
+    // Within a run that was sorted exactly keys may fall.
+    const bool apart = k > 0 && turned[k].key - turned[k - 1].key > surely_apart;
+    if (k == 0 || apart || turn(order_[k - 1], order_[k]) != 0) group_begins_.push_back(k);
     positions_[order_[k]] = static_cast<std::uint32_t>(group_begins_.size()) - 1;
   }
   turns_ = static_cast<std::uint32_t>(group_begins_.size());

@@ -28,6 +28,8 @@ class RadialView {
   // The edge's ends in the counter-clockwise order in which C sees them.
   std::uint32_t first(std::uint32_t edge) const { return arms_[edge].first; }
   std::uint32_t last(std::uint32_t edge) const { return arms_[edge].last; }
+  // orient(centre, first, last)
+  double area(std::uint32_t edge) const { return arms_[edge].area; }
 
   // Vertices other than C by position modulo `turns`, forward and backward ones mixed.
   const std::vector<std::uint32_t>& order() const { return order_; }
@@ -43,6 +45,7 @@ class RadialView {
  private:
   struct Arms {
     std::uint32_t first = 0, last = 0;
+    double area = 0;
     bool radial = false;
   };
   void sort_vertices(const Polygon& polygon, const Vec2& centre);

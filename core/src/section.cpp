@@ -8,10 +8,10 @@
 
 namespace evenlift {
 
-Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c) {
-  // With X = (C - w) x (c - b) and h = (b - C) x (c - C) the factor is h / X, and h - X is the side
-  // on which the mirror image of w lies. That difference is found exactly, so factors near 1 are
-  // too.
+Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c, double area) {
+  // With X = (C - w) x (c - b) and h = (b - C) x (c - C), the area, the factor is h / X, and h - X
+  // is the side on which the mirror image of w lies. That difference is found exactly, so factors
+  // near 1 are too.
   const double x = cross_of_differences(w, centre, b, c);
   const double difference = orient_mirrored(centre, w, b, c);
   Across across;
@@ -19,9 +19,20 @@ Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2&
   if (std::fabs(difference) < 0.5 * x) {
     across.factor = 1.0 + difference / x;
   } else {
-    across.factor = orient(centre, b, c) / x;
+    across.factor = area / x;
   }
   return across;
+}
+
+std::optional<double> estimate_across(const Vec2& centre, const Vec2& w, const Vec2& b,
+                                      const Vec2& c, double area) {
+  const double first = (centre.x() - w.x()) * (c.y() - b.y()),
+               second = (centre.y() - w.y()) * (c.x() - b.x());
+  // The products lose less than 2^-50 of their size together, the area less than 2^-45 of its own.
+  constexpr double loses_little = 0x1p-15, no_underflow = 0x1p-800;
+  const double x = first - second, size = std::fabs(first) + std::fabs(second);
+  if (!(x > loses_little * size && size > no_underflow)) return std::nullopt;
+  return area / x;
 }
 
 bool points_right(const Vec2& direction) {

@@ -12,6 +12,7 @@ namespace evenlift {
 // O(m log m).
 template <class Iterator, class Key, class Ties, class Visit>
 void for_each_tie_class(Iterator first, Iterator last, Key key, Ties ties, Visit visit) {
+  if (last - first == 1) return visit(first, last);  // most often; stable_sort would ask for memory
   std::stable_sort(first, last, [&](const auto& a, const auto& b) { return key(a) > key(b); });
   while (first != last) {
     Iterator end = first + 1;

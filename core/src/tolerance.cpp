@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace evenlift {
+namespace {
+
+// Never below the length.
+double sum_of_parts(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y()); }
+
+}  // namespace
 
 bool ratios_tie(double a, double b) { return std::fabs(a - b) <= tau; }
 
@@ -12,11 +18,15 @@ bool lengths_tie(double a, double b) { return std::fabs(a - b) <= tau * std::max
 double score_slack(double best, double floor) { return std::max(tau * best, floor); }
 
 bool directions_agree(const Vec2& a, const Vec2& b) {
-  return dot(a, b) > 0 && std::fabs(cross(a, b)) <= tau * length(a) * length(b);
+  const double side = std::fabs(cross(a, b));
+  // Without a square root where that is far from needed.
+  if (side > 2 * tau * (sum_of_parts(a) * sum_of_parts(b))) return false;
+  return dot(a, b) > 0 && side <= tau * length(a) * length(b);
 }
 
 bool is_vertical(const Vec2& direction) {
-  return std::fabs(direction.x()) <= tau * length(direction);
+  const double x = std::fabs(direction.x());
+  return x <= 2 * tau * sum_of_parts(direction) && x <= tau * length(direction);
 }
 
 }  // namespace evenlift

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 namespace evenlift {
@@ -18,7 +19,7 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 inline double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
 
 // Length by one square root (not hypot, which differs between libraries). O(1).
-double length(const Vec2& a);
+inline double length(const Vec2& a) { return std::sqrt(a.x() * a.x() + a.y() * a.y()); }
 
 // a turned by +90 degrees: the left normal of a. O(1).
 inline Vec2 left_normal(const Vec2& a) { return {-a.y(), a.x()}; }

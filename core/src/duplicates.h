@@ -1,0 +1,16 @@
+// The merging of duplicate candidates (algorithm.md, Candidates).
+#pragma once
+
+#include <vector>
+
+#include "evenlift/candidates.h"
+
+namespace evenlift {
+
+// Of candidates (in candidate order) whose ends both agree within `near`, keeps the one with the
+// largest ratio, then the first, with the first kind of bisecting, midpoint, vertex that occurs
+// among them. Agreement is followed from one to the next. O(m), and O(l log l) for each l of them
+// whose slopes could agree, unless many different chords lie within `near` of each other.
+void merge_duplicates(std::vector<Candidate>& candidates, double near);
+
+}  // namespace evenlift
