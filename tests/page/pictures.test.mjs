@@ -37,6 +37,31 @@ test("wide, light: the first sample", async () => check(await browser.open(), "w
 
 test("wide, dark: the first sample", async () => check(await browser.open({ colorScheme: "dark" }), "wide-dark"));
 
+test("a shape being drawn", async () => {
+  const page = await browser.open();
+  await settled(page);
+  await page.keyboard.press("d");
+  for (const at of [[220, 200], [560, 190], [640, 420], [400, 610]]) await page.mouse.click(...at);
+  await page.mouse.move(210, 470);
+  await check(page, "drawing");
+});
+
+test("two methods side by side, and what tips", async () => {
+  const page = await browser.open({ colorScheme: "dark" });
+  await load(page, asset("aircraft-wing"));
+  for (const key of ["f", "k", "k", "k"]) await page.keyboard.press(key);
+  await settled(page);
+  await page.waitForTimeout(300);
+  await check(page, "compare-dark");
+});
+
+test("the whole in its frame", async () => {
+  const page = await browser.open();
+  await load(page, asset("horseshoe"));
+  await page.keyboard.press("w");
+  await check(page, "whole");
+});
+
 test("phone: the first sample", async () => {
   await check(await browser.open({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 }), "phone");
 });
