@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "evenlift/predicates.h"
 
@@ -39,10 +41,8 @@ std::pair<Vec2, Vec2> extremes(const Points& hull) {
   return ends;
 }
 
-}  // namespace
-
-Points convex_hull(Points points, double flat) {
-  std::sort(points.begin(), points.end(), lexicographically_before);
+// The hull of points from left to right.
+Points hull_of_sorted(Points points, double flat) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return points;
 
@@ -57,6 +57,26 @@ Points convex_hull(Points points, double flat) {
   });
   if (is_flat) return {ends.first, ends.second};
   return hull;
+}
+
+}  // namespace
+
+Points convex_hull(Points points, double flat) {
+  std::sort(points.begin(), points.end(), lexicographically_before);
+  return hull_of_sorted(std::move(points), flat);
+}
+
+Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat) {
+  const auto right = std::max_element(hull.begin(), hull.end(), lexicographically_before);
+  Points points;
+  points.reserve(hull.size() + 2);
+  std::merge(hull.begin(), right, hull.rbegin(), std::make_reverse_iterator(right),
+             std::back_inserter(points), lexicographically_before);
+  for (const Vec2& added : {p, q}) {
+    points.insert(std::upper_bound(points.begin(), points.end(), added, lexicographically_before),
+                  added);
+  }
+  return hull_of_sorted(std::move(points), flat);
 }
 
 double signed_area(const Points& points) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "direction_key.h"
 #include "evenlift/hull.h"
@@ -175,31 +176,34 @@ void Selector::line_up(Indices leaders) {
   line_ = std::move(leaders);
 }
 
-// Whether H has changed.
+// Whether H has changed. O(h) for its h corners, besides new wedges.
 bool Selector::widen_base(Index candidate) {
-  const Points old_hull = hull_;
-  const std::vector<Index> old_edges = edges_;
-  Points points = hull_;
-  points.push_back(ends_[2 * candidate].position);
-  points.push_back(ends_[2 * candidate + 1].position);
-  hull_ = convex_hull(std::move(points), near_);
-  if (hull_ == old_hull) return false;
+  Points hull =
+      widen_hull(hull_, ends_[2 * candidate].position, ends_[2 * candidate + 1].position, near_);
+  if (hull == hull_) return false;
+  const Points old_hull = std::exchange(hull_, std::move(hull));
+  const Indices old_edges = std::exchange(edges_, {});
 
-  const auto edge_of = [](const Points& corners, std::size_t i) {
-    return std::pair<const Vec2&, const Vec2&>(corners[i], corners[(i + 1) % corners.size()]);
+  const auto corner = [](const Points& corners, std::size_t i) -> const Vec2& {
+    return corners[i % corners.size()];
   };
-  edges_.clear();
+  // Corners that stay come in the same order in both, and at most two of the new ones are not among
+  // the old: looking for each where the last was found takes O(h) for all.
+  std::size_t found = 0;
   for (std::size_t i = 0; i < hull_.size(); ++i) {
-    const auto edge = edge_of(hull_, i);
-    Index same = 0;
-    while (same < old_hull.size() && edge_of(old_hull, same) != edge) ++same;
-    // The sides of a segment have a rule of their own for points on its line: they never stay.
-    if (same < old_hull.size() && old_hull.size() > 2) {
-      edges_.push_back(old_edges[same]);
-      continue;
+    const Vec2 &h1 = hull_[i], &h2 = corner(hull_, i + 1);
+    std::size_t steps = 0;
+    while (steps < old_hull.size() && corner(old_hull, found + steps) != h1) ++steps;
+    if (steps < old_hull.size()) {
+      found = (found + steps) % old_hull.size();
+      // The sides of a segment have a rule of their own for points on its line: they never stay.
+      if (old_hull.size() > 2 && corner(old_hull, found + 1) == h2) {
+        edges_.push_back(old_edges[found]);
+        continue;
+      }
     }
     edges_.push_back(static_cast<Index>(wedges_.size()));
-    wedges_.emplace_back(surroundings_, metric_, edge.first, edge.second);
+    wedges_.emplace_back(surroundings_, metric_, h1, h2);
     enter_wedge(edges_.back());
   }
   return true;

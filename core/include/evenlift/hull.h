@@ -11,6 +11,9 @@ namespace evenlift {
 // monotone chain, O(m log m).
 Points convex_hull(Points points, double flat = 0);
 
+// The same of the corners of a hull, as convex_hull gives them, and two more points. O(m).
+Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat = 0);
+
 // Signed area by the shoelace formula relative to the first point, positive counter-clockwise.
 // O(m).
 double signed_area(const Points& points);
