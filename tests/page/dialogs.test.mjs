@@ -95,6 +95,8 @@ test("they fit small screens: nothing is cut off, targets are for fingers", asyn
     const page = await browser.open({ ...finger, viewport });
     for (const name of names) {
       const window = await openWindow(page, name);
+      // It comes with a little motion.
+      await window.evaluate((root) => Promise.all(root.getAnimations({ subtree: true }).map((motion) => motion.finished)));
       const { x, y, width, height } = await window.boundingBox();
       assert.ok(x >= 0 && y >= -1 && x + width <= viewport.width && y + height <= viewport.height + 1, `${name}: ${[x, y, width, height]}`);
       assert.ok(await window.evaluate((root) => [...root.querySelectorAll("*")].every((e) => e.closest(".for-readers, svg, .acts, .qr") || e.getBoundingClientRect().right <= innerWidth + 0.5)), name);

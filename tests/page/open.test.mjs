@@ -1,7 +1,8 @@
 // What comes in from outside: files, dropped and pasted texts, links.
 import assert from "node:assert/strict";
+import path from "node:path";
 import { after, afterEach, before, test } from "node:test";
-import { asset, evenlift, link, load, phone, settled, startBrowser, state } from "./browser.mjs";
+import { asset, evenlift, link, load, phone, root, settled, startBrowser, state } from "./browser.mjs";
 import { allClosed, drop, noticed, openWindow, paste } from "./windows.mjs";
 
 let browser;
@@ -85,7 +86,7 @@ test("a chosen file", async () => {
 });
 
 test("links, bare and whole, come with their settings", async () => {
-  const made = evenlift("link", "encode", "assets/polygons/key.txt".replace(/^/, `${process.cwd().replace(/\/tests\/page$/, "")}/`), "--teams", "2").trim();
+  const made = evenlift("link", "encode", path.join(root, "assets/polygons/key.txt"), "--teams", "2").trim();
   for (const text of [made, `https://example.org/x/index.html#${made}`, ` ${browser.server.url}#${made}\n`]) {
     await load(page, asset("cross"));
     await page.locator("#canvas").focus();
