@@ -36,7 +36,8 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
                          double min_ratio);
 
 // All candidates in candidate order. `min_ratio` in [0, 1]. Refused if there are more than
-// max_edge_pairs pairs. O(n log n + K log K) for K edge-pairs.
+// max_edge_pairs pairs. O(n log n + K) for K edge-pairs, and O(l log l) for each line through C
+// with l candidates on it.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
                                                double min_ratio);
 
