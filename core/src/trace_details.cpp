@@ -1,6 +1,7 @@
 // What one step shows besides the trace itself, its numbers, and which steps a learner could guess.
 #include <algorithm>
 
+#include "evenlift/predicates.h"
 #include "evenlift/trace.h"
 
 namespace evenlift {
@@ -20,6 +21,21 @@ void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail)
 }
 
 }  // namespace
+
+bool centre_is_outside(const Trace& trace) {
+  const Vec2& c = trace.centre;
+  bool outside = true;
+  for (std::size_t i = 0; i < trace.polygon.size(); ++i) {
+    const Vec2 &p = trace.polygon.edge_start(i), &q = trace.polygon.edge_end(i);
+    const double side = orient(p, q, c);
+    const bool within_x = (p.x() <= c.x()) == (c.x() <= q.x());
+    const bool within_y = (p.y() <= c.y()) == (c.y() <= q.y());
+    if (side == 0 && within_x && within_y) return false;
+    // Half-open, so that a vertex to the left of C counts for one of its two edges.
+    if ((p.y() > c.y()) != (q.y() > c.y()) && (side > 0) == (q.y() > p.y())) outside = !outside;
+  }
+  return outside;
+}
 
 StepDetail look_at(const Trace& trace, std::uint32_t k) {
   StepDetail detail;

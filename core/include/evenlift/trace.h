@@ -136,6 +136,15 @@ struct Trace {
   bool by_candidates() const;
 };
 
+// Whether C lies outside of the polygon, its boundary being inside; exact. O(n).
+bool centre_is_outside(const Trace& trace);
+
+// The team and the end (0: r1, 1: r2) that a contact belongs to. O(1).
+struct RobotIndex {
+  std::uint32_t team = 0, end = 0;
+};
+inline RobotIndex robot_of(const Contact& contact) { return {contact.point / 2, contact.point % 2}; }
+
 // The trace of a placement that place() gave. Refused where there are more than max_trace_steps
 // steps, and of objects smaller than 1e-30, whose products would not be doubles. The cost of
 // place() without the selection: O(n log n + K log K) for K edge-pairs.

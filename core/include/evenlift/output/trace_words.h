@@ -18,7 +18,7 @@ std::string_view title(Chapter chapter);
 // One to three sentences about a step. O(1) besides numbers(); of `slopes` and `duplicates` linear.
 std::string caption(const Trace& trace, const StepDetail& detail);
 
-// The step's formula with the numbers filled in, "47.5 / 50.1 = 0.948 ≥ 0.8"; empty where there is
+// The step's formula with the numbers filled in, "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty where there is
 // nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
