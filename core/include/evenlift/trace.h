@@ -143,7 +143,9 @@ bool centre_is_outside(const Trace& trace);
 struct RobotIndex {
   std::uint32_t team = 0, end = 0;
 };
-inline RobotIndex robot_of(const Contact& contact) { return {contact.point / 2, contact.point % 2}; }
+inline RobotIndex robot_of(const Contact& contact) {
+  return {contact.point / 2, contact.point % 2};
+}
 
 // The trace of a placement that place() gave. Refused where there are more than max_trace_steps
 // steps, and of objects smaller than 1e-30, whose products would not be doubles. The cost of

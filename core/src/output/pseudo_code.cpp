@@ -29,8 +29,7 @@ constexpr std::string_view distributed_lines[] = {
     "  direction := at (k − 1/2)/t of V; robots at the farthest boundary points",
     "  H := the convex hull of H and its robots"};
 constexpr std::string_view random_lines[] = {
-    "for each team",
-    "  r1 := a random point of the boundary",
+    "for each team", "  r1 := a random point of the boundary",
     "  r2 := one of the boundary points straight across C; if none, draw again",
     "  H := the convex hull of H and its robots"};
 constexpr std::string_view tail[] = {

@@ -43,8 +43,7 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
                    ratio_text(a.chord.ratio, b.chord.ratio)});
     case DecidedBy::length:
       return fill("For team # # ties with #, which is longer: # to #.",
-                  {team, own, winner,
-                   number_unlike(b.length, a.length, trace.polygon.diagonal()),
+                  {team, own, winner, number_unlike(b.length, a.length, trace.polygon.diagonal()),
                    number_unlike(a.length, b.length, trace.polygon.diagonal())});
     case DecidedBy::order:
       return fill("For team # # ties with # in everything, which comes first in order of slope.",
@@ -53,19 +52,17 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
       break;
   }
   constexpr const char* what[] = {"length", "load ratio", "score"};
-  return fill("For team # # has a # of #, # has # and wins; # of those left rank before it.",
-              {team, own, what[static_cast<std::size_t>(answer.rule)],
-               (answer.exact ? "" : "at most ") +
-                   score_text(trace, answer.rule, answer.value, answer.best),
-               winner, score_text(trace, answer.rule, answer.best, answer.value),
-               whole(answer.rank)});
+  return fill(
+      "For team # # has a # of #, # has # and wins; # of those left rank before it.",
+      {team, own, what[static_cast<std::size_t>(answer.rule)],
+       (answer.exact ? "" : "at most ") + score_text(trace, answer.rule, answer.value, answer.best),
+       winner, score_text(trace, answer.rule, answer.best, answer.value), whole(answer.rank)});
 }
 
 std::string loaded(const Trace& trace, const Object& object) {
   std::string text = fill("Team #, robot #", {whole(object.item / 2 + std::size_t{1}),
                                               whole(object.item % 2 + std::size_t{1})});
-  if (object.value > 0)
-    text += fill(": # kg", {load_text(trace, object.value)});
+  if (object.value > 0) text += fill(": # kg", {load_text(trace, object.value)});
   return text;
 }
 
@@ -84,39 +81,42 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
     case Why::no_chord:
       return "In this direction the boundary is not on both sides of C: no team can stand there.";
     case Why::not_by_candidates:
-      return fill("Load ratio #. The method “#” does not choose among candidates.",
-                  {ratio_text(answer.chord.ratio),
-                   std::string(name(trace.placement.settings.metric))});
+      return fill(
+          "Load ratio #. The method “#” does not choose among candidates.",
+          {ratio_text(answer.chord.ratio), std::string(name(trace.placement.settings.metric))});
     case Why::no_pair:
-      return "Its ends are on no two edges that face each other: an edge whose line passes through C "
+      return "Its ends are on no two edges that face each other: an edge whose line passes through "
+             "C "
              "is in no pair.";
     case Why::too_uneven:
-      return fill("Ratio too low: this chord has #. #: the best chord between them has #, less than "
-                  "the minimum #.",
-                  {ratio_text(answer.chord.ratio, least), edges_of(trace, answer.pair),
-                   ratio_text(answer.pair_ratio, least), shortest(least)});
+      return fill(
+          "Ratio too low: this chord has #. #: the best chord between them has #, less than "
+          "the minimum #.",
+          {ratio_text(answer.chord.ratio, least), edges_of(trace, answer.pair),
+           ratio_text(answer.pair_ratio, least), shortest(least)});
     case Why::not_best_of_pair:
-      return fill("Not the best of its pair: this chord has a load ratio of #. # give one candidate, "
-                  "number # with #.",
-                  {ratio_text(answer.chord.ratio, answer.pair_ratio), edges_of(trace, answer.pair),
-                   whole(answer.candidate + std::size_t{1}),
-                   ratio_text(answer.pair_ratio, answer.chord.ratio)});
+      return fill(
+          "Not the best of its pair: this chord has a load ratio of #. # give one candidate, "
+          "number # with #.",
+          {ratio_text(answer.chord.ratio, answer.pair_ratio), edges_of(trace, answer.pair),
+           whole(answer.candidate + std::size_t{1}),
+           ratio_text(answer.pair_ratio, answer.chord.ratio)});
     case Why::duplicate:
       return fill("A duplicate: it is the same chord as #, which stands for both.",
                   {candidate_text(answer.candidate)});
     case Why::not_even:
-      return fill("The first team is the longest even candidate. # has a load ratio of #; # is even.",
-                  {capital(candidate_text(answer.candidate)), ratio_text(answer.chord.ratio),
-                   candidate_text(answer.winner)});
+      return fill(
+          "The first team is the longest even candidate. # has a load ratio of #; # is even.",
+          {capital(candidate_text(answer.candidate)), ratio_text(answer.chord.ratio),
+           candidate_text(answer.winner)});
     case Why::behind:
       return behind(trace, answer);
     case Why::taken:
       return fill("Team # takes #: of those left it #.",
                   {whole(answer.team + std::size_t{1}), candidate_text(answer.candidate),
-                   answer.decided_by == DecidedBy::only_one ? "is the only one"
-                   : answer.decided_by == DecidedBy::first_key
-                       ? aim(trace, answer.rule)
-                       : "wins the tie for the best"});
+                   answer.decided_by == DecidedBy::only_one    ? "is the only one"
+                   : answer.decided_by == DecidedBy::first_key ? aim(trace, answer.rule)
+                                                               : "wins the tie for the best"});
   }
   return {};
 }
@@ -160,8 +160,7 @@ std::string object_text(const Trace& trace, const StepDetail& detail, const Obje
                   {ratio_text(object.value, least)});
     case Mark::candidate: {
       const double ratio = trace.placement.candidates[object.item].chord.ratio;
-      const std::string text =
-          fill("Candidate #, load ratio #", {item, ratio_text(ratio, least)});
+      const std::string text = fill("Candidate #, load ratio #", {item, ratio_text(ratio, least)});
       if (!detail.scores) return text;
       const Score& score = detail.scores->of_candidate[object.item];
       if (detail.scores->rule == Rule::most_even) return text;
@@ -175,8 +174,9 @@ std::string object_text(const Trace& trace, const StepDetail& detail, const Obje
       return loaded(trace, object);
     case Mark::gain_triangle:
     case Mark::gain_part:
-      return fill(trace.placement.settings.metric == Metric::area ? "Adds # of the object to H"
-                                                                  : "Triangle between H and the end",
+      return fill(trace.placement.settings.metric == Metric::area
+                      ? "Adds # of the object to H"
+                      : "Triangle between H and the end",
                   {score_text(trace, Rule::score, object.value, 0)});
     case Mark::gain_circle:
       return fill("Inscribed circle, radius #", {length_text(trace, object.value)});

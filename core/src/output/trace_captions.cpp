@@ -34,8 +34,10 @@ class Caption {
         return polygon();
       case StepKind::centroid:
         return fill(
-            "Where the area balances: cut the polygon into triangles that share vertex 1 and take the "
-            "mean of their middles, each weighted by its area; what folds back counts negative. The "
+            "Where the area balances: cut the polygon into triangles that share vertex 1 and take "
+            "the "
+            "mean of their middles, each weighted by its area; what folds back counts negative. "
+            "The "
             "centroid is #.",
             {point_text(trace_, trace_.polygon.centroid())});
       case StepKind::centre:
@@ -85,7 +87,8 @@ class Caption {
         return placement_.closure.second_order
                    ? "Yet every motion that is left would run into a robot as it goes on: the "
                      "curvature holds what the directions do not. It is immobile to second order."
-                   : "Nor does the curvature of these motions stop them: to second order the object "
+                   : "Nor does the curvature of these motions stop them: to second order the "
+                     "object "
                      "is not held either.";
       case StepKind::result:
         return verdict(placement_);
@@ -95,9 +98,7 @@ class Caption {
 
  private:
   std::string load(double value) const { return load_text(trace_, value); }
-  std::string ratio(double value) const {
-    return ratio_text(value, placement_.settings.min_ratio);
-  }
+  std::string ratio(double value) const { return ratio_text(value, placement_.settings.min_ratio); }
   std::string least() const { return shortest(placement_.settings.min_ratio); }
 
   std::string polygon() const {
@@ -115,14 +116,16 @@ class Caption {
   std::string centre() const {
     const double moved = length(trace_.centre - trace_.polygon.centroid());
     std::string text =
-        moved == 0 ? fill("The centre of mass C is the centroid, #.",
-                          {point_text(trace_, trace_.centre)})
-                   : fill("The centre of mass C is at #, # away from the centroid: the object is "
-                          "heavier on that side.",
-                          {point_text(trace_, trace_.centre), length_text(trace_, moved)});
+        moved == 0
+            ? fill("The centre of mass C is the centroid, #.", {point_text(trace_, trace_.centre)})
+            : fill(
+                  "The centre of mass C is at #, # away from the centroid: the object is "
+                  "heavier on that side.",
+                  {point_text(trace_, trace_.centre), length_text(trace_, moved)});
     if (centre_is_outside(trace_)) text += " It lies outside of the polygon.";
     return text +
-           " Two robots hold the object without tipping only if C is between them: a team stands at "
+           " Two robots hold the object without tipping only if C is between them: a team stands "
+           "at "
            "the two ends of a chord through C.";
   }
 
@@ -132,13 +135,16 @@ class Caption {
     for (std::size_t i = 0; i < shown; ++i)
       list += (i == 0 ? "" : ", ") + whole(trace_.radial_edges[i] + std::size_t{1});
     if (shown < trace_.radial_edges.size()) list += ", …";
-    return trace_.radial_edges.size() == 1
-               ? fill("The line of edge # passes through C. Rays from C meet it at its ends only: it "
-                      "faces no other edge.",
-                      {list})
-               : fill("The lines of edges # pass through C. Rays from C meet them at their ends only: "
-                      "they face no other edge.",
-                      {list});
+    return trace_.radial_edges.size() == 1 ? fill(
+                                                 "The line of edge # passes through C. Rays from C "
+                                                 "meet it at its ends only: it "
+                                                 "faces no other edge.",
+                                                 {list})
+                                           : fill(
+                                                 "The lines of edges # pass through C. Rays from C "
+                                                 "meet them at their ends only: "
+                                                 "they face no other edge.",
+                                                 {list});
   }
 
   std::string ray(std::uint32_t index) const {
@@ -149,10 +155,10 @@ class Caption {
     if (end == begin + 1) {
       const VertexChord& chord = trace_.rays.chords[begin];
       const std::uint32_t other = chord.vertex == vertex ? chord.hit_vertex : chord.vertex;
-      text += other == inside_edge ? "Across C the ray meets the boundary at " +
-                                         point_text(trace_, far_end(chord.chord, vertex))
-                                   : fill("Across C the ray meets vertex #",
-                                          {whole(other + std::size_t{1})});
+      text += other == inside_edge
+                  ? "Across C the ray meets the boundary at " +
+                        point_text(trace_, far_end(chord.chord, vertex))
+                  : fill("Across C the ray meets vertex #", {whole(other + std::size_t{1})});
       text += chord.vertex == vertex ? ": a chord with a load ratio of #."
                                      : ", from where this chord was found already: load ratio #.";
       return fill(text, {ratio(chord.chord.ratio)});
@@ -162,9 +168,10 @@ class Caption {
     for (std::uint32_t i = begin; i < end && i < begin + most; ++i)
       ratios += (i == begin ? "" : ", ") + ratio(trace_.rays.chords[i].chord.ratio);
     if (end - begin > most) ratios += ", …";
-    return text + fill("Across C the ray meets the boundary # times, and each hit makes a chord: "
-                       "load ratios #.",
-                       {whole(end - begin), ratios});
+    return text + fill(
+                      "Across C the ray meets the boundary # times, and each hit makes a chord: "
+                      "load ratios #.",
+                      {whole(end - begin), ratios});
   }
 
   Vec2 far_end(const Chord& chord, std::uint32_t vertex) const {
@@ -190,10 +197,11 @@ class Caption {
   }
 
   std::string sections(const PairDetail& pair) const {
-    return fill("Pair # of #: # face each other across C. The parts that do, the sections, end at "
-                "two chords with load ratios # and #.",
-                {whole(detail_.step.item + std::size_t{1}), whole(trace_.pairs.size()), edges(pair),
-                 ratio(pair.ends[0].ratio), ratio(pair.ends[1].ratio)});
+    return fill(
+        "Pair # of #: # face each other across C. The parts that do, the sections, end at "
+        "two chords with load ratios # and #.",
+        {whole(detail_.step.item + std::size_t{1}), whole(trace_.pairs.size()), edges(pair),
+         ratio(pair.ends[0].ratio), ratio(pair.ends[1].ratio)});
   }
 
   std::string outcome(const PairDetail& pair) const {
@@ -201,33 +209,37 @@ class Caption {
     const std::string b = whole(pair.pair.b + std::size_t{1});
     const std::string chosen = ratio(pair.chosen.ratio);
     const std::string off = fill(
-        "Reflected through C, edge # meets the line of edge # outside of the sections: none of their "
+        "Reflected through C, edge # meets the line of edge # outside of the sections: none of "
+        "their "
         "chords is even. ",
         {b, a});
     std::string text;
     switch (pair.outcome) {
       case Outcome::bisecting:
-        text = fill("Reflected through C, edge # meets edge # within the sections: C bisects the "
-                    "chord there. Equal arms, load ratio 1: a candidate.",
-                    {b, a});
+        text = fill(
+            "Reflected through C, edge # meets edge # within the sections: C bisects the "
+            "chord there. Equal arms, load ratio 1: a candidate.",
+            {b, a});
         break;
       case Outcome::nearer_end:
-        text = off + fill("The end nearer to even has #, at least #: a candidate.",
-                          {chosen, least()});
+        text =
+            off + fill("The end nearer to even has #, at least #: a candidate.", {chosen, least()});
         break;
       case Outcome::too_uneven:
         text = off + fill("The end nearer to even has only #, less than #: no candidate here.",
                           {chosen, least()});
         break;
       case Outcome::midpoint:
-        text = fill("Edges # and # are parallel: all their chords have the load ratio #, at least #. "
-                    "The one between the middles of the sections is the candidate.",
-                    {a, b, chosen, least()});
+        text = fill(
+            "Edges # and # are parallel: all their chords have the load ratio #, at least #. "
+            "The one between the middles of the sections is the candidate.",
+            {a, b, chosen, least()});
         break;
       case Outcome::parallel_low:
-        text = fill("Edges # and # are parallel: all their chords have the load ratio #, less than "
-                    "#: no candidate here.",
-                    {a, b, chosen, least()});
+        text = fill(
+            "Edges # and # are parallel: all their chords have the load ratio #, less than "
+            "#: no candidate here.",
+            {a, b, chosen, least()});
         break;
     }
     if (pair.candidate == no_index || pair.stands) return text;
@@ -243,9 +255,10 @@ class Caption {
     if (found == kept)
       return fill("No two pairs have the same chord: # for #.",
                   {counted(kept, "candidate"), counted(trace_.pairs.size(), "pair")});
-    return fill("# of the # chords found are the same as another one, as at a vertex, where two pairs "
-                "meet. Each counts once: # left.",
-                {whole(found - kept), whole(found), counted(kept, "candidate")});
+    return fill(
+        "# of the # chords found are the same as another one, as at a vertex, where two pairs "
+        "meet. Each counts once: # left.",
+        {whole(found - kept), whole(found), counted(kept, "candidate")});
   }
 
   std::string candidates() const {
@@ -256,11 +269,11 @@ class Caption {
     std::size_t even = 0;
     for (const Candidate& candidate : all) even += is_even(candidate.chord);
     return fill("#, in order of slope. # perfectly even: a team there shares its load equally.",
-                {counted(all.size(), "candidate"),
-                 even == 0             ? "None of them is"
-                 : even == all.size() ? (even == 1 ? "It is" : "All of them are")
-                 : even == 1          ? "One of them is"
-                                       : whole(even) + " of them are"});
+                {counted(all.size(), "candidate"), even == 0 ? "None of them is"
+                                                   : even == all.size()
+                                                       ? (even == 1 ? "It is" : "All of them are")
+                                                   : even == 1 ? "One of them is"
+                                                               : whole(even) + " of them are"});
   }
 
   // "Candidate 6 has 571.7, candidate 5 520.6, candidate 2 394.9."
@@ -272,11 +285,10 @@ class Caption {
       const Score& score = scores.of_candidate[order[i]];
       if (i > 0 && !score.eligible) break;
       const double before = i == 0 ? score.value : scores.of_candidate[order[i - 1]].value;
-      const double next =
-          i == 0 && order.size() > 1 ? scores.of_candidate[order[1]].value : before;
+      const double next = i == 0 && order.size() > 1 ? scores.of_candidate[order[1]].value : before;
       text += i == 0 ? "Candidate " : ", candidate ";
       text += whole(order[i] + std::size_t{1});
-      text += i > 0                             ? " "
+      text += i > 0                               ? " "
               : scores.rule == Rule::longest_even ? " has a length of "
               : scores.rule == Rule::most_even    ? " has a load ratio of "
                                                   : " has ";
@@ -288,8 +300,7 @@ class Caption {
 
   std::string first_scores(const TeamScores& scores) const {
     if (scores.rule == Rule::longest_even)
-      return "The first team takes the longest even candidate, for a wide base. " +
-             ranking(scores);
+      return "The first team takes the longest even candidate, for a wide base. " + ranking(scores);
     return "No candidate is perfectly even, so the first team takes the one with the largest load "
            "ratio. " +
            ranking(scores);
@@ -297,14 +308,16 @@ class Caption {
 
   std::string scores(const TeamScores& scores) const {
     const Metric metric = placement_.settings.metric;
-    return fill("Team #: how much would each candidate add? Its score is #. ",
-                {whole(scores.team + std::size_t{1}),
-                 metric == Metric::area ? "the area of the triangles between H and its two ends, as "
-                                          "far as they are in the object"
-                 : metric == Metric::circle
-                     ? "the area of the circles inscribed in the triangles between H and its ends"
-                     : "by how much it shortens the arms with which weight at the vertices would tip "
-                       "the object"}) +
+    return fill(
+               "Team #: how much would each candidate add? Its score is #. ",
+               {whole(scores.team + std::size_t{1}),
+                metric == Metric::area ? "the area of the triangles between H and its two ends, as "
+                                         "far as they are in the object"
+                : metric == Metric::circle
+                    ? "the area of the circles inscribed in the triangles between H and its ends"
+                    : "by how much it shortens the arms with which weight at the vertices would "
+                      "tip "
+                      "the object"}) +
            (scores.of_candidate[scores.ranking.front()].value > 0
                 ? ranking(scores)
                 : "No candidate adds anything any more.");
@@ -312,9 +325,8 @@ class Caption {
 
   std::string team(const TeamScores& scores) const {
     const std::uint32_t winner = scores.ranking.front();
-    const std::string text = fill("Team # takes candidate #",
-                                  {whole(scores.team + std::size_t{1}),
-                                   whole(winner + std::size_t{1})});
+    const std::string text = fill("Team # takes candidate #", {whole(scores.team + std::size_t{1}),
+                                                               whole(winner + std::size_t{1})});
     if (scores.decided_by == DecidedBy::only_one) return text + ", the only one left.";
     const std::uint32_t second = scores.ranking[1];
     const std::string other = candidate_text(second);
@@ -330,32 +342,33 @@ class Caption {
                            {other, number_unlike(a.length, b.length, trace_.polygon.diagonal()),
                             number_unlike(b.length, a.length, trace_.polygon.diagonal())});
       case DecidedBy::order:
-        return text + fill(": it ties with # in everything and comes first in order of slope.",
-                           {other});
+        return text +
+               fill(": it ties with # in everything and comes first in order of slope.", {other});
       default:
         break;
     }
     if (!scores.of_candidate[second].eligible) return text + ", the only even one.";
-    return text + fill(scores.rule == Rule::longest_even ? ", # longer than #."
-                                                         : ", # ahead of #.",
-                       {scores.rule == Rule::most_even
-                            ? ratio_text(best - next, 0)
-                            : score_text(trace_, scores.rule, best - next, 0),
-                        other});
+    return text +
+           fill(scores.rule == Rule::longest_even ? ", # longer than #." : ", # ahead of #.",
+                {scores.rule == Rule::most_even ? ratio_text(best - next, 0)
+                                                : score_text(trace_, scores.rule, best - next, 0),
+                 other});
   }
 
   std::string team_without_candidates(std::uint32_t item) const {
     const Chord& chord = placement_.teams[item].chord;
     const std::string name = whole(item + std::size_t{1});
     if (placement_.settings.metric == Metric::random)
-      return fill("Team #: one robot at a random point of the boundary, the other straight across C: # "
-                  "and #, load ratio #.",
-                  {name, point_text(trace_, chord.r1.position),
-                   point_text(trace_, chord.r2.position), ratio_text(chord.ratio)});
-    return fill("Team # of # takes the line at #, its robots at the farthest boundary points: load "
-                "ratio #.",
-                {name, whole(placement_.teams.size()),
-                 angle_text(chord.r2.position - chord.r1.position), ratio_text(chord.ratio)});
+      return fill(
+          "Team #: one robot at a random point of the boundary, the other straight across C: # "
+          "and #, load ratio #.",
+          {name, point_text(trace_, chord.r1.position), point_text(trace_, chord.r2.position),
+           ratio_text(chord.ratio)});
+    return fill(
+        "Team # of # takes the line at #, its robots at the farthest boundary points: load "
+        "ratio #.",
+        {name, whole(placement_.teams.size()), angle_text(chord.r2.position - chord.r1.position),
+         ratio_text(chord.ratio)});
   }
 
   std::string base() const {
@@ -366,9 +379,10 @@ class Caption {
       return "The lifting base H is what the robots span: so far the segment between the two.";
     if (detail_.base.size() < 3)
       return "The lifting base H is still a segment: all robots stand on one line.";
-    return fill("The lifting base H, the convex hull of all robots, grows to # and covers # of the "
-                "object.",
-                {counted(detail_.base.size(), "corner"), covers});
+    return fill(
+        "The lifting base H, the convex hull of all robots, grows to # and covers # of the "
+        "object.",
+        {counted(detail_.base.size(), "corner"), covers});
   }
 
   std::string fewer() const {
@@ -383,13 +397,15 @@ class Caption {
     const std::string all =
         load(placement_.settings.weight / static_cast<double>(placement_.teams.size()));
     if (is_even(team.chord))
-      return fill("Team # carries # kg, its part of #. Equal arms, equal loads: # kg for each robot.",
-                  {item, all, shortest(placement_.settings.weight), load(team.loads[0])});
-    return fill("Team # carries # kg, its part of #. By the law of the lever the robot nearer to C "
-                "bears more: # kg and # kg.",
-                {item, all, shortest(placement_.settings.weight),
-                 load(std::max(team.loads[0], team.loads[1])),
-                 load(std::min(team.loads[0], team.loads[1]))});
+      return fill(
+          "Team # carries # kg, its part of #. Equal arms, equal loads: # kg for each robot.",
+          {item, all, shortest(placement_.settings.weight), load(team.loads[0])});
+    return fill(
+        "Team # carries # kg, its part of #. By the law of the lever the robot nearer to C "
+        "bears more: # kg and # kg.",
+        {item, all, shortest(placement_.settings.weight),
+         load(std::max(team.loads[0], team.loads[1])),
+         load(std::min(team.loads[0], team.loads[1]))});
   }
 
   std::string loads() const {
@@ -411,17 +427,19 @@ class Caption {
 
   std::string contacts() const {
     const std::size_t number = trace_.contacts.size();
-    return fill("Do the robots also hold the object in place? # make #: one inside an edge, two at an "
-                "inward corner, none at an outward one. Without contacts it turns about any point, "
-                "either way.",
-                {counted(2 * placement_.teams.size(), "robot"), counted(number, "contact")});
+    return fill(
+        "Do the robots also hold the object in place? # make #: one inside an edge, two at an "
+        "inward corner, none at an outward one. Without contacts it turns about any point, "
+        "either way.",
+        {counted(2 * placement_.teams.size(), "robot"), counted(number, "contact")});
   }
 
   std::string cut(std::uint32_t item) const {
     const Contact& contact = trace_.contacts[item];
     const RobotIndex robot = robot_of(contact);
     std::string text = fill(
-        "Contact #, robot # of team # on edge #. It pushes along its normal line: the object can turn "
+        "Contact #, robot # of team # on edge #. It pushes along its normal line: the object can "
+        "turn "
         "clockwise only about points to the right of it, counter-clockwise only to the left. ",
         {whole(item + std::size_t{1}), whole(robot.end + std::size_t{1}),
          whole(robot.team + std::size_t{1}), whole(contact.edge + std::size_t{1})});

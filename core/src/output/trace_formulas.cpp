@@ -22,7 +22,8 @@ class Formula {
       case StepKind::polygon:
         return "area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 = " + area(trace_.polygon.area());
       case StepKind::centroid:
-        return fill("sum of area × middle / sum of areas = #", {point_text(trace_, trace_.polygon.centroid())});
+        return fill("sum of area × middle / sum of areas = #",
+                    {point_text(trace_, trace_.polygon.centroid())});
       case StepKind::ray:
         return ray(trace_.rays.begins[item], trace_.rays.begins[item + 1]);
       case StepKind::sections:
@@ -48,14 +49,14 @@ class Formula {
                      load(placement_.loads->min), load(placement_.loads->spread)});
       case StepKind::coverage:
         return fill("area of P in H / area of P = # / # = #",
-                    {area(placement_.coverage * trace_.polygon.area()),
-                     area(trace_.polygon.area()), fixed(placement_.coverage, 3)});
+                    {area(placement_.coverage * trace_.polygon.area()), area(trace_.polygon.area()),
+                     fixed(placement_.coverage, 3)});
       case StepKind::cut:
         return cut(trace_.contacts[item]);
       case StepKind::closure:
-        return placement_.closure.margin
-                   ? "least over u of the greatest u · w = " + margin_text(*placement_.closure.margin)
-                   : "";
+        return placement_.closure.margin ? "least over u of the greatest u · w = " +
+                                               margin_text(*placement_.closure.margin)
+                                         : "";
       default:
         return {};
     }
@@ -71,10 +72,9 @@ class Formula {
 
   std::string ratio(const Chord& chord) const {
     const double least = placement_.settings.min_ratio;
-    return fill("load ratio = # / # = #",
-                {length_text(trace_, std::min(chord.arm1, chord.arm2)),
-                 length_text(trace_, std::max(chord.arm1, chord.arm2)),
-                 ratio_text(chord.ratio, least)});
+    return fill("load ratio = # / # = #", {length_text(trace_, std::min(chord.arm1, chord.arm2)),
+                                           length_text(trace_, std::max(chord.arm1, chord.arm2)),
+                                           ratio_text(chord.ratio, least)});
   }
 
   // Of several chords the most even one.
@@ -102,10 +102,10 @@ class Formula {
     const std::uint32_t winner = scores.ranking.front();
     const Candidate& candidate = placement_.candidates[winner];
     if (scores.rule != Rule::score)
-      return fill("|r1 r2| = # + # = #, load ratio #",
-                  {length_text(trace_, candidate.chord.arm1),
-                   length_text(trace_, candidate.chord.arm2),
-                   length_text(trace_, candidate.length), ratio_text(candidate.chord.ratio)});
+      return fill(
+          "|r1 r2| = # + # = #, load ratio #",
+          {length_text(trace_, candidate.chord.arm1), length_text(trace_, candidate.chord.arm2),
+           length_text(trace_, candidate.length), ratio_text(candidate.chord.ratio)});
     const Score& score = scores.of_candidate[winner];
     if (detail_.step.kind == StepKind::team && scores.ranking.size() > 1) {
       const double second = scores.of_candidate[scores.ranking[1]].value;

@@ -16,8 +16,8 @@ inline constexpr std::uint64_t most_printed_comparisons = 1u << 21;
 std::optional<InputError> check_printed_size(const Trace& trace);
 
 // An array with one object for each step: kind, chapter, item, caption, formula, code (the line of
-// pseudo-code), numbers, the ten best of a choice, a learner's question with its answer, and up to a
-// hundred shapes. As in json.h: the same bytes on every platform. O(output) and look_at for each
+// pseudo-code), numbers, the ten best of a choice, a learner's question with its answer, and up to
+// a hundred shapes. As in json.h: the same bytes on every platform. O(output) and look_at for each
 // step.
 std::string trace_json(const Trace& trace);
 

@@ -1,6 +1,7 @@
-// The lesson in words: captions with this polygon's own numbers, formulas with the numbers filled in,
-// the algorithm as pseudo-code, and answers to "why not this one?". Plain English, UTF-8, the same
-// bytes on every platform; vertices, edges, candidates and teams are counted from 1, as people do.
+// The lesson in words: captions with this polygon's own numbers, formulas with the numbers filled
+// in, the algorithm as pseudo-code, and answers to "why not this one?". Plain English, UTF-8, the
+// same bytes on every platform; vertices, edges, candidates and teams are counted from 1, as people
+// do.
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ std::string_view title(Chapter chapter);
 // One to three sentences about a step. O(1) besides numbers(); of `slopes` and `duplicates` linear.
 std::string caption(const Trace& trace, const StepDetail& detail);
 
-// The step's formula with the numbers filled in, "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty where there is
-// nothing to calculate. O(1).
+// The step's formula with the numbers filled in, "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty
+// where there is nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
 // The algorithm in our own words, a statement a line, two spaces of indentation a level; `metric`
