@@ -9,7 +9,7 @@ namespace {
 
 void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail) {
   const auto some = [&](std::uint32_t number) {
-    return std::vector<Contact>(trace.contacts.begin(), trace.contacts.begin() + number);
+    return std::vector<Contact>(trace.contacts.data(), trace.contacts.data() + number);
   };
   FreeRegions after = free_regions(trace.polygon, trace.centre, some(contacts));
   detail.clockwise = std::move(after.clockwise);
