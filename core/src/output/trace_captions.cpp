@@ -256,9 +256,10 @@ class Caption {
       return fill("No two pairs have the same chord: # for #.",
                   {counted(kept, "candidate"), counted(trace_.pairs.size(), "pair")});
     return fill(
-        "# of the # chords found are the same as another one, as at a vertex, where two pairs "
-        "meet. Each counts once: # left.",
-        {whole(found - kept), whole(found), counted(kept, "candidate")});
+        "# of the # chords found # the same as another one, as at a vertex, where two pairs meet. "
+        "Each counts once: # left.",
+        {whole(found - kept), whole(found), found - kept == 1 ? "is" : "are",
+         counted(kept, "candidate")});
   }
 
   std::string candidates() const {
@@ -349,8 +350,9 @@ class Caption {
     }
     if (!scores.of_candidate[second].eligible) return text + ", the only even one.";
     return text +
-           fill(scores.rule == Rule::longest_even ? ", # longer than #." : ", # ahead of #.",
-                {scores.rule == Rule::most_even ? ratio_text(best - next, 0)
+           fill(scores.rule == Rule::longest_even ? ", ## longer than #." : ", ## ahead of #.",
+                {scores.of_candidate[second].exact ? "" : "at least ",
+                 scores.rule == Rule::most_even ? ratio_text(best - next, 0)
                                                 : score_text(trace_, scores.rule, best - next, 0),
                  other});
   }

@@ -43,10 +43,9 @@ class Formula {
       case StepKind::share:
         return share(placement_.teams[item]);
       case StepKind::loads:
-        return fill("mean = # / # = # kg, spread = # − # = # kg",
+        return fill("mean = # / # = # kg, greatest − least = # kg",
                     {shortest(placement_.settings.weight), whole(2 * placement_.teams.size()),
-                     load(placement_.loads->mean), load(placement_.loads->max),
-                     load(placement_.loads->min), load(placement_.loads->spread)});
+                     load(placement_.loads->mean), load(placement_.loads->spread)});
       case StepKind::coverage:
         return fill("area of P in H / area of P = # / # = #",
                     {area(placement_.coverage * trace_.polygon.area()), area(trace_.polygon.area()),
@@ -108,10 +107,12 @@ class Formula {
            length_text(trace_, candidate.length), ratio_text(candidate.chord.ratio)});
     const Score& score = scores.of_candidate[winner];
     if (detail_.step.kind == StepKind::team && scores.ranking.size() > 1) {
-      const double second = scores.of_candidate[scores.ranking[1]].value;
-      return fill("score: # − # = #", {score_text(trace_, scores.rule, score.value, second),
-                                       score_text(trace_, scores.rule, second, score.value),
-                                       score_text(trace_, scores.rule, score.value - second, 0)});
+      const Score& second = scores.of_candidate[scores.ranking[1]];
+      const char* sign = scores.decided_by != DecidedBy::first_key ? " ties with "
+                         : second.exact                            ? " > "
+                                                                   : " > at most ";
+      return "score: " + score_text(trace_, scores.rule, score.value, second.value) + sign +
+             score_text(trace_, scores.rule, second.value, score.value);
     }
     return fill("score = f(r1) + f(r2) = # + # = #",
                 {score_text(trace_, scores.rule, score.ends[0].value, 0),
