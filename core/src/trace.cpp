@@ -122,8 +122,9 @@ std::uint64_t write_blocks(Trace& trace) {
 std::optional<InputError> check_steps(std::uint64_t steps) {
   if (steps <= max_trace_steps) return std::nullopt;
   return InputError{ErrorCode::unsupported,
-                    "the algorithm takes " + std::to_string(steps) + " steps here, more than the " +
-                        std::to_string(max_trace_steps) + " that are shown one by one",
+                    "the algorithm takes at least " + std::to_string(steps) +
+                        " steps here, more than the " + std::to_string(max_trace_steps) +
+                        " that are shown one by one",
                     {}};
 }
 
