@@ -1,0 +1,22 @@
+#include "sorted_indices.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace evenlift {
+
+SortedIndices sorted_indices(std::size_t n, const void* order, IsBefore is_before) {
+  SortedIndices indices(n);
+  std::iota(indices.begin(), indices.end(), std::uint32_t{0});
+  std::stable_sort(indices.begin(), indices.end(),
+                   [&](std::uint32_t i, std::uint32_t j) { return is_before(order, i, j); });
+  return indices;
+}
+
+SortedIndices lexicographic_order(const Points& points) {
+  return sorted_indices(points.size(), [&](std::uint32_t i, std::uint32_t j) {
+    return lexicographically_before(points[i], points[j]);
+  });
+}
+
+}  // namespace evenlift
