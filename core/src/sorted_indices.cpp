@@ -5,12 +5,15 @@
 
 namespace evenlift {
 
-SortedIndices sorted_indices(std::size_t n, const void* order, IsBefore is_before) {
+SortedIndices indices_below(std::size_t n) {
   SortedIndices indices(n);
   std::iota(indices.begin(), indices.end(), std::uint32_t{0});
-  std::stable_sort(indices.begin(), indices.end(),
-                   [&](std::uint32_t i, std::uint32_t j) { return is_before(order, i, j); });
   return indices;
+}
+
+void sort_indices(std::span<std::uint32_t> indices, const void* order, IsBefore is_before) {
+  std::stable_sort(indices.begin(), indices.end(),
+                   [=](std::uint32_t i, std::uint32_t j) { return is_before(order, i, j); });
 }
 
 SortedIndices lexicographic_order(const Points& points) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "evenlift/vec.h"
@@ -15,15 +16,26 @@ using SortedIndices = std::vector<std::uint32_t>;
 
 // Tells whether element i goes before element j of what `order` points to.
 using IsBefore = bool (*)(const void* order, std::uint32_t i, std::uint32_t j);
-SortedIndices sorted_indices(std::size_t n, const void* order, IsBefore is_before);
+void sort_indices(std::span<std::uint32_t> indices, const void* order, IsBefore is_before);
+
+// Sorts indices by before(i, j), a strict weak order; those that it does not tell apart keep their
+// order. O(n log n) calls.
+template <class Before>
+void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
+  sort_indices(indices, &before, [](const void* order, std::uint32_t i, std::uint32_t j) {
+    return static_cast<bool>((*static_cast<const Before*>(order))(i, j));
+  });
+}
+
+SortedIndices indices_below(std::size_t n);
 
 // The indices 0 ... n - 1 sorted by before(i, j), a strict weak order; those that it does not tell
 // apart stay in order of index. O(n log n) calls. Needs n < 2^32.
 template <class Before>
 SortedIndices sorted_indices(std::size_t n, const Before& before) {
-  return sorted_indices(n, &before, [](const void* order, std::uint32_t i, std::uint32_t j) {
-    return static_cast<bool>((*static_cast<const Before*>(order))(i, j));
-  });
+  SortedIndices indices = indices_below(n);
+  sort_indices(indices, before);
+  return indices;
 }
 
 inline bool lexicographically_before(const Vec2& a, const Vec2& b) {
