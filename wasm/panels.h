@@ -27,6 +27,12 @@ void draw_numbers(const Ui& ui);
 // The value one step up or down, in steps that suit its size: 100 goes by tens, 12 by ones.
 double stepped(double value, int by);
 
+// Those of the lesson.
+void draw_lesson_step(const Ui& ui);
+void draw_lesson_code(const Ui& ui);
+void draw_lesson_history(const Ui& ui);
+void draw_player(const Ui& ui);
+
 // What floats by itself.
 void draw_toolbar(const Ui& ui);
 void draw_tool_bar(const Ui& ui);
