@@ -263,6 +263,21 @@ TEST_CASE("every ready-made lesson opens and has its steps", "[lesson]") {
     CHECK(listed.count(file.path().stem().string()) == 1);
 }
 
+TEST_CASE("the example in docs/lessons.md is a lesson", "[lesson]") {
+  const std::string page = corpus::read_file(
+      std::filesystem::path(EVENLIFT_ASSETS_DIR).parent_path() / "docs" / "lessons.md");
+  const std::size_t begin = page.find("```text\n");
+  REQUIRE(begin != std::string::npos);
+  const std::size_t end = page.find("```", begin + 8);
+  const Lesson lesson = lesson_of(page.substr(begin + 8, end - begin - 8));
+  const Trace trace = trace_of(lesson);
+  CHECK_FALSE(check_lesson(lesson, trace));
+  CHECK(lesson.steps.back().words ==
+        "Lines of one paragraph are joined when they are shown, wherever you break them.\n"
+        "An empty line begins a new paragraph.");
+  CHECK(is_even(trace.placement.teams[0].chord));
+}
+
 // What the lessons say of their polygons, in numbers.
 TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
   const auto trace = [](const char* name) {

@@ -5,6 +5,7 @@
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
 #include "selector.h"
+#include "sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -20,8 +21,12 @@ class Tournament {
     for (std::uint32_t i = 0; i < candidates_.size(); ++i)
       if (!scores_.of_candidate[i].taken) scores_.ranking.push_back(i);
     for (std::uint32_t key = 0; key < 3; ++key) play(key);
-    std::sort(scores_.ranking.begin(), scores_.ranking.end(),
-              [this](std::uint32_t i, std::uint32_t j) { return comes_first(i, j); });
+    const std::vector<std::uint32_t> left = std::move(scores_.ranking);
+    scores_.ranking.clear();
+    for (const std::uint32_t i : sorted_indices(left.size(), [&](std::uint32_t i, std::uint32_t j) {
+           return comes_first(left[i], left[j]);
+         }))
+      scores_.ranking.push_back(left[i]);
     scores_.decided_by =
         scores_.ranking.size() < 2 ? DecidedBy::only_one : lost_by(scores_.ranking[1]);
   }

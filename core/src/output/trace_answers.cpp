@@ -7,18 +7,13 @@
 namespace evenlift {
 namespace {
 
-std::string capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
-  return text;
-}
-
 std::string edges_of(const Trace& trace, std::uint32_t pair) {
-  return fill("Edges # and #", {whole(trace.pairs[pair].a + std::size_t{1}),
-                                whole(trace.pairs[pair].b + std::size_t{1})});
+  return fill("Edges # and #",
+              {counted_from_1(trace.pairs[pair].a), counted_from_1(trace.pairs[pair].b)});
 }
 
 // "the longest even candidate", and the like.
-std::string aim(const Trace& trace, Rule rule) {
+const char* aim(const Trace& trace, Rule rule) {
   if (rule == Rule::longest_even) return "is the longest even one";
   if (rule == Rule::most_even) return "is the most even one";
   switch (trace.placement.settings.metric) {
@@ -32,36 +27,39 @@ std::string aim(const Trace& trace, Rule rule) {
 }
 
 std::string behind(const Trace& trace, const WhyNot& answer) {
-  const std::string own = candidate_text(answer.candidate), winner = candidate_text(answer.winner);
-  const std::string team = whole(answer.team + std::size_t{1});
+  const Piece own = counted_from_1(answer.candidate), winner = counted_from_1(answer.winner);
+  const Piece team = counted_from_1(answer.team);
   const Candidate &a = trace.placement.candidates[answer.candidate],
                   &b = trace.placement.candidates[answer.winner];
   switch (answer.decided_by) {
     case DecidedBy::ratio:
-      return fill("For team # # ties with #, which is more even: # to #.",
+      return fill("For team # candidate # ties with candidate #, which is more even: # to #.",
                   {team, own, winner, ratio_text(b.chord.ratio, a.chord.ratio),
                    ratio_text(a.chord.ratio, b.chord.ratio)});
     case DecidedBy::length:
-      return fill("For team # # ties with #, which is longer: # to #.",
+      return fill("For team # candidate # ties with candidate #, which is longer: # to #.",
                   {team, own, winner, number_unlike(b.length, a.length, trace.polygon.diagonal()),
                    number_unlike(a.length, b.length, trace.polygon.diagonal())});
     case DecidedBy::order:
-      return fill("For team # # ties with # in everything, which comes first in order of slope.",
-                  {team, own, winner});
+      return fill(
+          "For team # candidate # ties with candidate # in everything, which comes first in order "
+          "of slope.",
+          {team, own, winner});
     default:
       break;
   }
   constexpr const char* what[] = {"length", "load ratio", "score"};
   return fill(
-      "For team # # has a # of #, # has # and wins; # of those left rank before it.",
-      {team, own, what[static_cast<std::size_t>(answer.rule)],
-       (answer.exact ? "" : "at most ") + score_text(trace, answer.rule, answer.value, answer.best),
-       winner, score_text(trace, answer.rule, answer.best, answer.value), whole(answer.rank)});
+      "For team # candidate # has a # of ##, candidate # has # and wins; # of those left rank "
+      "before it.",
+      {team, own, what[static_cast<std::size_t>(answer.rule)], answer.exact ? "" : "at most ",
+       score_text(trace, answer.rule, answer.value, answer.best), winner,
+       score_text(trace, answer.rule, answer.best, answer.value), whole(answer.rank)});
 }
 
 std::string loaded(const Trace& trace, const Object& object) {
-  std::string text = fill("Team #, robot #", {whole(object.item / 2 + std::size_t{1}),
-                                              whole(object.item % 2 + std::size_t{1})});
+  std::string text =
+      fill("Team #, robot #", {counted_from_1(object.item / 2), counted_from_1(object.item % 2)});
   if (object.value > 0) text += fill(": # kg", {load_text(trace, object.value)});
   return text;
 }
@@ -72,7 +70,7 @@ std::string question_text(const Trace& trace, const StepDetail& detail, const Qu
   if (question.kind == QuestionKind::nearer_end)
     return "None of the chords between these two sections is even. Which end is nearer to it?";
   return fill("Which candidate does team # take? The one that #.",
-              {whole(detail.step.item + std::size_t{1}), aim(trace, detail.scores->rule)});
+              {counted_from_1(detail.step.item), aim(trace, detail.scores->rule)});
 }
 
 std::string why_not_text(const Trace& trace, const WhyNot& answer) {
@@ -81,9 +79,8 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
     case Why::no_chord:
       return "In this direction the boundary is not on both sides of C: no team can stand there.";
     case Why::not_by_candidates:
-      return fill(
-          "Load ratio #. The method “#” does not choose among candidates.",
-          {ratio_text(answer.chord.ratio), std::string(name(trace.placement.settings.metric))});
+      return fill("Load ratio #. The method “#” does not choose among candidates.",
+                  {ratio_text(answer.chord.ratio), name(trace.placement.settings.metric)});
     case Why::no_pair:
       return "Its ends are on no two edges that face each other: an edge whose line passes through "
              "C "
@@ -93,27 +90,28 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
           "Ratio too low: this chord has #. #: the best chord between them has #, less than "
           "the minimum #.",
           {ratio_text(answer.chord.ratio, least), edges_of(trace, answer.pair),
-           ratio_text(answer.pair_ratio, least), shortest(least)});
+           ratio_text(answer.pair_ratio, least), exact(least)});
     case Why::not_best_of_pair:
       return fill(
           "Not the best of its pair: this chord has a load ratio of #. # give one candidate, "
           "number # with #.",
           {ratio_text(answer.chord.ratio, answer.pair_ratio), edges_of(trace, answer.pair),
-           whole(answer.candidate + std::size_t{1}),
-           ratio_text(answer.pair_ratio, answer.chord.ratio)});
+           counted_from_1(answer.candidate), ratio_text(answer.pair_ratio, answer.chord.ratio)});
     case Why::duplicate:
-      return fill("A duplicate: it is the same chord as #, which stands for both.",
-                  {candidate_text(answer.candidate)});
+      return fill("A duplicate: it is the same chord as candidate #, which stands for both.",
+                  {counted_from_1(answer.candidate)});
     case Why::not_even:
       return fill(
-          "The first team is the longest even candidate. # has a load ratio of #; # is even.",
-          {capital(candidate_text(answer.candidate)), ratio_text(answer.chord.ratio),
-           candidate_text(answer.winner)});
+          "The first team is the longest even candidate. Candidate # has a load ratio of #; "
+          "candidate # "
+          "is even.",
+          {counted_from_1(answer.candidate), ratio_text(answer.chord.ratio),
+           counted_from_1(answer.winner)});
     case Why::behind:
       return behind(trace, answer);
     case Why::taken:
-      return fill("Team # takes #: of those left it #.",
-                  {whole(answer.team + std::size_t{1}), candidate_text(answer.candidate),
+      return fill("Team # takes candidate #: of those left it #.",
+                  {counted_from_1(answer.team), counted_from_1(answer.candidate),
                    answer.decided_by == DecidedBy::only_one    ? "is the only one"
                    : answer.decided_by == DecidedBy::first_key ? aim(trace, answer.rule)
                                                                : "wins the tie for the best"});
@@ -122,14 +120,14 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
 }
 
 std::string object_text(const Trace& trace, const StepDetail& detail, const Object& object) {
-  const std::string item = whole(object.item + std::size_t{1});
+  const Piece item = counted_from_1(object.item);
   const double least = trace.placement.settings.min_ratio;
   switch (object.mark) {
     case Mark::object:
       return "The object";
     case Mark::triangle:
-      return fill("Triangle at edge #: # of the area",
-                  {item, (object.value < 0 ? "−" : "") + percentage(std::abs(object.value))});
+      return fill("Triangle at edge #: ## of the area",
+                  {item, object.value < 0 ? "−" : "", percent(std::abs(object.value))});
     case Mark::centroid:
       return fill("Centroid #", {point_text(trace, object.points[0])});
     case Mark::centre:
@@ -141,9 +139,9 @@ std::string object_text(const Trace& trace, const StepDetail& detail, const Obje
     case Mark::ray:
       return fill("Ray from vertex # through C", {item});
     case Mark::chord:
-      return fill("Chord from vertex #, load ratio #",
-                  {whole(trace.rays.chords[object.item].vertex + std::size_t{1}),
-                   ratio_text(object.value, least)});
+      return fill(
+          "Chord from vertex #, load ratio #",
+          {counted_from_1(trace.rays.chords[object.item].vertex), ratio_text(object.value, least)});
     case Mark::edge:
       return fill("Edge #", {item});
     case Mark::section:
@@ -192,8 +190,8 @@ std::string object_text(const Trace& trace, const StepDetail& detail, const Obje
       const Contact& contact = trace.contacts[object.item];
       const RobotIndex robot = robot_of(contact);
       return fill("Contact #: team #, robot # on edge #",
-                  {item, whole(robot.team + std::size_t{1}), whole(robot.end + std::size_t{1}),
-                   whole(contact.edge + std::size_t{1})});
+                  {item, counted_from_1(robot.team), counted_from_1(robot.end),
+                   counted_from_1(contact.edge)});
     }
     case Mark::normal:
       return fill("Normal line of contact #", {item});

@@ -60,7 +60,7 @@ class Caption {
         return fill(
             "Lines through C that meet the boundary on both sides of it: #° of 180°. The teams "
             "share these directions equally.",
-            {fixed(180 / pi * open_directions_rad(trace_.polygon, trace_.centre), 1)});
+            {with_decimals(180 / pi * open_directions_rad(trace_.polygon, trace_.centre), 1)});
       case StepKind::scores:
         return item == 0 ? first_scores(*detail_.scores) : scores(*detail_.scores);
       case StepKind::team:
@@ -97,9 +97,9 @@ class Caption {
   }
 
  private:
-  std::string load(double value) const { return load_text(trace_, value); }
-  std::string ratio(double value) const { return ratio_text(value, placement_.settings.min_ratio); }
-  std::string least() const { return shortest(placement_.settings.min_ratio); }
+  Piece load(double value) const { return load_text(trace_, value); }
+  Piece ratio(double value) const { return ratio_text(value, placement_.settings.min_ratio); }
+  Piece least() const { return exact(placement_.settings.min_ratio); }
 
   std::string polygon() const {
     std::size_t reflex = 0;
@@ -133,7 +133,7 @@ class Caption {
     std::string list;
     const std::size_t shown = std::min<std::size_t>(trace_.radial_edges.size(), 6);
     for (std::size_t i = 0; i < shown; ++i)
-      list += (i == 0 ? "" : ", ") + whole(trace_.radial_edges[i] + std::size_t{1});
+      list += fill(i == 0 ? "#" : ", #", {counted_from_1(trace_.radial_edges[i])});
     if (shown < trace_.radial_edges.size()) list += ", …";
     return trace_.radial_edges.size() == 1 ? fill(
                                                  "The line of edge # passes through C. Rays from C "
@@ -150,15 +150,15 @@ class Caption {
   std::string ray(std::uint32_t index) const {
     const std::uint32_t vertex = trace_.rays.vertices[index];
     const std::uint32_t begin = trace_.rays.begins[index], end = trace_.rays.begins[index + 1];
-    std::string text = fill("From vertex # through C. ", {whole(vertex + std::size_t{1})});
+    std::string text = fill("From vertex # through C. ", {counted_from_1(vertex)});
     if (begin == end) return text + "Across C the ray meets no boundary: this vertex has no chord.";
     if (end == begin + 1) {
       const VertexChord& chord = trace_.rays.chords[begin];
       const std::uint32_t other = chord.vertex == vertex ? chord.hit_vertex : chord.vertex;
       text += other == inside_edge
-                  ? "Across C the ray meets the boundary at " +
-                        point_text(trace_, far_end(chord.chord, vertex))
-                  : fill("Across C the ray meets vertex #", {whole(other + std::size_t{1})});
+                  ? fill("Across C the ray meets the boundary at #",
+                         {point_text(trace_, far_end(chord.chord, vertex))})
+                  : fill("Across C the ray meets vertex #", {counted_from_1(other)});
       text += chord.vertex == vertex ? ": a chord with a load ratio of #."
                                      : ", from where this chord was found already: load ratio #.";
       return fill(text, {ratio(chord.chord.ratio)});
@@ -166,7 +166,7 @@ class Caption {
     constexpr std::uint32_t most = 5;
     std::string ratios;
     for (std::uint32_t i = begin; i < end && i < begin + most; ++i)
-      ratios += (i == begin ? "" : ", ") + ratio(trace_.rays.chords[i].chord.ratio);
+      ratios += fill(i == begin ? "#" : ", #", {ratio(trace_.rays.chords[i].chord.ratio)});
     if (end - begin > most) ratios += ", …";
     return text + fill(
                       "Across C the ray meets the boundary # times, and each hit makes a chord: "
@@ -184,30 +184,29 @@ class Caption {
     if (order.empty()) return "No vertex has a chord: there is nothing to sort.";
     const auto angle = [&](std::uint32_t chord) {
       const Chord& c = trace_.rays.chords[chord].chord;
-      return angle_text(c.r2.position - c.r1.position);
+      return with_decimals(slope_degrees(c.r2.position - c.r1.position), 1);
     };
-    return fill("The # in order of slope, from # to #. ",
+    return fill("The # in order of slope, from #° to #°. ",
                 {counted(order.size(), "chord"), angle(order.front()), angle(order.back())}) +
            "Between two neighbours no edge begins or ends: the same edges face each other there.";
   }
 
   std::string edges(const PairDetail& pair) const {
-    return fill("edges # and #",
-                {whole(pair.pair.a + std::size_t{1}), whole(pair.pair.b + std::size_t{1})});
+    return fill("edges # and #", {counted_from_1(pair.pair.a), counted_from_1(pair.pair.b)});
   }
 
   std::string sections(const PairDetail& pair) const {
     return fill(
         "Pair # of #: # face each other across C. The parts that do, the sections, end at "
         "two chords with load ratios # and #.",
-        {whole(detail_.step.item + std::size_t{1}), whole(trace_.pairs.size()), edges(pair),
+        {counted_from_1(detail_.step.item), whole(trace_.pairs.size()), edges(pair),
          ratio(pair.ends[0].ratio), ratio(pair.ends[1].ratio)});
   }
 
   std::string outcome(const PairDetail& pair) const {
-    const std::string a = whole(pair.pair.a + std::size_t{1});
-    const std::string b = whole(pair.pair.b + std::size_t{1});
-    const std::string chosen = ratio(pair.chosen.ratio);
+    const Piece a = counted_from_1(pair.pair.a);
+    const Piece b = counted_from_1(pair.pair.b);
+    const Piece chosen = ratio(pair.chosen.ratio);
     const std::string off = fill(
         "Reflected through C, edge # meets the line of edge # outside of the sections: none of "
         "their "
@@ -244,7 +243,7 @@ class Caption {
     }
     if (pair.candidate == no_index || pair.stands) return text;
     return text + fill(" Pair # has the same chord.",
-                       {whole(trace_.pair_of_candidate[pair.candidate] + std::size_t{1})});
+                       {counted_from_1(trace_.pair_of_candidate[pair.candidate])});
   }
 
   std::string duplicates() const {
@@ -270,11 +269,11 @@ class Caption {
     std::size_t even = 0;
     for (const Candidate& candidate : all) even += is_even(candidate.chord);
     return fill("#, in order of slope. # perfectly even: a team there shares its load equally.",
-                {counted(all.size(), "candidate"), even == 0 ? "None of them is"
-                                                   : even == all.size()
-                                                       ? (even == 1 ? "It is" : "All of them are")
-                                                   : even == 1 ? "One of them is"
-                                                               : whole(even) + " of them are"});
+                {counted(all.size(), "candidate"),
+                 even == 0            ? "None of them is"
+                 : even == all.size() ? (even == 1 ? "It is" : "All of them are")
+                 : even == 1          ? "One of them is"
+                                      : fill("# of them are", {whole(even)})});
   }
 
   // "Candidate 6 has 571.7, candidate 5 520.6, candidate 2 394.9."
@@ -288,13 +287,13 @@ class Caption {
       const double before = i == 0 ? score.value : scores.of_candidate[order[i - 1]].value;
       const double next = i == 0 && order.size() > 1 ? scores.of_candidate[order[1]].value : before;
       text += i == 0 ? "Candidate " : ", candidate ";
-      text += whole(order[i] + std::size_t{1});
+      text += written(counted_from_1(order[i]));
       text += i > 0                               ? " "
               : scores.rule == Rule::longest_even ? " has a length of "
               : scores.rule == Rule::most_even    ? " has a load ratio of "
                                                   : " has ";
       if (!score.exact) text += "at most ";
-      text += score_text(trace_, scores.rule, score.value, next);
+      text += written(score_text(trace_, scores.rule, score.value, next));
     }
     return text + (order.size() > most ? ", and so on." : ".");
   }
@@ -311,7 +310,7 @@ class Caption {
     const Metric metric = placement_.settings.metric;
     return fill(
                "Team #: how much would each candidate add? Its score is #. ",
-               {whole(scores.team + std::size_t{1}),
+               {counted_from_1(scores.team),
                 metric == Metric::area ? "the area of the triangles between H and its two ends, as "
                                          "far as they are in the object"
                 : metric == Metric::circle
@@ -326,31 +325,33 @@ class Caption {
 
   std::string team(const TeamScores& scores) const {
     const std::uint32_t winner = scores.ranking.front();
-    const std::string text = fill("Team # takes candidate #", {whole(scores.team + std::size_t{1}),
-                                                               whole(winner + std::size_t{1})});
+    const std::string text =
+        fill("Team # takes candidate #", {counted_from_1(scores.team), counted_from_1(winner)});
     if (scores.decided_by == DecidedBy::only_one) return text + ", the only one left.";
     const std::uint32_t second = scores.ranking[1];
-    const std::string other = candidate_text(second);
+    const Piece other = counted_from_1(second);
     const double best = scores.of_candidate[winner].value, next = scores.of_candidate[second].value;
     const Candidate &a = placement_.candidates[winner], &b = placement_.candidates[second];
     switch (scores.decided_by) {
       case DecidedBy::ratio:
-        return text + fill(": it ties with # and is the more even, # to #.",
+        return text + fill(": it ties with candidate # and is the more even, # to #.",
                            {other, ratio_text(a.chord.ratio, b.chord.ratio),
                             ratio_text(b.chord.ratio, a.chord.ratio)});
       case DecidedBy::length:
-        return text + fill(": it ties with # and is the longer, # to #.",
+        return text + fill(": it ties with candidate # and is the longer, # to #.",
                            {other, number_unlike(a.length, b.length, trace_.polygon.diagonal()),
                             number_unlike(b.length, a.length, trace_.polygon.diagonal())});
       case DecidedBy::order:
         return text +
-               fill(": it ties with # in everything and comes first in order of slope.", {other});
+               fill(": it ties with candidate # in everything and comes first in order of slope.",
+                    {other});
       default:
         break;
     }
     if (!scores.of_candidate[second].eligible) return text + ", the only even one.";
     return text +
-           fill(scores.rule == Rule::longest_even ? ", ## longer than #." : ", ## ahead of #.",
+           fill(scores.rule == Rule::longest_even ? ", ## longer than candidate #."
+                                                  : ", ## ahead of candidate #.",
                 {scores.of_candidate[second].exact ? "" : "at least ",
                  scores.rule == Rule::most_even ? ratio_text(best - next, 0)
                                                 : score_text(trace_, scores.rule, best - next, 0),
@@ -359,7 +360,7 @@ class Caption {
 
   std::string team_without_candidates(std::uint32_t item) const {
     const Chord& chord = placement_.teams[item].chord;
-    const std::string name = whole(item + std::size_t{1});
+    const Piece name = counted_from_1(item);
     if (placement_.settings.metric == Metric::random)
       return fill(
           "Team #: one robot at a random point of the boundary, the other straight across C: # "
@@ -367,16 +368,17 @@ class Caption {
           {name, point_text(trace_, chord.r1.position), point_text(trace_, chord.r2.position),
            ratio_text(chord.ratio)});
     return fill(
-        "Team # of # takes the line at #, its robots at the farthest boundary points: load "
+        "Team # of # takes the line at #°, its robots at the farthest boundary points: load "
         "ratio #.",
-        {name, whole(placement_.teams.size()), angle_text(chord.r2.position - chord.r1.position),
+        {name, whole(placement_.teams.size()),
+         with_decimals(slope_degrees(chord.r2.position - chord.r1.position), 1),
          ratio_text(chord.ratio)});
   }
 
   std::string base() const {
     if (detail_.base == detail_.base_before)
       return "The lifting base H, the convex hull of all robots, stays as it is.";
-    const std::string covers = percentage(coverage(trace_.polygon, detail_.base));
+    const Piece covers = percent(coverage(trace_.polygon, detail_.base));
     if (detail_.base_before.empty())
       return "The lifting base H is what the robots span: so far the segment between the two.";
     if (detail_.base.size() < 3)
@@ -395,25 +397,24 @@ class Caption {
   }
 
   std::string share(const Team& team) const {
-    const std::string item = whole(detail_.step.item + std::size_t{1});
-    const std::string all =
+    const Piece item = counted_from_1(detail_.step.item);
+    const Piece all =
         load(placement_.settings.weight / static_cast<double>(placement_.teams.size()));
     if (is_even(team.chord))
       return fill(
           "Team # carries # kg, its part of #. Equal arms, equal loads: # kg for each robot.",
-          {item, all, shortest(placement_.settings.weight), load(team.loads[0])});
+          {item, all, exact(placement_.settings.weight), load(team.loads[0])});
     return fill(
         "Team # carries # kg, its part of #. By the law of the lever the robot nearer to C "
         "bears more: # kg and # kg.",
-        {item, all, shortest(placement_.settings.weight),
-         load(std::max(team.loads[0], team.loads[1])),
+        {item, all, exact(placement_.settings.weight), load(std::max(team.loads[0], team.loads[1])),
          load(std::min(team.loads[0], team.loads[1]))});
   }
 
   std::string loads() const {
     const LoadSummary& loads = *placement_.loads;
     return loads_in_words(placement_) +
-           (load(loads.min) == load(loads.max)
+           (written(load(loads.min)) == written(load(loads.max))
                 ? " All bear the same."
                 : fill(" The uneven arms make a difference of # kg at most between two robots.",
                        {load(loads.spread)}));
@@ -424,7 +425,7 @@ class Caption {
       return "All robots stand on one line, so H has no area: a push beside the line tips the "
              "object.";
     return fill("H covers # of the object. Whoever pushes down there cannot tip it.",
-                {percentage(placement_.coverage)});
+                {percent(placement_.coverage)});
   }
 
   std::string contacts() const {
@@ -443,8 +444,8 @@ class Caption {
         "Contact #, robot # of team # on edge #. It pushes along its normal line: the object can "
         "turn "
         "clockwise only about points to the right of it, counter-clockwise only to the left. ",
-        {whole(item + std::size_t{1}), whole(robot.end + std::size_t{1}),
-         whole(robot.team + std::size_t{1}), whole(contact.edge + std::size_t{1})});
+        {counted_from_1(item), counted_from_1(robot.end), counted_from_1(robot.team),
+         counted_from_1(contact.edge)});
     return text + left("clockwise", detail_.clockwise, detail_.clockwise_before) + " " +
            left("counter-clockwise", detail_.counterclockwise, detail_.counterclockwise_before);
   }
@@ -462,13 +463,13 @@ class Caption {
   std::string slide() const {
     if (const auto& way = placement_.closure.translation)
       return fill("It can slide: the direction (#, #) leads against no contact.",
-                  {fixed(way->x(), 3), fixed(way->y(), 3)});
+                  {with_decimals(way->x(), 3), with_decimals(way->y(), 3)});
     return "It cannot slide: every direction leads against some contact.";
   }
 
   std::string closure() const {
     const Closure& closure = placement_.closure;
-    const std::string margin = closure.margin ? margin_text(*closure.margin) : "";
+    const Piece margin = margin_text(closure.margin.value_or(0));
     if (closure.form_closure)
       return fill("No centre to turn about, no way to slide: form closure, with a margin of #.",
                   {margin});

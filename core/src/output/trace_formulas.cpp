@@ -20,7 +20,8 @@ class Formula {
     const std::uint32_t item = detail_.step.item;
     switch (detail_.step.kind) {
       case StepKind::polygon:
-        return "area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 = " + area(trace_.polygon.area());
+        return fill("area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 = #",
+                    {area_text(trace_, trace_.polygon.area())});
       case StepKind::centroid:
         return fill("sum of area × middle / sum of areas = #",
                     {point_text(trace_, trace_.polygon.centroid())});
@@ -44,30 +45,27 @@ class Formula {
         return share(placement_.teams[item]);
       case StepKind::loads:
         return fill("mean = # / # = # kg, greatest − least = # kg",
-                    {shortest(placement_.settings.weight), whole(2 * placement_.teams.size()),
+                    {exact(placement_.settings.weight), whole(2 * placement_.teams.size()),
                      load(placement_.loads->mean), load(placement_.loads->spread)});
       case StepKind::coverage:
-        return fill("area of P in H / area of P = # / # = #",
-                    {area(placement_.coverage * trace_.polygon.area()), area(trace_.polygon.area()),
-                     fixed(placement_.coverage, 3)});
+        return fill(
+            "area of P in H / area of P = # / # = #",
+            {area_text(trace_, placement_.coverage * trace_.polygon.area()),
+             area_text(trace_, trace_.polygon.area()), with_decimals(placement_.coverage, 3)});
       case StepKind::cut:
         return cut(trace_.contacts[item]);
       case StepKind::closure:
-        return placement_.closure.margin ? "least over u of the greatest u · w = " +
-                                               margin_text(*placement_.closure.margin)
-                                         : "";
+        if (!placement_.closure.margin) return {};
+        return fill("least over u of the greatest u · w = #",
+                    {margin_text(*placement_.closure.margin)});
       default:
         return {};
     }
   }
 
  private:
-  std::string area(double value) const {
-    const double size = trace_.polygon.diagonal();
-    return number(value, 0.1 * size * size);
-  }
-  std::string load(double value) const { return load_text(trace_, value); }
-  static std::string corners(const Points& base) { return counted(base.size(), "corner"); }
+  Piece load(double value) const { return load_text(trace_, value); }
+  static Piece corners(const Points& base) { return counted(base.size(), "corner"); }
 
   std::string ratio(const Chord& chord) const {
     const double least = placement_.settings.min_ratio;
@@ -88,13 +86,13 @@ class Formula {
 
   std::string outcome(const PairDetail& pair) const {
     return ratio(pair.chosen) + (pair.candidate == no_index ? " < " : " ≥ ") +
-           shortest(placement_.settings.min_ratio);
+           written(exact(placement_.settings.min_ratio));
   }
 
   std::string directions() const {
     const double open = 180 / pi * open_directions_rad(trace_.polygon, trace_.centre);
     return fill("team k at (k − 1/2) / # × #°",
-                {whole(placement_.requested_teams), fixed(open, 1)});
+                {whole(placement_.requested_teams), with_decimals(open, 1)});
   }
 
   std::string score(const TeamScores& scores) const {
@@ -111,8 +109,8 @@ class Formula {
       const char* sign = scores.decided_by != DecidedBy::first_key ? " ties with "
                          : second.exact                            ? " > "
                                                                    : " > at most ";
-      return "score: " + score_text(trace_, scores.rule, score.value, second.value) + sign +
-             score_text(trace_, scores.rule, second.value, score.value);
+      return fill("score: ###", {score_text(trace_, scores.rule, score.value, second.value), sign,
+                                 score_text(trace_, scores.rule, second.value, score.value)});
     }
     return fill("score = f(r1) + f(r2) = # + # = #",
                 {score_text(trace_, scores.rule, score.ends[0].value, 0),
@@ -121,7 +119,7 @@ class Formula {
   }
 
   std::string share(const Team& team) const {
-    const std::string weight = shortest(placement_.settings.weight);
+    const Piece weight = exact(placement_.settings.weight);
     const Chord& chord = team.chord;
     return fill("W1 = # / # × |C r2| / |r1 r2| = # × # / # = # kg",
                 {weight, whole(placement_.teams.size()), load(team.loads[0] + team.loads[1]),
@@ -131,8 +129,8 @@ class Formula {
 
   std::string cut(const Contact& contact) const {
     const Vec2 n = inward_normal(trace_.polygon, contact.edge);
-    return fill("normal n = (#, #) at #",
-                {fixed(n.x(), 3), fixed(n.y(), 3), point_text(trace_, contact.position)});
+    return fill("normal n = (#, #) at #", {with_decimals(n.x(), 3), with_decimals(n.y(), 3),
+                                           point_text(trace_, contact.position)});
   }
 
   const Trace& trace_;
