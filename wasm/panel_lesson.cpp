@@ -88,8 +88,7 @@ void draw_lesson_step(const Ui& ui) {
   if (const std::string words = words_of_stop(state); !words.empty())
     text_block(Face::text, ui.theme.text, words);
   text_block(Face::text, lesson.script ? ui.theme.second_text : ui.theme.text, lesson.caption);
-  if (!lesson.formula.empty())
-    draw_box(ui.theme.well, ui.theme.text, Face::label, lesson.formula);
+  if (!lesson.formula.empty()) draw_box(ui.theme.well, ui.theme.text, Face::label, lesson.formula);
   draw_answers(ui);
   draw_question(ui);
   ImGui::PopStyleVar();
