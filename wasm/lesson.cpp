@@ -13,7 +13,6 @@ namespace evenlift::view {
 namespace {
 
 constexpr std::size_t most_visited = 60;
-constexpr double slowest = 0.25, fastest = 32;
 
 // What only the step before had.
 void forget_step(LessonState& lesson) {
@@ -22,8 +21,16 @@ void forget_step(LessonState& lesson) {
   lesson.asked.reset();
   lesson.why.clear();
   lesson.hovered.reset();
+  lesson.measured.reset();
   lesson.gained.clear();
   lesson.turn_at.reset();
+}
+
+void show_gain(LessonState& lesson, std::uint32_t candidate) {
+  const TeamScores& scores = *lesson.detail.scores;
+  lesson.measured = candidate;
+  lesson.gained.clear();
+  if (scores.rule == Rule::score) lesson.gained = gain_objects(*lesson.trace, scores, candidate);
 }
 
 void look(LessonState& lesson) {
@@ -35,8 +42,7 @@ void look(LessonState& lesson) {
   lesson.caption = caption(trace, lesson.detail);
   lesson.formula = formula(trace, lesson.detail);
   const std::optional<TeamScores>& scores = lesson.detail.scores;
-  if (scores && scores->rule == Rule::score && !scores->ranking.empty())
-    lesson.gained = gain_objects(trace, *scores, scores->ranking[0]);
+  if (scores && !scores->ranking.empty()) show_gain(lesson, scores->ranking[0]);
 }
 
 void remember(LessonState& lesson) {
@@ -234,7 +240,7 @@ void set_playing(AppState& state, bool playing) {
 }
 
 void set_speed(AppState& state, double speed) {
-  state.lesson.speed = std::clamp(speed, slowest, fastest);
+  state.lesson.speed = std::clamp(speed, slowest_speed, fastest_speed);
   state.lesson.turn_at.reset();
 }
 
@@ -287,6 +293,13 @@ void ask_why(AppState& state, const Vec2& at) {
   }
   lesson.why = why_not_text(trace, answer);
   browser::announce(lesson.why);
+}
+
+void measure(AppState& state, std::uint32_t candidate) {
+  LessonState& lesson = state.lesson;
+  if (lesson_is_open(state) && lesson.detail.scores &&
+      candidate < lesson.detail.scores->of_candidate.size())
+    show_gain(lesson, candidate);
 }
 
 void leave_script(AppState& state) { state.lesson.script.reset(); }

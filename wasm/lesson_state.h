@@ -45,9 +45,10 @@ struct LessonState {
   std::uint32_t at = 0;        // its step; kept when it is closed
   StepDetail detail;
   Done known;
-  std::vector<Object> marks;   // what the step is about
-  std::vector<Object> gained;  // what the metric measures for the winner, in `scores` and `team`
-  Points base;                 // H as known
+  std::vector<Object> marks;              // what the step is about
+  std::optional<std::uint32_t> measured;  // the candidate whose gain is drawn, in `scores`
+  std::vector<Object> gained;             // what the metric measures for it
+  Points base;                            // H as known
   std::string caption, formula;
   std::vector<Visited> visited;  // the newest last
 

@@ -259,6 +259,7 @@ struct Applier {
     if (state.lesson.ask) state.lesson.ask->pointed = c.choice;
   }
   void operator()(const AskWhy& c) const { ask_why(state, c.at); }
+  void operator()(const Measure& c) const { measure(state, c.candidate); }
   void operator()(const HoverMark& c) const { state.lesson.hovered = c.mark; }
   void operator()(const LeaveScript&) const { leave_script(state); }
   void operator()(const SetDrawCursor& c) const { state.drawing.cursor = c.at; }
