@@ -175,8 +175,7 @@ bool start() {
 
 void browser::request_frame() { ask_for_frames(2); }
 void browser::request_frame_after(double seconds) {
-  emscripten_async_call([](void*) { ask_for_frames(1); }, nullptr,
-                        static_cast<int>(seconds * 1000) + 1);
+  emscripten_set_timeout([](void*) { ask_for_frames(1); }, seconds * 1000 + 1, nullptr);
 }
 
 }  // namespace evenlift::view
