@@ -431,10 +431,10 @@ class Caption {
   std::string contacts() const {
     const std::size_t number = trace_.contacts.size();
     return fill(
-        "Do the robots also hold the object in place? # make #: one inside an edge, two at an "
-        "inward corner, none at an outward one. Without contacts it turns about any point, "
-        "either way.",
-        {counted(2 * placement_.teams.size(), "robot"), counted(number, "contact")});
+        "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at "
+        "an inward corner two, at an outward one none: # for #. Before the first, the object turns "
+        "about any point, either way.",
+        {counted(number, "contact"), counted(2 * placement_.teams.size(), "robot")});
   }
 
   std::string cut(std::uint32_t item) const {
