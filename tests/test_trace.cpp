@@ -135,6 +135,38 @@ TEST_CASE("the trace ends in the state that place reports", "[trace]") {
   }
 }
 
+TEST_CASE("every pair with a candidate leads to the one that stands for it", "[trace]") {
+  std::size_t merged = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    const Trace trace = traced(placed(corpus::polygon(name)));
+    const std::vector<Candidate>& candidates = trace.placement.candidates;
+    const double near = 1.01e-9 * trace.polygon.diagonal();
+    std::vector<std::uint32_t> standing(candidates.size());
+    for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
+      const PairDetail detail = look_at_pair(trace, pair);
+      REQUIRE(detail.verdict.candidate.has_value() == (detail.candidate != no_index));
+      if (detail.candidate == no_index) continue;
+      REQUIRE(detail.candidate < candidates.size());
+      CHECK(trace.first_pair_of_candidate[detail.candidate] <= pair);
+      const Chord& kept = candidates[detail.candidate].chord;
+      standing[detail.candidate] += detail.stands;
+      merged += !detail.stands;
+      if (detail.stands) {
+        CHECK(kept.r1.position == detail.chosen.r1.position);
+        CHECK(kept.r2.position == detail.chosen.r2.position);
+      }
+      const double straight = std::max(length(kept.r1.position - detail.chosen.r1.position),
+                                       length(kept.r2.position - detail.chosen.r2.position));
+      const double turned = std::max(length(kept.r1.position - detail.chosen.r2.position),
+                                     length(kept.r2.position - detail.chosen.r1.position));
+      CHECK(std::min(straight, turned) <= near);
+    }
+    for (const std::uint32_t number : standing) CHECK(number == 1);
+  }
+  CHECK(merged > 100);
+}
+
 TEST_CASE("every step is found again from its kind and item", "[trace]") {
   for (const std::string& name : corpus::polygon_names()) {
     for (const Metric metric : all_metrics) {
