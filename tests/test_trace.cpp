@@ -308,6 +308,14 @@ TEST_CASE("a caption does not hide what decides", "[trace][words]") {
   CHECK(caption(trace, look_at(trace, *at)).find("0.7998") != std::string::npos);
 }
 
+TEST_CASE("numbers are as short left of zero as right of it", "[trace][words]") {
+  Document document = corpus::polygon("stone-slab");
+  for (Vec2& v : document.vertices) v -= Vec2(2000, 2000);
+  const Trace trace = traced(placed(document));
+  CHECK(caption(trace, look_at(trace, *trace.find(StepKind::centre, 0)))
+            .find("centroid, (-1483.4, -1622.2).") != std::string::npos);
+}
+
 TEST_CASE("a choice is asked with the answer that the algorithm gives", "[trace]") {
   const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
   int ends = 0, winners = 0;
