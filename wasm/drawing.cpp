@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/document.h"
+#include "evenlift/formats.h"
 #include "evenlift/predicates.h"
 
 namespace evenlift::view {
@@ -74,6 +76,27 @@ std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain) 
     }
   }
   return pairs;
+}
+
+std::string drawing_text(const Drawing& drawing) {
+  std::string text;
+  for (const Vec2& p : drawing.points) text += shortest(p.x()) + "," + shortest(p.y()) + "\n";
+  return text;
+}
+
+std::optional<Points> read_drawing(std::string_view text) {
+  Points points;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::size_t comma = line.find(',');
+    if (comma == std::string_view::npos || points.size() == max_link_vertices) return std::nullopt;
+    const auto x = read_number(line.substr(0, comma)), y = read_number(line.substr(comma + 1));
+    if (!x || !y || std::abs(*x) > max_coordinate || std::abs(*y) > max_coordinate)
+      return std::nullopt;
+    points.push_back({*x, *y});
+  }
+  return points;
 }
 
 }  // namespace evenlift::view

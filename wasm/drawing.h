@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,5 +29,10 @@ Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Ve
 // end, others nothing. Edge i runs from point i to point i + 1. Exact; O(n²), and none are looked
 // for among more than 1,000 points.
 std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain);
+
+// The polygon being drawn as text, a vertex a line, to be kept; and from it. Nothing if it is not
+// that.
+std::string drawing_text(const Drawing& drawing);
+std::optional<Points> read_drawing(std::string_view text);
 
 }  // namespace evenlift::view

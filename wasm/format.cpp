@@ -47,7 +47,10 @@ std::string percent(double share) {
 }
 
 std::string point(const Vec2& p) {
-  const auto coordinate = [](double value) {
+  // What rounding left of a zero is written as one.
+  const double least = 1e-9 * std::max(std::abs(p.x()), std::abs(p.y()));
+  const auto coordinate = [least](double value) {
+    if (std::abs(value) < least) value = 0;
     char digits[40];
     std::snprintf(digits, sizeof digits, "%.6g", value);
     return with_minus_sign(digits);

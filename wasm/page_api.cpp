@@ -7,6 +7,7 @@
 
 #include "actions.h"
 #include "browser.h"
+#include "drawing.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
@@ -154,6 +155,19 @@ EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
 EMSCRIPTEN_KEEPALIVE const char* page_draft() {
   const AppState& state = app().state;
   return hand_over(state.refusal ? link_or_nothing(state.document) : std::string());
+}
+
+// What is being drawn, to be kept; and to go on with.
+EMSCRIPTEN_KEEPALIVE const char* page_drawing() {
+  return hand_over(drawing_text(app().state.drawing));
+}
+EMSCRIPTEN_KEEPALIVE void page_resume_drawing(const char* text) {
+  const std::optional<evenlift::Points> points = read_drawing(text);
+  if (!points || points->empty()) return;
+  Commands commands{SetTool{Tool::draw}};
+  for (const evenlift::Vec2& p : *points) commands.push_back(AddPoint{p});
+  apply(app().state, commands);
+  browser::request_frame();
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_summary() { return hand_over(summary(app().state)); }

@@ -111,7 +111,7 @@ void SdlInput::feed() {
   while (!queue_.empty()) {
     const Event event = queue_.front();
     if (event.what == What::up && dragged) break;  // what is held gets there first
-    queue_.pop_front();
+    queue_.erase(queue_.begin());
     dragged = down_ && event.what == What::move;
     touch_ = event.touch;
     at_ = event.what == What::leave ? Vec2(-1e6, -1e6) : event.at;

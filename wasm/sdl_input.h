@@ -4,7 +4,6 @@
 #include <SDL.h>
 #include <imgui.h>
 
-#include <deque>
 #include <vector>
 
 #include "pointer.h"
@@ -48,7 +47,7 @@ class SdlInput {
   void begin_pinch();
   void follow_pinch();
 
-  std::deque<Event> queue_;
+  std::vector<Event> queue_;  // short: what came since the last frame
   std::vector<Finger> fingers_;
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false;

@@ -56,9 +56,9 @@ void draw_embedded_bar(const Ui& ui) {
 
 void draw_toolbar(const Ui& ui) {
   if (ui.state.screen.embed) return draw_embedded_bar(ui);
-  // On a phone nine buttons just fit.
+  // On a phone eight buttons just fit; the list of keys is of no use there.
   const float all = static_cast<float>(ui.layout.toolbar.width()) - 4;
-  const float height = ui.layout.wide ? ui.control() : std::clamp(all / 9, 36.0f, 44.0f),
+  const float height = ui.layout.wide ? ui.control() : std::clamp(all / 8, 40.0f, 44.0f),
               padding = ui.layout.wide ? 8.0f : 2.0f;
   begin_card(ui, "toolbar", ui.layout.toolbar, {.fixed_width = false, .padding = padding});
   if (ui.state.screen.width > 480) {
@@ -78,8 +78,10 @@ void draw_toolbar(const Ui& ui) {
   action_button(ui, ActionId::redo, height);
   divider(ui, height);
   named_button(ui, ActionId::copy_link, height, width > 560);
-  ImGui::SameLine(0, gap);
-  action_button(ui, ActionId::help, height);
+  if (width > 440) {
+    ImGui::SameLine(0, gap);
+    action_button(ui, ActionId::help, height);
+  }
   end_card(ui);
 }
 

@@ -216,6 +216,7 @@ struct Applier {
   void operator()(const SetTool& c) const {
     if (c.tool == Tool::draw && lesson_is_open(state)) close_lesson(state);
     state.tool = c.tool;
+    if (!state.drawing.points.empty()) browser::document_changed();
     state.drawing = {};
     state.selected.reset();
     state.hover = state.held = {};
@@ -231,6 +232,7 @@ struct Applier {
     points.push_back(c.at);
     state.drawing.undone.clear();
     show(state, {});
+    browser::document_changed();
   }
   void operator()(const TakePointBack&) const {
     Drawing& drawing = state.drawing;
@@ -238,12 +240,14 @@ struct Applier {
     drawing.undone.push_back(drawing.points.back());
     drawing.points.pop_back();
     show(state, {});
+    browser::document_changed();
   }
   void operator()(const PutPointBack&) const {
     Drawing& drawing = state.drawing;
     if (drawing.undone.empty()) return;
     drawing.points.push_back(drawing.undone.back());
     drawing.undone.pop_back();
+    browser::document_changed();
   }
   void operator()(const FinishDrawing&) const { finish_drawing(state); }
   void operator()(const OpenLesson&) const { open_lesson(state); }

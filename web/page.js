@@ -70,6 +70,7 @@ async function start() {
   publisher.connect(program);
   publisher.restorePreferences();
   if (kept.own) publisher.changed();
+  if (kept.own || !fragment) publisher.resumeDrawing();
   host.connect(program, connectScreen(program), { embed });
   connectInput(program, { embed });
   followAddress(program);

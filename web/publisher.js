@@ -4,6 +4,7 @@ const betweenWrites = 400;
 const beforeSpeaking = 600;
 const workKey = "evenlift.work";
 const draftKey = "evenlift.draft";
+const drawingKey = "evenlift.drawing";
 const preferencesKey = "evenlift.preferences";
 const addressKey = "evenlift.address";
 
@@ -52,6 +53,11 @@ export class Publisher {
     if (this.#program && !this.#embed) write(lasting, preferencesKey, this.#program.text("page_kept"));
   }
 
+  // A polygon that was being drawn goes on where it was left.
+  resumeDrawing() {
+    if (!this.#embed) this.#program.call("page_resume_drawing", read(lasting, drawingKey));
+  }
+
   restorePreferences() {
     if (this.#embed) return;
     const kept = Object.fromEntries(read(lasting, preferencesKey).split("\n").map((line) => line.split("=")));
@@ -89,6 +95,7 @@ export class Publisher {
     if (this.#embed) return;
     write(lasting, workKey, link || this.#program.text("page_text"));
     write(lasting, draftKey, this.#program.text("page_draft"));
+    write(lasting, drawingKey, this.#program.text("page_drawing"));
   }
 
   #speak() {

@@ -217,3 +217,19 @@ test("large polygons open and stay usable", async () => {
   await load(page, asset("labyrinth"));
   await page.done();
 });
+
+test("a shape half drawn is still there after a reload", async () => {
+  const page = await opened();
+  await page.keyboard.press("d");
+  for (const at of [[220, 200], [560, 190], [640, 420]]) await page.mouse.click(...at);
+  const said = () => page.waitForFunction(() => document.getElementById("summary").textContent.startsWith("3 vertices so far"));
+  await said();
+  await page.waitForFunction(() => localStorage.getItem("evenlift.drawing")?.trim().split("\n").length === 3);
+  await page.reload();
+  await page.evaluate(() => evenlift.ready);
+  await said();
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.equal((await state(page)).polygon.length, 3);
+  await page.done();
+});
