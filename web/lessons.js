@@ -6,7 +6,7 @@ import { openLessonText, openReadyMade } from "./lesson_source.js";
 
 export async function show(page) {
   const problem = problemLine();
-  const list = el("div", {});
+  const list = el("section");
   const file = el("input", { type: "file", id: "lesson-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,text/plain" });
   file.addEventListener("change", async () => {
     const [chosen] = file.files;
@@ -19,7 +19,7 @@ export async function show(page) {
   const root = await openWindow({
     name: "lessons",
     title: "Lessons",
-    body: [el("div", { class: "scroll" }, problem, ...ofThisPolygon(page, () => root.close()), list),
+    body: [el("div", { class: "scroll" }, ofThisPolygon(page, () => root.close()), list), problem,
       el("footer", {}, file, button("Open a lesson file …", { onclick: () => file.click() }, "file"))],
   });
   if (!root) return;
@@ -53,11 +53,11 @@ function ofThisPolygon(page, close) {
     close();
   };
   const refused = Boolean(page.program.text("page_refusal"));
-  return [el("section", {}, el("h3", {}, "This polygon"),
+  return el("section", {}, el("h3", {}, "This polygon"),
     refused ? el("p", { class: "second" }, "It is refused as it is now: first mend it.") : "",
     el("div", { class: "choices lessons" },
       choice("Step by step", "All that the algorithm does with it", begin(0), { disabled: refused }),
-      choice("As a challenge", "Predict each choice before you see it", begin(1), { disabled: refused })))];
+      choice("As a challenge", "Predict each choice before you see it", begin(1), { disabled: refused })));
 }
 
 async function load(list, choose) {
@@ -71,6 +71,6 @@ async function load(list, choose) {
     line.say(`The ready-made lessons cannot be fetched: ${error.message}`);
     return;
   }
-  list.replaceChildren(el("section", {}, el("h3", {}, "Ready-made"), el("ol", { class: "choices lessons" },
-    ...lessons.map((lesson) => el("li", {}, choice(lesson.title, `${lesson.stops} steps`, () => choose(lesson)))))));
+  list.replaceChildren(el("h3", {}, "Ready-made"), el("ol", { class: "choices lessons" },
+    ...lessons.map((lesson) => el("li", {}, choice(lesson.title, `${lesson.stops} steps`, () => choose(lesson))))));
 }
