@@ -2,13 +2,7 @@
 # -DOPENING=FILE -P Samples.cmake) it writes all of them as JSON and the first as a C++ string literal.
 cmake_minimum_required(VERSION 3.24)
 
-function(json_string variable text)
-  string(REPLACE "\\" "\\\\" text "${text}")
-  string(REPLACE "\"" "\\\"" text "${text}")
-  string(REPLACE "\n" "\\n" text "${text}")
-  string(REPLACE "\r" "" text "${text}")
-  set(${variable} "\"${text}\"" PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/JsonString.cmake")
 
 file(STRINGS "${POLYGONS}/index.txt" lines ENCODING UTF-8)
 set(entries "")

@@ -228,23 +228,34 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
   return hand_over(lesson ? lesson->polygon : std::string());
 }
 
-// Opens a ready-made lesson. Returns why it cannot be, or nothing.
-EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon) {
-  const std::optional<evenlift::InputError> problem = open_script(app().state, text, polygon);
+// Opens a ready-made lesson; with `join` for the document that is open, which stays where it is.
+// Returns why it cannot be, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon, int join) {
+  const std::optional<evenlift::InputError> problem =
+      open_script(app().state, text, polygon, join != 0);
   if (problem) return hand_over(sentence(*problem));
   frame_view(app().state);
   browser::request_frame();
   return hand_over({});
 }
 
-// The polygon that is open, step by step; or, with `predict`, as a challenge.
+// The polygon that is open, step by step, where it was left; or, with `predict`, as a challenge
+// from its first step.
 EMSCRIPTEN_KEEPALIVE void page_begin_lesson(int predict) {
-  Commands commands{OpenLesson{}, SetPredict{predict != 0}};
-  apply(app().state, commands);
-  frame_view(app().state);
-  browser::request_frame();
+  Commands commands{OpenLesson{}, LeaveScript{}, SetPredict{predict != 0}};
+  if (predict) commands.push_back(GoToStep{0});
+  carry_out(std::move(commands));
 }
 
+// In the lesson that is open.
+EMSCRIPTEN_KEEPALIVE void page_predict() { carry_out({SetPredict{true}}); }
+
 EMSCRIPTEN_KEEPALIVE int page_lesson_is_open() { return lesson_is_open(app().state) ? 1 : 0; }
+
+// 0 if no ready-made lesson is open, 1 if its polygon was edited since, else 2.
+EMSCRIPTEN_KEEPALIVE int page_script() {
+  const AppState& state = app().state;
+  return !state.lesson.script ? 0 : script_is_true(state) ? 2 : 1;
+}
 
 }  // extern "C"

@@ -136,6 +136,26 @@ void ask(LessonState& lesson, std::uint32_t step) {
   browser::announce(lesson.ask->text);
 }
 
+void begin_script(AppState& state, Script script) {
+  LessonState& lesson = state.lesson;
+  lesson.predict = script.lesson.predict;
+  lesson.script = std::move(script);
+  find_stops(lesson);
+  settle_position(lesson);
+}
+
+// A lesson for the document that is open.
+std::optional<InputError> join_script(AppState& state, Script script) {
+  if (state.refusal || !state.placement || state.document.vertices != script.vertices)
+    return InputError{ErrorCode::bad_syntax, "it is of another polygon than the link", {}};
+  const bool begins = !lesson_is_open(state);
+  open_lesson(state);
+  if (!lesson_is_open(state)) return std::nullopt;  // and a notice says why
+  begin_script(state, std::move(script));
+  if (begins) enter(state, step_of(state, 0));
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<InputError> check_step(const Document& document, const Placement& placement) {
@@ -302,7 +322,11 @@ void measure(AppState& state, std::uint32_t candidate) {
     show_gain(lesson, candidate);
 }
 
-void leave_script(AppState& state) { state.lesson.script.reset(); }
+void leave_script(AppState& state) {
+  if (!state.lesson.script) return;
+  state.lesson.script.reset();
+  browser::document_changed();  // the address names the lesson no more
+}
 
 bool turn_over(AppState& state, double now) {
   LessonState& lesson = state.lesson;
@@ -324,7 +348,7 @@ bool turn_over(AppState& state, double now) {
 }
 
 std::optional<InputError> open_script(AppState& state, const std::string& text,
-                                      const std::string& polygon) {
+                                      const std::string& polygon, bool join) {
   Result<Lesson> lesson = parse_lesson(text);
   if (!lesson) return lesson.error();
   Document sample;
@@ -340,13 +364,18 @@ std::optional<InputError> open_script(AppState& state, const std::string& text,
   const Result<Trace> trace = make_trace(*placement);
   if (!trace) return trace.error();
   if (const auto problem = check_lesson(*lesson, *trace)) return problem;
-  document->settings.step = find_step(*trace, lesson->steps[0].address);
+  Script script{std::move(lesson).value(), {}, 0, document->vertices};
+  if (join) return join_script(state, std::move(script));
+  document->settings.step = find_step(*trace, script.lesson.steps[0].address);
   Commands commands{OpenDocument{std::move(document).value()}};
   apply(state, commands);
-  state.lesson.predict = lesson->predict;
-  state.lesson.script = Script{std::move(lesson).value(), {}, 0};
-  find_stops(state.lesson);
+  begin_script(state, std::move(script));
   return std::nullopt;
+}
+
+bool script_is_true(const AppState& state) {
+  const std::optional<Script>& script = state.lesson.script;
+  return script && script->vertices == state.document.vertices;
 }
 
 std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen) {

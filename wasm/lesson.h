@@ -43,9 +43,14 @@ void leave_script(AppState& state);
 bool turn_over(AppState& state, double now);
 
 // Opens a ready-made lesson; `polygon` is the text of the sample that it names, if it names one.
-// Says what is wrong, and changes nothing, if it cannot be opened.
+// With `join` the document that is open stays, with its settings and at its step, if it has one:
+// the lesson gives its words to it, and it must be of the lesson's polygon. Says what is wrong, and
+// changes nothing, if it cannot be opened.
 std::optional<InputError> open_script(AppState& state, const std::string& text,
-                                      const std::string& polygon);
+                                      const std::string& polygon, bool join = false);
+
+// Whether a ready-made lesson is open, and still of the polygon that it was written for.
+bool script_is_true(const AppState& state);
 
 // The mark under the pointer: points first, then lines, then areas. O(marks).
 std::optional<std::size_t> mark_at(const AppState& state, const Vec2& screen);

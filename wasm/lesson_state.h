@@ -23,6 +23,7 @@ struct Script {
   Lesson lesson;
   std::vector<Stop> stops;   // those that the trace has, at least one
   std::size_t position = 0;  // the stop that is shown, or was last
+  Points vertices;           // of the polygon that it was written for
 };
 
 // A choice that the learner is asked about before it is shown.

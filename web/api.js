@@ -1,3 +1,5 @@
+import { isLesson, unreadable } from "./lesson_text.js";
+
 // window.evenlift, the page's scripting interface (docs/page.md).
 
 // What set() takes: each turns a value into a word for the program, or says what it expects.
@@ -39,6 +41,14 @@ function throwIf(problem) {
   if (problem) throw new Error(problem);
 }
 
+// A lesson that brings its polygon along: a sample would have to be fetched.
+function loadLesson(program, text) {
+  throwIf(unreadable(text));
+  const sample = program.text("page_lesson_polygon", text);
+  if (sample) throw new Error(`load() opens lessons with a link: only; this one is about the sample “${sample}”`);
+  throwIf(program.text("page_open_lesson", text, "", 0));
+}
+
 // A point both as [x, y], as everywhere in state(), and with x and y.
 function point(x, y) {
   return Object.assign([x, y], { x, y });
@@ -60,6 +70,7 @@ export function createApi() {
     state: () => JSON.parse(running().text("page_state")),
     load(text) {
       if (typeof text !== "string") throw new Error("load() takes a text: a link or a polygon");
+      if (isLesson(text)) return loadLesson(running(), text);
       throwIf(running().text("page_load", text));
     },
     set(changes) {

@@ -1,20 +1,7 @@
 // The gallery of samples.
 import { openWindow, problemLine } from "./dialogs.js";
 import { button, el, svgEl } from "./elements.js";
-
-let fetched;
-
-// [{group, title, text}], fetched once; a failure may be tried again.
-function fetchSamples() {
-  fetched ??= fetch(new URL("samples.json", import.meta.url)).then((answer) => {
-    if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
-    return answer.json();
-  });
-  fetched.catch(() => {
-    fetched = undefined;
-  });
-  return fetched;
-}
+import { fetchJson } from "./fetched.js";
 
 // The points of a text in the thesis's format, and its centre of mass; else the centroid.
 function read(text) {
@@ -68,11 +55,11 @@ export async function show(page) {
     list.replaceChildren(el("p", { class: "second", role: "status" }, "Loading …"));
     let samples;
     try {
-      samples = await fetchSamples();
+      samples = await fetchJson("samples.json");  // [{group, title, text}]
     } catch (error) {
       const line = problemLine();
       list.replaceChildren(line, button("Try again", { onclick: load }));
-      line.say(`The samples cannot be fetched: ${error instanceof TypeError ? "the server cannot be reached" : error.message}`);
+      line.say(`The samples cannot be fetched: ${error.message}`);
       return;
     }
     fill(list, samples, (text) => {

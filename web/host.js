@@ -1,4 +1,5 @@
 // What the program asks of the browser (wasm/browser.cpp), and what the page's own windows need of the page.
+import { readAddress, withLesson } from "./address.js";
 import { connectIntake } from "./intake.js";
 
 // Some programs cut longer links: mail, chats, older browsers.
@@ -16,11 +17,11 @@ export function createHost(publisher) {
     }
   }
 
-  function address(link) {
+  function address(link, challenge = false) {
     const url = new URL(location.href);
     url.search = "";
     url.hash = link;
-    return url.href;
+    return withLesson(url, { lesson: publisher.lesson(), challenge }).href;
   }
 
   function lengthOf(url) {
@@ -42,8 +43,21 @@ export function createHost(publisher) {
     // Once the program runs.
     connect(program, connected, { embed }) {
       screen = connected;
-      page = { program, copy, address, lengthOf, windows, notice: (text, problem) => publisher.notice(text, problem) };
+      page = {
+        program, copy, address, lengthOf, windows,
+        notice: (text, problem) => publisher.notice(text, problem),
+        nameLesson: (name) => publisher.nameLesson(name),
+      };
       if (!embed) connectIntake(page);
+    },
+    // Opens the lesson and the challenge that the address asks for; with `join` for the link that is open.
+    async beginLesson(join) {
+      const { lesson, challenge } = readAddress();
+      if (!lesson && !challenge) return;
+      publisher.holdLesson(true);
+      const all = await windows().catch(() => undefined);
+      await all?.beginFromAddress(page, { lesson, challenge, join });
+      publisher.holdLesson(false);
     },
     measureScreen: () => screen?.measure(),
     documentChanged() {
@@ -65,9 +79,8 @@ export function createHost(publisher) {
     },
     openPage() {
       publisher.flush();
-      const url = new URL(location.href);
-      url.search = "";
-      open(url.href, "_blank", "noopener");
+      const { challenge } = readAddress();
+      open(address(location.hash.slice(1), challenge), "_blank", "noopener");
     },
   };
 }

@@ -2,15 +2,18 @@
 // or nothing.
 import { openWindow, problemLine } from "./dialogs.js";
 import { button, el, lowered, number } from "./elements.js";
+import { openLessonText } from "./lesson_source.js";
+import { isLesson } from "./lesson_text.js";
 import { svgToText } from "./svg_import.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
 const tooLong = (bytes) => bytes > mostBytes && `It has ${number(Math.ceil(bytes / 1048576))} MiB, more than the 64 that evenlift reads`;
 
-function openText(page, text, how = "page_load") {
+async function openText(page, text, how = "page_load") {
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
   if (text.includes("\0")) return "It is not a text";
+  if (how === "page_load" && isLesson(text)) return openLessonText(page, text);
   try {
     return page.program.text(how, /^\s*</.test(text) ? svgToText(text) : text);
   } catch (error) {
@@ -35,7 +38,7 @@ const undo = "Undo brings the former polygon back.";
 export async function take(page, { files, text }, verb) {
   if (files.length > 1) return refuse(page, "Please open one file at a time");
   const [file] = files;
-  const problem = file ? await openFile(page, file) : openText(page, text);
+  const problem = file ? await openFile(page, file) : await openText(page, text);
   const what = file ? `“${file.name}”` : `The ${verb} text`;
   if (problem) return refuse(page, `${what} cannot be opened: ${lowered(problem)}`);
   for (const root of document.querySelectorAll("dialog:modal")) root.close();
@@ -48,7 +51,7 @@ function refuse(page, sentence) {
   else page.notice(`${sentence.replace(/\.$/, "")}.`, true);
 }
 
-const formats = "text (x,y), WKT, GeoJSON, SVG, or a share link";
+const formats = "text (x,y), WKT, GeoJSON, SVG, a share link, or a lesson";
 
 // The window. With `edited` it is the present polygon as text, and what is applied keeps the settings.
 export async function show(page, { edited } = {}) {
@@ -62,7 +65,7 @@ export async function show(page, { edited } = {}) {
     root?.close();
     page.notice(message);
   };
-  const apply = () => done(openText(page, text.value, edited === undefined ? "page_load" : "page_open_sample"), `The text is opened. ${undo}`);
+  const apply = async () => done(await openText(page, text.value, edited === undefined ? "page_load" : "page_open_sample"), `The text is opened. ${undo}`);
   const file = el("input", { type: "file", id: "open-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,.wkt,.json,.geojson,.svg,text/plain,application/geo+json,image/svg+xml" });
   file.addEventListener("change", async () => {
     const [chosen] = file.files;

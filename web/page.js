@@ -1,4 +1,5 @@
 // Starts the page: looks whether it can run, loads the program, connects it to the browser.
+import { readAddress } from "./address.js";
 import { createApi } from "./api.js";
 import { createHost } from "./host.js";
 import { connectInput } from "./input.js";
@@ -7,7 +8,7 @@ import { Publisher } from "./publisher.js";
 import { connectScreen } from "./screen.js";
 
 const cover = document.getElementById("cover");
-const embed = new URLSearchParams(location.search).get("embed") === "1";
+const { embed } = readAddress();
 const api = createApi();
 window.evenlift = api.evenlift;
 
@@ -38,12 +39,13 @@ function showProblem(reason) {
   cover.classList.remove("done", "see-through");
 }
 
-function followAddress(program) {
+function followAddress(program, host) {
   addEventListener("hashchange", () => {
     const link = location.hash.slice(1);
     if (!link) return;
     const problem = program.text("page_open_link", link);
     if (problem) program.call("page_notice", `This link cannot be opened: ${lowered(problem)}. Nothing was changed.`, 1);
+    else host.beginLesson(true);
   });
 }
 
@@ -73,7 +75,8 @@ async function start() {
   if (kept.own || !fragment) publisher.resumeDrawing();
   host.connect(program, connectScreen(program), { embed });
   connectInput(program, { embed });
-  followAddress(program);
+  followAddress(program, host);
+  await host.beginLesson(fragment !== "" && !problem);
   if (problem) program.call("page_notice", `This link cannot be opened: ${lowered(problem)}.`, 1);
   await firstFrame(program);
 }

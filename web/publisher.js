@@ -1,3 +1,5 @@
+import { readAddress, withLesson } from "./address.js";
+
 // Brings what the browser keeps up to date with the document: address bar and storage a few times a second at most
 // (browsers refuse more), the summary for screen readers when there is a pause.
 const betweenWrites = 400;
@@ -18,6 +20,8 @@ export class Publisher {
   #lastWrite = -Infinity;
   #writeTimer = 0;
   #speakTimer = 0;
+  #lesson = "";
+  #held = false;
 
   constructor({ embed }) {
     this.#embed = embed;
@@ -64,6 +68,24 @@ export class Publisher {
     this.#program.call("page_keep", kept.motion === "0" ? 0 : 1, Number(kept.capacity) || 0);
   }
 
+  // What the address calls the ready-made lesson that was just opened; "" if it has no name there.
+  nameLesson(name) {
+    this.#lesson = name;
+    this.changed();
+  }
+
+  // While what the address asks for is being fetched, it goes on asking for it.
+  holdLesson(held) {
+    this.#held = held;
+  }
+
+  // The name, as long as an address with it would open what is on the screen: not once its polygon was edited.
+  lesson() {
+    const open = this.#program.number("page_script");
+    if (!open) this.#lesson = "";
+    return open === 2 ? this.#lesson : "";
+  }
+
   // Writes what is waiting to be written.
   flush() {
     if (this.#writeTimer) this.#write();
@@ -84,7 +106,9 @@ export class Publisher {
     this.#lastWrite = performance.now();
     const link = this.#program.text("page_link");
     // A polygon too large for a link leaves an address without one: an old link would be a lie.
+    const challenge = readAddress().challenge && this.#program.number("page_lesson_is_open") === 1;
     const url = new URL(location.href);
+    if (!this.#held) withLesson(url, { lesson: this.lesson(), challenge });
     url.hash = link;
     if (url.href !== location.href) history.replaceState(history.state, "", url);
     this.#keep(link);

@@ -31,11 +31,12 @@ const files = [
 export async function show(page) {
   const link = page.program.text("page_link");
   const address = link && page.address(link);
+  const challenge = link && page.address(link, true);
   const problem = problemLine();
   const root = await openWindow({
     name: "save",
     title: "Share and save",
-    body: [el("div", { class: "scroll" }, ...share(page, address, problem), problem, ...files.map((group) => choices(page, group, problem)))],
+    body: [el("div", { class: "scroll" }, ...share(page, address, problem), ...challengeLink(page, challenge, problem), problem, ...files.map((group) => choices(page, group, problem)))],
   });
   if (!root) return;
   root.querySelector(".primary, .choice").focus();
@@ -59,6 +60,16 @@ function share(page, address, problem) {
   });
   const qr = button("QR code", { onclick: async () => problem.say(await showQr(page, address)) }, "qr");
   return [el("h3", {}, "Link"), el("div", { class: "row" }, field, copy, qr), said];
+}
+
+function challengeLink(page, address, problem) {
+  if (!address) return [];
+  const said = el("p", { class: "second", role: "status" }, "Opens the lesson of this polygon, and asks for a guess before it shows a choice.");
+  const copy = button("Challenge link", { onclick: async () => {
+    if (await page.copy(address)) said.textContent = "The challenge link is copied.";
+    else problem.say("The browser did not let the page copy. The challenge is the link with ?challenge=1 before its #");
+  } }, "copy");
+  return [el("div", { class: "row challenge" }, said, copy)];
 }
 
 function choices(page, [group, members], problem) {

@@ -7,7 +7,7 @@ import { asset, link, load, phone, startBrowser } from "./browser.mjs";
 import { allClosed, openWindow } from "./windows.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const names = ["samples", "open", "save", "table"];
+const names = ["samples", "open", "save", "table", "lessons"];
 const finger = { viewport: phone, hasTouch: true, isMobile: true };
 
 let browser;
@@ -52,7 +52,7 @@ test("Tab stays in a modal window, keys do not reach the canvas, Escape gives th
   const page = await browser.open();
   await load(page, asset("arrow"));
   const before = await link(page);
-  for (const name of ["samples", "open", "save"]) {
+  for (const name of ["samples", "open", "save", "lessons"]) {
     await openWindow(page, name);
     for (let i = 0; i < 14; ++i) {
       await page.keyboard.press("Tab");

@@ -1,7 +1,7 @@
 // The page's own windows, for the tests beside this file.
 import { settled } from "./browser.mjs";
 
-const keys = { samples: "g", open: "o", save: "s", table: "e" };
+const keys = { samples: "g", open: "o", save: "s", table: "e", lessons: "Shift+B" };
 
 // Opens a window by its key, and waits until it is there.
 export async function openWindow(page, name) {
@@ -9,6 +9,7 @@ export async function openWindow(page, name) {
   await page.keyboard.press(keys[name]);
   const root = page.locator(`#${name}`);
   await root.waitFor();
+  if (name === "lessons") await root.locator("li").first().waitFor();
   if (name === "samples") await root.locator(".sample").first().waitFor();
   await settled(page);
   return root;

@@ -1,0 +1,505 @@
+// The lesson: the algorithm step by step, ready-made lessons, and how they are opened.
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { asset, drag, evenlift, fragment, link, load, pageFolder, published, root, set, settled, startBrowser, state, thrown, toScreen } from "./browser.mjs";
+import { allClosed, drop, noticed, openWindow, paste } from "./windows.mjs";
+
+let browser;
+let maker;  // a page to make links in
+before(async () => {
+  browser = await startBrowser();
+  maker = await browser.open();
+});
+after(() => browser.close());
+
+async function linkAt(name, step) {
+  await load(maker, asset(name));
+  await set(maker, { step });
+  return link(maker);
+}
+
+const file = (name) => path.join(root, "assets/polygons", `${name}.txt`);
+const stone = JSON.parse(evenlift("trace", file("stone-slab"), "--json"));
+const find = (kind, item = 0) => stone.findIndex((s) => s.kind === kind && s.item === item);
+const ready = JSON.parse(readFileSync(path.join(pageFolder, "lessons.json"), "utf8"));
+
+// The player on a screen of 1280 by 800: its buttons, and its timeline from the first step to the last.
+const buttons = { first: 43, chapterBack: 76, back: 108, play: 141, on: 172, chapterOn: 204, last: 237 };
+const press = (page, name) => page.mouse.click(buttons[name], 760);
+const timeline = { from: 36, to: 884, y: 724 };
+const drawing = { x: 0, y: 70, width: 915, height: 550 };
+
+// The step that the link carries, from 0; undefined without a lesson.
+async function step(page) {
+  await settled(page);
+  return JSON.parse(evenlift("link", "decode", await link(page))).step ?? undefined;
+}
+
+const summary = (page) => page.locator("#summary").textContent();
+async function spoken(page, pattern) {
+  await page.waitForFunction(([source]) => new RegExp(source).test(document.getElementById("summary").textContent), [pattern.source], { timeout: 10000 })
+    .catch(async () => assert.fail(`${pattern} is not in: ${await summary(page)}`));
+}
+
+async function inLesson(name = "stone-slab", at = 0, options = {}) {
+  const page = await browser.open({ reducedMotion: "reduce", ...options });
+  await load(page, asset(name));
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("b");
+  await settled(page);
+  if (at) await set(page, { step: at });
+  await settled(page);
+  return page;
+}
+
+test("it opens by its key and is left by it, and where it was left it begins again", async () => {
+  const page = await browser.open();
+  await load(page, asset("stone-slab"));
+  const plain = await link(page);
+  await page.keyboard.press("b");
+  await spoken(page, /^Step 1 of \d+, The object/);
+  assert.equal(await step(page), 0);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("b");
+  assert.equal(await link(page), plain);
+  await spoken(page, /^6 robots/);
+  await page.keyboard.press("b");
+  assert.equal(await step(page), 1);
+  await page.keyboard.press("Escape");
+  assert.equal(await link(page), plain);
+  await page.done();
+});
+
+test("every step forward and back, by keys: the same state, the same picture", async () => {
+  const page = await inLesson();
+  const links = [];
+  const pictures = new Map();
+  const looked = [3, find("outcome", 5), find("scores", 1), find("cut", 2)];
+  for (let i = 0; i < stone.length; ++i) {
+    links.push(await link(page));
+    if (looked.includes(i)) {
+      await settled(page);
+      pictures.set(i, await page.screenshot({ clip: drawing }));
+    }
+    await page.keyboard.press("ArrowRight");
+  }
+  assert.equal(new Set(links).size, stone.length);
+  assert.equal(await step(page), stone.length - 1, "there is nothing after the last");
+  for (let i = stone.length - 1; i >= 0; --i) {
+    assert.equal(await link(page), links[i], `back at ${i}`);
+    if (looked.includes(i)) {
+      await settled(page);
+      const { share } = await browser.compare(pictures.get(i), await page.screenshot({ clip: drawing }));
+      assert.ok(share < 0.0005, `step ${i} looks different: ${share}`);
+    }
+    await page.keyboard.press("ArrowLeft");
+  }
+  await page.done();
+});
+
+test("buttons and keys: first, last, chapters, one on, one back", async () => {
+  const page = await inLesson();
+  const chapter = (i) => stone[i].chapter;
+  const begin = stone.findIndex((s) => s.chapter === stone[find("ray")].chapter);
+  for (const [key, button] of [["End", "last"], ["Home", "first"]]) {
+    await page.keyboard.press(key);
+    const by = await step(page);
+    assert.equal(by, key === "End" ? stone.length - 1 : 0);
+    await page.keyboard.press(key === "End" ? "Home" : "End");
+    await press(page, button);
+    assert.equal(await step(page), by, button);
+  }
+  await page.keyboard.press("PageDown");
+  assert.equal(await step(page), begin);
+  await press(page, "chapterOn");
+  const second = await step(page);
+  assert.equal(chapter(second), "slopes");
+  await press(page, "on");
+  await press(page, "on");
+  assert.equal(await step(page), second + 2);
+  await press(page, "back");
+  assert.equal(await step(page), second + 1);
+  await press(page, "chapterBack");
+  await page.keyboard.press("PageUp");
+  assert.equal(await step(page), second === (await step(page)) ? second : begin);
+  await page.done();
+});
+
+test("playing goes on by itself, is read out when it pauses, and stops at the end; paused, nothing is drawn", async () => {
+  const page = await inLesson("square");
+  for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowUp");  // 32 times as fast
+  await page.evaluate(() => {
+    globalThis.said = 0;
+    new MutationObserver(() => ++globalThis.said).observe(document.getElementById("summary"), { childList: true, characterData: true, subtree: true });
+  });
+  await page.waitForTimeout(1000);
+  await page.evaluate(() => {
+    globalThis.said = 0;
+  });
+  await page.keyboard.press("Space");
+  const began = Date.now();
+  await page.waitForFunction((first) => evenlift.link() !== first, await link(page));
+  await page.keyboard.press("Space");
+  const at = await step(page);
+  await page.mouse.move(1000, 600);
+  await settled(page);
+  const frames = await page.evaluate(() => evenlift.frames);
+  await page.waitForTimeout(700);
+  assert.equal(await page.evaluate(() => evenlift.frames), frames, "frames while it is paused");
+  assert.equal(await step(page), at);
+  const last = await linkAt("square", JSON.parse(evenlift("trace", file("square"), "--json")).length - 1);
+  await press(page, "play");
+  await page.waitForFunction((l) => evenlift.link() === l, last, { timeout: 60000 });
+  const seconds = (Date.now() - began) / 1000;
+  await spoken(page, /^Step (\d+) of \1,/);
+  const said = await page.evaluate(() => globalThis.said);
+  assert.ok(said <= seconds / 0.6 + 1, `${said} times in ${seconds} s`);
+  await settled(page);
+  const end = await page.evaluate(() => evenlift.frames);
+  await page.waitForTimeout(500);
+  assert.equal(await page.evaluate(() => evenlift.frames), end, "frames at the end");
+  await page.done();
+});
+
+test("the timeline is scrubbed by dragging, to the ends, too", async () => {
+  const page = await inLesson();
+  await drag(page, [timeline.from, timeline.y], [(timeline.from + timeline.to) / 2, timeline.y], 20);
+  const middle = await step(page);
+  assert.ok(Math.abs(middle - stone.length / 2) < stone.length / 12, String(middle));
+  await drag(page, [(timeline.from + timeline.to) / 2, timeline.y], [timeline.to + 20, timeline.y], 20);
+  assert.equal(await step(page), stone.length - 1);
+  await drag(page, [timeline.to, timeline.y], [5, timeline.y], 20);
+  assert.equal(await step(page), 0);
+  await page.done();
+});
+
+test("set({ step }) goes there, null leaves, and what is no step throws and changes nothing", async () => {
+  const page = await browser.open();
+  await load(page, asset("stone-slab"));
+  for (const at of [7, 0, stone.length - 1]) {
+    await set(page, { step: at });
+    assert.equal(await link(page), await linkAt("stone-slab", at));
+  }
+  const before = await link(page);
+  for (const bad of [stone.length, 1e9, -1, 2.5, "2", NaN]) {
+    assert.match(await thrown(page, "set", { step: bad }), /step/, String(bad));
+    assert.equal(await link(page), before);
+  }
+  await set(page, { step: null });
+  assert.equal(await step(page), undefined);
+  await page.done();
+});
+
+test("the link carries the step and opens there; one beyond the last is told", async () => {
+  const at = find("team", 1);
+  const page = await inLesson("stone-slab", at);
+  await published(page);
+  const other = await browser.open({ address: `#${await fragment(page)}` });
+  assert.equal(await step(other), at);
+  await spoken(other, new RegExp(`^Step ${at + 1} of ${stone.length},`));
+  await spoken(page, new RegExp(`^Step ${at + 1} of ${stone.length},`));
+  assert.equal(await summary(other), await summary(page));
+  await other.done();
+  const beyond = await browser.open({ address: `#${beyondTheLast}` });
+  assert.match(await noticed(beyond, /no step/), /has no step 1000: it is at its last, \d+\./);
+  assert.equal(await step(beyond), stone.length - 1);
+  await beyond.done();
+  await page.done();
+});
+
+test("an edit keeps the place, and so does undo", async () => {
+  const at = find("team", 1);
+  const page = await inLesson("stone-slab", at);
+  const [x, y] = await toScreen(page, [1000, 300]);
+  await drag(page, [x, y], [x - 20, y + 10]);
+  assert.notDeepEqual((await state(page)).polygon[3], [1000, 300]);
+  await spoken(page, /, Further teams\. /);
+  const [, caption] = (await summary(page)).match(/teams\. (\S+ \S+)/);
+  await page.keyboard.press("Control+z");
+  assert.equal(await step(page), at);
+  await spoken(page, new RegExp(`Further teams\\. ${caption}`));
+  assert.deepEqual((await state(page)).polygon[3], [1000, 300]);
+  await page.done();
+});
+
+// A place on a candidate's chord, off the centre, where no other one is near.
+async function onCandidate(page, index) {
+  const { candidates, centre_of_mass: [cx, cy] } = await state(page);
+  const [[x, y]] = candidates[index].ends;
+  return toScreen(page, [cx + 0.8 * (x - cx), cy + 0.8 * (y - cy)]);
+}
+
+const same = (a, b) => JSON.stringify(a.ends) === JSON.stringify(b.ends);
+
+test("with predictions on it asks before a choice, and says whether the guess is right", async () => {
+  for (const right of [true, false]) {
+    const page = await inLesson("stone-slab", find("scores", 1) - 1);
+    await page.keyboard.press("q");
+    await page.keyboard.press("ArrowRight");
+    assert.match(await noticed(page, /\?/), /\?/, "a question");
+    assert.equal(await step(page), find("scores", 1) - 1, "the answer is not shown yet");
+    const { candidates, teams } = await state(page);
+    const choice = candidates.findIndex((c) => (right ? same(c, teams[1]) : !teams.some((t) => same(c, t))));
+    await page.mouse.click(...await onCandidate(page, choice));
+    assert.equal(await step(page), find("scores", 1));
+    assert.match(await noticed(page, /Right|Not this/), right ? /^Right\./ : /^Not this time\. .*\d/);
+    await spoken(page, right ? /\. Right\. / : /\. Not this time\. /);
+    await page.done();
+  }
+});
+
+test("of two ends, too; and Next shows the answer to those who do not guess", async () => {
+  const choice = stone.findIndex((s) => s.kind === "outcome" && /nearer|end/.test(s.caption) && s.formula.includes("/"));
+  const page = await inLesson("stone-slab", find("outcome", 5) - 1);
+  assert.ok(choice > 0);
+  await page.keyboard.press("q");
+  await page.keyboard.press("ArrowRight");
+  assert.match(await noticed(page, /\?/), /\?/);
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await step(page), find("outcome", 5));
+  await page.done();
+});
+
+test("a click on a candidate that was not taken says why, in numbers", async () => {
+  const page = await inLesson("stone-slab", stone.length - 1);
+  const { candidates, teams } = await state(page);
+  await page.mouse.click(...await onCandidate(page, candidates.findIndex((c) => !teams.some((t) => same(c, t)))));
+  const said = await noticed(page, /score|ratio|gain/i);
+  assert.match(said, /\d/);
+  assert.match(said, /\.$/);
+  assert.equal(await step(page), stone.length - 1);
+  await page.done();
+});
+
+test("every ready-made lesson opens from the window, and every stop has its words", { timeout: 600000 }, async () => {
+  assert.ok(ready.length >= 8);
+  const page = await browser.open();
+  for (const lesson of ready) {
+    const window = await openWindow(page, "lessons");
+    await window.getByRole("button", { name: lesson.title }).click();
+    await allClosed(page);
+    const words = lesson.text.split(/^\[.*\]\r?\n/m).slice(1).map((part) => part.trim().split(/\s+/).slice(0, 4).join(" "));
+    assert.equal(words.length, lesson.stops);
+    for (const [i, first] of words.entries()) {
+      await spoken(page, new RegExp(`^Step ${i + 1} of ${words.length}, [^.]*\\. ${first.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}`));
+      assert.doesNotMatch(await summary(page), /NaN|undefined|inf\b/);
+      await page.keyboard.press("ArrowRight");
+      if (await page.locator("#alert").textContent()) await page.keyboard.press("ArrowRight");
+      await page.evaluate(() => document.getElementById("alert").replaceChildren());
+    }
+    assert.equal(new URL(page.url()).search, `?lesson=${lesson.name}`);
+  }
+  await page.keyboard.press("b");
+  await page.waitForFunction(() => location.search === "");
+  await page.done();
+});
+
+const named = (page) => page.evaluate(() => location.search);
+
+test("a copied address opens the same lesson at the same stop", async () => {
+  const page = await browser.open({ address: "?lesson=moved", permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator("#canvas").focus();
+  for (let i = 0; i < 2; ++i) await page.keyboard.press("ArrowRight");
+  await spoken(page, /^Step 3 of 6, .*Whole pairs of edges/);
+  await page.keyboard.press("Control+c");
+  await noticed(page, /copied/);
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  assert.match(copied, /\?lesson=moved#1\./);
+  const other = await browser.open({ address: copied.slice(browser.server.url.length) });
+  await spoken(other, /^Step 3 of 6, .*Whole pairs of edges/);
+  assert.equal(await named(other), "?lesson=moved");
+  await other.reload();
+  await other.evaluate(() => evenlift.ready);
+  await spoken(other, /^Step 3 of 6, .*Whole pairs of edges/);
+  // Another step of the same lesson, put into the same tab.
+  await page.keyboard.press("ArrowRight");
+  await spoken(page, /^Step 4 of 6/);
+  await other.evaluate((l) => {
+    location.hash = l;
+  }, await link(page));
+  await spoken(other, /^Step 4 of 6, .*Seven candidates/);
+  assert.equal(await named(other), "?lesson=moved");
+  await other.done();
+  await page.done();
+});
+
+test("an edited polygon is not the lesson's any more, and its address does not say so", async () => {
+  const page = await browser.open({ address: "?lesson=moved" });
+  assert.equal(await named(page), "?lesson=moved");
+  const [x, y] = await toScreen(page, [1000, 300]);
+  await drag(page, [x, y], [x - 20, y + 10]);
+  await published(page);
+  assert.equal(await named(page), "");
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(() => location.search === "?lesson=moved");
+  await load(page, asset("star"));
+  await page.waitForFunction(() => location.search === "");
+  await page.done();
+});
+
+test("a lesson with a link of another polygon: the link is opened, and the page says so", async () => {
+  const page = await browser.open({ address: `?lesson=moved#${await linkAt("star", 4)}` });
+  assert.match(await noticed(page, /lesson/), /^The lesson “moved” cannot be opened: it is of another polygon than the link\.$/);
+  assert.equal(await link(page), await linkAt("star", 4));
+  await page.waitForFunction(() => location.search === "");
+  await page.done();
+});
+
+test("a teacher's file beside the page opens by its name; other addresses do not", async () => {
+  const place = path.join(pageFolder, "lesson-of-a-test.txt");
+  const broken = path.join(pageFolder, "broken-lesson-of-a-test.txt");
+  const long = path.join(pageFolder, "long-lesson-of-a-test.txt");
+  writeFileSync(place, "title: Mine\npolygon: square\n\n[centre]\nLook here.\n\n[end]\nAnd there.\n");
+  writeFileSync(broken, "title: Mine\npolygon: square\ncolour: red\n");
+  writeFileSync(long, `title: Mine\n${"#".repeat(70000)}\n`);
+  const page = await browser.open({ address: "?lesson=lesson-of-a-test.txt" });
+  await spoken(page, /^Step 1 of 2, .*Look here\./);
+  await published(page);
+  assert.equal(await named(page), "?lesson=lesson-of-a-test.txt");
+  await page.done();
+  for (const [name, why] of [["broken-lesson-of-a-test.txt", /line 3: unknown setting/], ["long-lesson-of-a-test.txt", /65,536 bytes/],
+    ["no-such-lesson", /no ready-made lesson/], ["../page/lesson-of-a-test.txt", /own folder/], ["%2e%2e/x.txt", /own folder/], ["https://example.org/x.txt", /own folder/],
+    ["//example.org/x.txt", /own folder/], ["/lesson-of-a-test.txt", /own folder/], ["lessons.json", /own folder/], ["..\\x.txt", /own folder/], ["a%0A.txt", /own folder/], [`${"a".repeat(300)}.txt`, /own folder/]]) {
+    const other = await browser.open({ address: `?lesson=${name}` });
+    assert.match(await noticed(other, /lesson/), why, name);
+    assert.equal(await step(other), undefined, name);
+    await other.done();
+  }
+  const missing = await browser.open({ address: "?lesson=no-such-file.txt", quiet: false });  // the browser itself reports a 404
+  assert.match(await noticed(missing, /lesson/), /^The lesson “no-such-file\.txt” cannot be opened: the server does not have it\.$/);
+  await missing.done();
+});
+
+test("a challenge link hides the answer and asks", async () => {
+  const page = await browser.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  await load(page, asset("stone-slab"));
+  const window = await openWindow(page, "save");
+  await window.getByRole("button", { name: "Challenge link" }).click();
+  await window.getByText("The challenge link is copied.").waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  assert.equal(copied, `${browser.server.url}?challenge=1#${await link(page)}`);
+  await page.done();
+  const other = await browser.open({ address: copied.slice(browser.server.url.length) });
+  assert.equal(await step(other), 0);
+  for (let i = 0; i < stone.length && !await other.locator("#alert").textContent(); ++i) await other.keyboard.press("ArrowRight");
+  assert.match(await other.locator("#alert").textContent(), /\?/);
+  assert.equal(await named(other), "?challenge=1");
+  await other.keyboard.press("b");
+  await other.waitForFunction(() => location.search === "");
+  await other.done();
+  // Of a ready-made lesson, at a step of it.
+  const both = await browser.open({ address: "?lesson=convex&challenge=1" });
+  for (let i = 0; i < 13 && !await both.locator("#alert").textContent(); ++i) await both.keyboard.press("ArrowRight");
+  assert.match(await both.locator("#alert").textContent(), /\?/);
+  assert.equal(await named(both), "?lesson=convex&challenge=1");
+  await both.done();
+});
+
+test("the window begins the polygon's own lesson, or a challenge from its first step", async () => {
+  const page = await inLesson("stone-slab", 9);
+  let window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: /^Step by step All/ }).click();
+  await allClosed(page);
+  assert.equal(await step(page), 9, "where it was");
+  window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: /^As a challenge/ }).click();
+  await allClosed(page);
+  assert.equal(await step(page), 0);
+  await page.done();
+});
+
+test("embedded, the player alone moves any moment of any lesson", async () => {
+  for (const address of [`?embed=1#${await linkAt("stone-slab", find("scores", 1))}`, "?embed=1&lesson=metrics-area"]) {
+    const page = await browser.open({ address, viewport: { width: 800, height: 480 } });
+    const shown = await page.screenshot();
+    await page.locator("#canvas").focus();
+    const at = await step(page);
+    await page.keyboard.press("ArrowRight");
+    assert.ok((await step(page)) > at);
+    assert.ok((await browser.compare(shown, await page.screenshot())).share > 0.002);
+    await page.keyboard.press("Shift+B");
+    await page.waitForTimeout(200);
+    assert.equal(await page.locator("dialog").count(), 0, "no windows");
+    const coming = page.waitForEvent("popup");
+    await page.mouse.click(90, 33);
+    const opened = await coming;
+    await opened.waitForLoadState();
+    assert.equal(await opened.evaluate(() => location.search), address.includes("lesson") ? "?lesson=metrics-area" : "");
+    await page.done();
+  }
+});
+
+const linked = `title: Linked\nlink: ${evenlift("link", "encode", file("arrow")).trim()}\n\n[centre]\nHere is the centre.\n`;
+const sampled = "\uFEFF# For a class.\npolygon: letter-k-moved\ntitle: A letter\n\n[end]\nHeld or not?\n";
+
+test("a lesson's text is dropped, pasted, typed, chosen, or loaded by a script", async () => {
+  const page = await browser.open();
+  await page.locator("#canvas").focus();
+  await drop(page, { files: [["k.txt", sampled]] });
+  await spoken(page, /^Step 1 of 1, .*Held or not\?/);
+  assert.match(await noticed(page, /opened/), /^“k\.txt” is opened\./);
+  await load(page, asset("cross"));
+  await paste(page, linked);
+  await spoken(page, /Here is the centre\./);
+  await load(page, asset("cross"));
+  let window = await openWindow(page, "open");
+  await window.locator("textarea").fill(sampled);
+  await window.getByRole("button", { name: "Open" }).click();
+  await spoken(page, /Held or not\?/);
+  await load(page, linked);
+  await spoken(page, /Here is the centre\./);
+  assert.match(await thrown(page, "load", sampled), /with a link: only; this one is about the sample “letter-k-moved”/);
+  window = await openWindow(page, "lessons");
+  await window.locator("input[type=file]").setInputFiles({ name: "k.txt", mimeType: "text/plain", buffer: Buffer.from(sampled) });
+  await allClosed(page);
+  await spoken(page, /Held or not\?/);
+  assert.equal(await named(page), "", "an address cannot name it");
+  await page.keyboard.press("b");
+  await page.done();
+});
+
+const broken = [
+  ["title: X\npolygon: square\nteams: none\n[end]\nWords.\n", /line 3: .*teams/i],
+  ["title: X\npolygon: square\n[nowhere]\nWords.\n", /line 3: .*address/i],
+  ["title: X\npolygon: square\n[team 40]\nWords.\n", /line 3: .*no such step/i],
+  ["title: X\npolygon: square\n[end]\n", /line 3: .*no words/i],
+  ["title: X\npolygon: square\ncom: 9,99999\n[end]\nWords.\n", /centre of mass/i],
+  ["title: X\npolygon: no-such-sample\n[end]\nWords.\n", /sample “no-such-sample”, and there is none/],
+  ["title: X\npolygon: constructor\n[end]\nWords.\n", /there is none of that name/],
+  ["title: X\nlink: 1.AAAA\n[end]\nWords.\n", /link/i],
+  ["title: X\npolygon: square\n[end]\nWo\uFFFDrds.\n", /line 4: not readable/i],
+  [`title: X\npolygon: square\n[end]\nWords.\n${"#".repeat(70000)}`, /65,536 bytes/],
+];
+
+test("a broken lesson gets one sentence with its line, and changes nothing", async () => {
+  const page = await browser.open();
+  await load(page, asset("cross"));
+  const before = await link(page);
+  for (const [text, why] of broken) {
+    await drop(page, { files: [["x.txt", text]] });
+    const said = await noticed(page, why);
+    assert.match(said, why, text.slice(0, 60));
+    assert.match(said, /^“x\.txt” cannot be opened: [^\n]*[^.]\.$/);
+    assert.equal(await link(page), before, text.slice(0, 60));
+    const window = await openWindow(page, "lessons");
+    await window.locator("input[type=file]").setInputFiles({ name: "y.txt", mimeType: "text/plain", buffer: Buffer.from(text) });
+    await window.locator(".problem:not(:empty)").waitFor();
+    assert.match(await window.locator(".problem").textContent(), why);
+    assert.equal(await link(page), before);
+    await page.keyboard.press("Escape");
+    await allClosed(page);
+  }
+  await page.done();
+});
+
+test("under a finger: buttons on a phone, and the sheet says the step", async () => {
+  const page = await browser.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, address: "?lesson=opposite" });
+  await settled(page);
+  const at = await step(page);
+  await page.touchscreen.tap(212, 670);
+  assert.ok((await step(page)) > at);
+  await spoken(page, /^Step 2 of 6/);
+  await page.done();
+});

@@ -1,0 +1,16 @@
+// Which texts are lessons (docs/lessons.md): their first line that is no comment is a setting. `com:` is not asked for:
+// polygons have one, too.
+const setting = /^(title|polygon|link|teams|metric|min-ratio|weight|seed|predict)[ \t]*:/;
+const mostBytes = 65536;  // core/include/evenlift/lesson.h
+
+export function isLesson(text) {
+  const lines = text.slice(0, mostBytes).replace(/^\uFEFF/, "").split("\n").map((line) => line.trim());
+  return setting.test(lines.find((line) => line && !line.startsWith("#")) ?? "");
+}
+
+// What the program, to which texts go as UTF-8 up to a NUL, would not see.
+export function unreadable(text) {
+  if (text.length > mostBytes) return "A lesson has at most 65,536 bytes";
+  const at = text.search(/[\0\uFFFD]/);
+  return at < 0 ? "" : `Line ${text.slice(0, at).split("\n").length}: not readable text (UTF-8)`;
+}
