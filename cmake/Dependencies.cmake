@@ -101,9 +101,9 @@ if(EVENLIFT_VIEW)
   target_compile_definitions(imgui PUBLIC "IMGUI_USER_CONFIG=\"${PROJECT_SOURCE_DIR}/wasm/imgui_config.h\"")
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
   if(EMSCRIPTEN)
-    # It reads its settings file with sscanf. The page has none, and a scanner of numbers of all kinds would be 7 KB of
-    # it after compression (wasm/left_out.cpp).
-    target_compile_definitions(imgui PRIVATE sscanf=evenlift_reads_no_settings)
+    # It reads its settings file with sscanf, which the page has not, and the version of OpenGL's language. A scanner of
+    # numbers of all kinds would be 7 KB of the page after compression (wasm/left_out.cpp).
+    target_compile_definitions(imgui PRIVATE sscanf=evenlift_scan)
   endif()
 endif()
 
@@ -181,6 +181,7 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
   target_include_directories(imgui_backends SYSTEM PUBLIC "${imgui_backends}")
   target_compile_definitions(imgui_backends PUBLIC IMGUI_IMPL_OPENGL_ES3)
   # From 1.92 on it needs a macro that Emscripten 3.1.6 declares in a header that it does not include.
+  target_compile_definitions(imgui_backends PRIVATE sscanf=evenlift_scan)
   target_compile_options(imgui_backends PRIVATE "SHELL:-include emscripten.h" -fno-exceptions -w ${evenlift_small})
   target_link_libraries(imgui_backends PUBLIC imgui::imgui SDL2::SDL2-static)
 endif()

@@ -18,11 +18,15 @@ else()
   set(evenlift_stack "-sSTACK_SIZE=4MB")
 endif()
 
-# What draws is compiled for size on WebAssembly (8 % off the page), what computes for speed. Link-time optimization
-# was measured too, and made the page no smaller.
+# On WebAssembly what draws is compiled for size; what computes for speed where it is done for every pair of edges or
+# candidate (candidates, selection: within 8 % of -O2), and for size where it is done once for a polygon or a placement.
+# Old Emscripten has -fno-inline-functions with -Os and -Oz, which makes code with Eigen many times slower: not that.
+# Link-time optimization was measured too, and made the page no smaller.
 set(evenlift_small "")
+set(evenlift_quick "")
 if(EMSCRIPTEN)
-  set(evenlift_small -Oz -fno-rtti)
+  set(evenlift_small -Oz -fno-rtti -finline-functions)
+  set(evenlift_quick -Os -fno-rtti -finline-functions)
 endif()
 
 # A program for Node: real files, standard streams byte for byte, its exit status, C++ exceptions.
@@ -53,6 +57,8 @@ function(evenlift_page_program target)
     -sENVIRONMENT=web
     -sFILESYSTEM=0
     -sMALLOC=emmalloc
+    # Once more through Binaryen, in the form in which it finds most: 1 % less.
+    -sBINARYEN_EXTRA_PASSES=--flatten,--rereloop,-Oz,-Oz
     -sDYNAMIC_EXECUTION=0
     -sMIN_WEBGL_VERSION=2
     -sMAX_WEBGL_VERSION=2

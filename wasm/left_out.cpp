@@ -1,5 +1,9 @@
 // What libraries would bring into the page although nothing there uses it. Defined here, the linker
 // leaves theirs out.
+#include <cstdarg>
+#include <cstdlib>
+#include <string_view>
+
 extern "C" {
 
 // OpenGL's functions by name: SDL2 asks for this one, nothing calls it (Dear ImGui calls WebGL
@@ -8,9 +12,19 @@ extern "C" {
 void* eglGetProcAddress(const char* name);
 void* eglGetProcAddress(const char*) { return nullptr; }
 
-// Stands for sscanf in Dear ImGui, which reads its settings file with it
-// (cmake/Dependencies.cmake).
-int evenlift_reads_no_settings(const char* text, const char* format, ...);
-int evenlift_reads_no_settings(const char*, const char*, ...) { return 0; }
+// Stands for sscanf in Dear ImGui (cmake/Dependencies.cmake), of whose calls the page needs one:
+// the backend's, for the number in "#version 300 es".
+int evenlift_scan(const char* text, const char* format, ...);
+int evenlift_scan(const char* text, const char* format, ...) {
+  const std::string_view version = "#version ";
+  if (!std::string_view(format).starts_with(version) ||
+      !std::string_view(text).starts_with(version))
+    return 0;
+  std::va_list arguments;
+  va_start(arguments, format);
+  *va_arg(arguments, int*) = std::atoi(text + version.size());
+  va_end(arguments);
+  return 1;
+}
 
 }  // extern "C"

@@ -83,16 +83,18 @@ class Ears {
     }
     const double size = std::max(high.x() - low_.x(), high.y() - low_.y());
     to_grid_ = size > 0 ? 32767 / size : 0;
-    std::vector<std::uint32_t> order(nodes_.size());
+    // Place along the curve and number in one integer, which the library can sort already.
+    std::vector<unsigned long long> order(nodes_.size());
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
       nodes_[i].z = z_of(nodes_[i].at);
-      order[i] = i;
+      order[i] = (static_cast<unsigned long long>(nodes_[i].z) << 32) | i;
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return nodes_[a].z < nodes_[b].z; });
+    std::sort(order.begin(), order.end());
     for (std::size_t k = 1; k < order.size(); ++k) {
-      nodes_[order[k]].z_previous = order[k - 1];
-      nodes_[order[k - 1]].z_next = order[k];
+      const auto before = static_cast<std::uint32_t>(order[k - 1]);
+      const auto after = static_cast<std::uint32_t>(order[k]);
+      nodes_[after].z_previous = before;
+      nodes_[before].z_next = after;
     }
   }
 

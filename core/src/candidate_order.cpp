@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
@@ -23,12 +24,6 @@ double slope(const Vec2& u) {
   if (u.y() < -u.x()) return -2 - u.x() / u.y();
   return u.y() / u.x();
 }
-
-// One candidate of a line or of equal keys.
-struct Member {
-  std::uint32_t place;
-  double length;
-};
 
 class Settler {
  public:
@@ -77,28 +72,24 @@ class Settler {
     if (other == end) return;
     fill(begin, end);
     const Vec2 zero = Vec2::Zero();
-    std::sort(members_.begin(), members_.end(), [&](const Member& a, const Member& b) {
-      const double side = cross_of_differences(zero, direction(a.place), zero, direction(b.place));
-      return side != 0 ? side > 0 : a.place < b.place;
+    sort_indices(members_, [&](std::uint32_t i, std::uint32_t j) {
+      return cross_of_differences(zero, direction(i), zero, direction(j)) > 0;
     });
     rearrange(begin);
   }
 
   void sort_line(std::size_t begin, std::size_t end) {
     fill(begin, end);
-    const auto length_of = [](const Member& a) { return a.length; };
-    const auto right_arm = [&](const Member& a) { return candidates_[a.place].chord.arm2; };
-    for_each_tie_class(members_.data(), members_.data() + members_.size(), length_of, lengths_tie,
-                       [&](Member* first, Member* last) {
-                         if (last - first < 2) return;
-                         for_each_tie_class(
-                             first, last, right_arm, lengths_tie, [&](Member* from, Member* to) {
-                               if (to - from > 1)
-                                 std::sort(from, to, [&](const Member& a, const Member& b) {
-                                   return comes_first(a.place, b.place);
-                                 });
-                             });
-                       });
+    const auto length_of = [&](std::uint32_t i) { return candidates_[i].length; };
+    const auto right_arm = [&](std::uint32_t i) { return candidates_[i].chord.arm2; };
+    using Class = std::span<std::uint32_t>;
+    for_each_tie_class(members_, length_of, lengths_tie, [&](Class equally_long) {
+      if (equally_long.size() == 1) return;
+      for_each_tie_class(equally_long, right_arm, lengths_tie, [&](Class alike) {
+        if (alike.size() == 1) return;
+        sort_indices(alike, [&](std::uint32_t i, std::uint32_t j) { return comes_first(i, j); });
+      });
+    });
     rearrange(begin);
   }
 
@@ -115,28 +106,25 @@ class Settler {
   }
 
   void fill(std::size_t begin, std::size_t end) {
-    members_.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      members_.push_back({static_cast<std::uint32_t>(i), candidates_[i].length});
-    }
+    members_.resize(end - begin);
+    std::iota(members_.begin(), members_.end(), static_cast<std::uint32_t>(begin));
   }
 
   // Puts the members, in their order, at `begin` and after.
   void rearrange(std::size_t begin) {
-    const auto in_place = [&](std::size_t k) { return members_[k].place == begin + k; };
+    const auto in_place = [&](std::size_t k) { return members_[k] == begin + k; };
     std::size_t from = 0;
     while (from < members_.size() && in_place(from)) ++from;
     if (from == members_.size()) return;
     moved_.clear();
-    for (std::size_t k = from; k < members_.size(); ++k)
-      moved_.push_back(candidates_[members_[k].place]);
+    for (std::size_t k = from; k < members_.size(); ++k) moved_.push_back(candidates_[members_[k]]);
     std::copy(moved_.begin(), moved_.end(),
               candidates_.begin() + static_cast<std::ptrdiff_t>(begin + from));
   }
 
   std::vector<Candidate>& candidates_;
   std::size_t vertical_from_ = 0;
-  std::vector<Member> members_;
+  SortedIndices members_;  // of a line, or of equal keys
   std::vector<Candidate> moved_;
 };
 

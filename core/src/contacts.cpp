@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <numeric>
 
 #include "evenlift/closure.h"
 #include "evenlift/tolerance.h"
+#include "sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -11,14 +11,7 @@ namespace {
 class VertexFinder {
  public:
   VertexFinder(const Polygon& polygon, double near)
-      : polygon_(polygon), near_(near), by_x_(polygon.size()) {
-    std::iota(by_x_.begin(), by_x_.end(), std::uint32_t{0});
-    std::sort(by_x_.begin(), by_x_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return polygon.vertex(a).x() != polygon.vertex(b).x()
-                 ? polygon.vertex(a).x() < polygon.vertex(b).x()
-                 : a < b;
-    });
-  }
+      : polygon_(polygon), near_(near), by_x_(lexicographic_order(polygon.vertices())) {}
 
   // The nearest one within `near`, if any.
   std::optional<std::uint32_t> find(const Vec2& p) const {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "dyadic.h"
 #include "evenlift/predicates.h"
+#include "sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -65,16 +65,13 @@ int compare_bounds(const HalfPlane& a, const HalfPlane& b, int factor) {
 
 // Indices by direction of the normal; of equal directions only the tightest.
 Indices by_direction(const std::vector<HalfPlane>& planes) {
-  Indices order(planes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+  const auto goes_before = [&](std::uint32_t i, std::uint32_t j) {
     const bool up_i = points_up(planes[i]), up_j = points_up(planes[j]);
     if (up_i != up_j) return up_i;
-    const double side = normals_cross(planes[i], planes[j]);
-    return side != 0 ? side > 0 : i < j;
-  });
+    return normals_cross(planes[i], planes[j]) > 0;
+  };
   Indices tightest;
-  for (const std::size_t i : order) {
+  for (const std::uint32_t i : sorted_indices(planes.size(), goes_before)) {
     if (tightest.empty() || !normals_are_same(planes[tightest.back()], planes[i])) {
       tightest.push_back(i);
     } else if (compare_bounds(planes[i], planes[tightest.back()], -1) < 0) {

@@ -6,13 +6,10 @@
 #include <utility>
 
 #include "evenlift/predicates.h"
+#include "sorted_indices.h"
 
 namespace evenlift {
 namespace {
-
-bool lexicographically_before(const Vec2& a, const Vec2& b) {
-  return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-}
 
 // Appends the chain of left turns through [first, last) to `hull`, without its last point.
 template <class Iterator>
@@ -62,8 +59,10 @@ Points hull_of_sorted(Points points, double flat) {
 }  // namespace
 
 Points convex_hull(Points points, double flat) {
-  std::sort(points.begin(), points.end(), lexicographically_before);
-  return hull_of_sorted(std::move(points), flat);
+  Points sorted;
+  sorted.reserve(points.size());
+  for (const std::uint32_t i : lexicographic_order(points)) sorted.push_back(points[i]);
+  return hull_of_sorted(std::move(sorted), flat);
 }
 
 Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat) {

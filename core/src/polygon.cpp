@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "double_double.h"
@@ -11,6 +10,7 @@
 #include "evenlift/hull.h"
 #include "evenlift/predicates.h"
 #include "simplicity.h"
+#include "sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -38,15 +38,7 @@ std::optional<InputError> check_coordinates(const Points& vertices) {
   return std::nullopt;
 }
 
-std::optional<InputError> check_repetition(const Points& vertices) {
-  std::vector<std::size_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const Vec2 &p = vertices[a], &q = vertices[b];
-    if (p.x() != q.x()) return p.x() < q.x();
-    if (p.y() != q.y()) return p.y() < q.y();
-    return a < b;
-  });
+std::optional<InputError> check_repetition(const Points& vertices, const SortedIndices& order) {
   std::optional<Place> first;
   for (std::size_t k = 1; k < order.size(); ++k) {
     if (vertices[order[k - 1]] != vertices[order[k]]) continue;
@@ -163,12 +155,13 @@ bool turns_left_at_extreme(const Points& vertices) {
 
 Result<Polygon> Polygon::create(Points vertices) {
   if (auto error = check_coordinates(vertices)) return *error;
-  if (auto error = check_repetition(vertices)) return *error;
+  const SortedIndices order = lexicographic_order(vertices);
+  if (auto error = check_repetition(vertices, order)) return *error;
   if (all_on_one_line(vertices)) {
     return InputError{
         ErrorCode::no_area, "the polygon has no area: all its vertices are on one line", {}};
   }
-  if (const auto crossing = find_crossing(vertices)) {
+  if (const auto crossing = find_crossing(vertices, order)) {
     return InputError{ErrorCode::edges_cross,
                       "the edges cross, touch or overlap",
                       {Place::Kind::edge, crossing->first, crossing->second, {}}};

@@ -6,6 +6,7 @@
 
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
+#include "sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -74,12 +75,14 @@ void RadialView::sort_vertices(const Polygon& polygon, const Vec2& centre) {
     end = begin + 1;
     while (end < turned.size() && may_tie(end)) ++end;
     if (end - begin == 1) continue;
-    std::sort(turned.begin() + static_cast<std::ptrdiff_t>(begin),
-              turned.begin() + static_cast<std::ptrdiff_t>(end),
-              [&](const Turned& a, const Turned& b) {
-                const double side = turn(a.vertex, b.vertex);
-                return side != 0 ? side > 0 : a.vertex < b.vertex;
-              });
+    const std::vector<Turned> run(turned.begin() + static_cast<std::ptrdiff_t>(begin),
+                                  turned.begin() + static_cast<std::ptrdiff_t>(end));
+    const auto turns_before = [&](std::uint32_t i, std::uint32_t j) {
+      const double side = turn(run[i].vertex, run[j].vertex);
+      return side != 0 ? side > 0 : run[i].vertex < run[j].vertex;
+    };
+    std::size_t k = begin;
+    for (const std::uint32_t i : sorted_indices(run.size(), turns_before)) turned[k++] = run[i];
   }
 
   order_.reserve(turned.size());

@@ -168,9 +168,10 @@ void Selector::line_up(Indices leaders) {
   if (best_in_line_ == 0) return;
   const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
   const auto length_of = [&](Index i) { return candidates_[i].length; };
-  for_each_tie_class(leaders.begin(), leaders.end(), ratio, ratios_tie, [&](auto first, auto last) {
-    for_each_tie_class(first, last, length_of, lengths_tie,
-                       [](auto begin, auto end) { std::sort(begin, end); });
+  for_each_tie_class(leaders, ratio, ratios_tie, [&](std::span<Index> even) {
+    for_each_tie_class(even, length_of, lengths_tie, [](std::span<Index> alike) {
+      sort_indices(alike, [](Index i, Index j) { return i < j; });
+    });
   });
   std::reverse(leaders.begin(), leaders.end());
   line_ = std::move(leaders);

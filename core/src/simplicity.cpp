@@ -1,7 +1,6 @@
 #include "simplicity.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <vector>
 
@@ -12,10 +11,6 @@ namespace {
 
 using Index = std::size_t;
 using Pair = std::pair<Index, Index>;
-
-bool lexicographically_before(const Vec2& a, const Vec2& b) {
-  return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-}
 
 int sign(double value) { return (value > 0) - (value < 0); }
 
@@ -55,13 +50,8 @@ class Sweep {
     where_.resize(n);
   }
 
-  std::optional<Pair> run() {
+  std::optional<Pair> run(const SortedIndices& order) {
     const Index n = vertices_.size();
-    std::vector<Index> order(n);
-    std::iota(order.begin(), order.end(), Index{0});
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return lexicographically_before(vertices_[a], vertices_[b]);
-    });
     for (const Index v : order) {
       const Index incident[] = {v == 0 ? n - 1 : v - 1, v};
       for (const Index edge : incident) {
@@ -133,8 +123,9 @@ class Sweep {
 
 }  // namespace
 
-std::optional<std::pair<std::size_t, std::size_t>> find_crossing(const Points& vertices) {
-  return Sweep(vertices).run();
+std::optional<std::pair<std::size_t, std::size_t>> find_crossing(const Points& vertices,
+                                                                 const SortedIndices& order) {
+  return Sweep(vertices).run(order);
 }
 
 }  // namespace evenlift

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "direction_key.h"
+#include "sorted_indices.h"
 
 namespace evenlift {
 namespace {
@@ -186,19 +187,15 @@ DistanceBlocks::DistanceBlocks(Points points) : points_(std::move(points)) {
   size_ = std::max(std::size_t{16}, n / number_of_parts(n, 256));
   levels_.reserve(n);
   sums_.resize(n);
-  std::vector<std::size_t> order;
   for (std::size_t begin = 0; begin < n; begin += size_) {
     const std::size_t end = std::min(begin + size_, n);
     const Vec2& ahead = aheads_.emplace_back(points_[begin + (end - begin) / 2]);
-    order.clear();
-    for (std::size_t i = begin; i < end; ++i) order.push_back(i);
-    const auto level = [&](std::size_t i) { return dot(ahead, points_[i]); };
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-      return level(i) != level(j) ? level(i) < level(j) : i < j;
-    });
-    for (const std::size_t i : order) levels_.push_back(level(i));
+    const auto level = [&](std::size_t k) { return dot(ahead, points_[begin + k]); };
+    const SortedIndices order = sorted_indices(
+        end - begin, [&](std::uint32_t i, std::uint32_t j) { return level(i) < level(j); });
+    for (const std::uint32_t i : order) levels_.push_back(level(i));
     Vec2 sum = Vec2::Zero();
-    for (std::size_t k = end; k-- > begin;) sums_[k] = sum += points_[order[k - begin]];
+    for (std::size_t k = end; k-- > begin;) sums_[k] = sum += points_[begin + order[k - begin]];
   }
 }
 

@@ -1,0 +1,49 @@
+// Sorting by index, by one function for all orders. Each order of its own would be another copy of
+// a standard sort, which is 5 KB of the page; where the sort is most of the time (candidates, the
+// selector) it is worth a copy.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "evenlift/vec.h"
+
+namespace evenlift {
+
+using SortedIndices = std::vector<std::uint32_t>;
+
+// Tells whether element i goes before element j of what `order` points to.
+using IsBefore = bool (*)(const void* order, std::uint32_t i, std::uint32_t j);
+void sort_indices(std::span<std::uint32_t> indices, const void* order, IsBefore is_before);
+
+// Sorts indices by before(i, j), a strict weak order; those that it does not tell apart keep their
+// order. O(n log n) calls.
+template <class Before>
+void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
+  sort_indices(indices, &before, [](const void* order, std::uint32_t i, std::uint32_t j) {
+    return static_cast<bool>((*static_cast<const Before*>(order))(i, j));
+  });
+}
+
+SortedIndices indices_below(std::size_t n);
+
+// The indices 0 ... n - 1 sorted by before(i, j), a strict weak order; those that it does not tell
+// apart stay in order of index. O(n log n) calls. Needs n < 2^32.
+template <class Before>
+SortedIndices sorted_indices(std::size_t n, const Before& before) {
+  SortedIndices indices = indices_below(n);
+  sort_indices(indices, before);
+  return indices;
+}
+
+inline bool lexicographically_before(const Vec2& a, const Vec2& b) {
+  return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+}
+
+// The points' indices from left to right, of equal x from below, of equal points in order of index.
+// O(n log n).
+SortedIndices lexicographic_order(const Points& points);
+
+}  // namespace evenlift
