@@ -4,6 +4,7 @@
 #endif
 
 #include "commands.h"
+#include "evenlift/experiment/outputs.h"
 #include "evenlift/formats.h"
 #include "experiment_run.h"
 #include "options.h"
@@ -77,15 +78,14 @@ std::string write_results(std::vector<Part> parts, const ExperimentFolder& folde
     rows += part.result.measurements.size();
     results.push_back(std::move(part.result));
   }
-  const std::vector<Aggregate> aggregates = aggregate(results);
-  const std::vector<Claim> claims = make_claims(results, aggregates);
-  write_file(folder.file("measurements.csv"), measurements_csv(results));
-  write_file(folder.file("aggregates.csv"), aggregates_csv(aggregates));
-  write_file(folder.file("polygons.csv"), polygons_csv(results));
+  const Outputs outputs = make_outputs(results);
+  write_file(folder.file("measurements.csv"), outputs.measurements_csv);
+  write_file(folder.file("aggregates.csv"), outputs.aggregates_csv);
+  write_file(folder.file("polygons.csv"), outputs.polygons_csv);
   write_file(folder.file("times.csv"), times);
-  write_file(folder.file("thesis.md"), claims_markdown(claims));
+  write_file(folder.file("thesis.md"), claims_markdown(outputs.claims));
   write_file(folder.file("report.html"),
-             report_html(results, make_figures(aggregates), claims, settings));
+             report_html(results, outputs.figures, outputs.claims, settings));
   return std::to_string(results.size()) + " polygons, " + std::to_string(rows) +
          " measurements: " + folder.file("report.html") + "\n";
 }

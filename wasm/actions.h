@@ -16,7 +16,7 @@ enum class ActionId : std::uint8_t {
   samples, draw, whole, open, save, table, undo, redo, copy_link,
   finish, next_vertex, previous_vertex, insert_vertex, remove_vertex,
   left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
-  more_teams, fewer_teams, next_method, compare, higher_ratio, lower_ratio,
+  more_teams, fewer_teams, next_method, compare, experiment, higher_ratio, lower_ratio,
   toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, toggle_tipping,
   zoom_in, zoom_out, fit, fold_panel, motion, help, dismiss
 };

@@ -1,11 +1,12 @@
 // The gallery of samples.
 import { openWindow, problemLine } from "./dialogs.js";
 import { button, el, svgEl } from "./elements.js";
+import { show as showExperiment } from "./experiment.js";
 
 let fetched;
 
-// [{group, title, text}], fetched once; a failure may be tried again.
-function fetchSamples() {
+// [{name, group, title, text}], fetched once; a failure may be tried again.
+export function fetchSamples() {
   fetched ??= fetch(new URL("samples.json", import.meta.url)).then((answer) => {
     if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
     return answer.json();
@@ -61,7 +62,11 @@ export async function show(page) {
   const count = el("p", { class: "for-readers", role: "status" });
   // A keyboard that comes up by itself would hide half of a phone's gallery.
   const typing = matchMedia("(pointer: fine)").matches;
-  const root = await openWindow({ name: "samples", title: "Samples", tools: [filter], body: [list, count], focus: typing ? filter : undefined });
+  const footer = el("footer", {}, button("Compare methods over many polygons …", { onclick: () => {
+    root.close();
+    showExperiment(page);
+  } }));
+  const root = await openWindow({ name: "samples", title: "Samples", tools: [filter], body: [list, count, footer], focus: typing ? filter : undefined });
   if (!root) return;
 
   const load = async () => {

@@ -31,9 +31,9 @@ export function drawChart(figure, width) {
     x: { domain: [Math.min(2, ...rows.map(({ robots }) => robots)), Math.max(4, ...rows.map(({ robots }) => robots))], inset: 6 },
     y: { domain: span(figure, rows), nice: true },
     marks: [
-      gridY({ ticks: 6, stroke: "var(--line)", strokeOpacity: 1 }),
+      gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
       axisX({ label: "robots", tickFormat: "d", ticks: width / 70, tickSize: 4, labelAnchor: "center", labelArrow: "none", fontSize: 12 }),
-      axisY({ label: figure.unit, ticks: 6, tickSize: 0, labelArrow: "none", fontSize: 12 }),
+      axisY({ label: figure.unit, ticks: 5, tickSize: 0, labelArrow: "none", fontSize: 12 }),
       ruleY(figure.unit === "%" && span(figure, rows)[0] > 0 ? [] : [0], { stroke: "var(--second)" }),
       ...figure.series.map(({ method }) => line(rows.filter((row) => row.method === method), {
         x: "robots", y: "value", stroke: colour(method), strokeWidth: 1.75, strokeDasharray: dashes[method], className: `line-${method}`,
@@ -47,8 +47,7 @@ export function drawChart(figure, width) {
   });
   // Plot brings a style sheet of its own, which a page's content security policy refuses; charts.css says the same.
   svg.querySelector("style")?.remove();
-  svg.setAttribute("role", "img");
-  svg.setAttribute("aria-label", `Chart: ${figure.title}, by number of robots. ${figure.sentence}`);
+  svg.setAttribute("aria-hidden", "true");  // it is read out as one picture, see follow()
   return svg;
 }
 
@@ -84,38 +83,10 @@ export function legend(figures) {
   return list;
 }
 
-// The numbers of a figure as a table: a row for each number of robots, a column for each method.
-export function dataTable(figure) {
-  const robots = [...new Set(figure.series.flatMap(({ points }) => points.map(([count]) => count)))].sort((a, b) => a - b);
-  const table = document.createElement("table");
-  const row = (name, cells, tag) => {
-    const tr = document.createElement("tr");
-    const head = document.createElement("th");
-    head.scope = tag === "th" ? "col" : "row";
-    head.textContent = name;
-    tr.append(head, ...cells.map((text) => {
-      const cell = document.createElement(tag);
-      if (tag === "th") cell.scope = "col";
-      cell.textContent = text;
-      return cell;
-    }));
-    return tr;
-  };
-  const head = document.createElement("thead");
-  head.append(row("robots", figure.series.map(({ method }) => method), "th"));
-  const body = document.createElement("tbody");
-  for (const count of robots) {
-    body.append(row(String(count), figure.series.map(({ points }) => {
-      const point = points.find(([r]) => r === count);
-      return point ? shown(figure, point[1]).toFixed(digits(figure)) : "";
-    }), "td"));
-  }
-  table.append(head, body);
-  return table;
-}
-
 // Draws a figure into an element, and anew whenever its width changes.
 export function follow(element, figure) {
+  element.setAttribute("role", "img");
+  element.setAttribute("aria-label", `Chart: ${figure.title}, by number of robots. ${figure.sentence}`);
   let drawn = 0;
   const draw = () => {
     const width = Math.floor(element.clientWidth);
