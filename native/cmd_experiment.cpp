@@ -26,6 +26,10 @@ std::uint32_t whole_option(const std::string& option, const std::string& text) {
   return static_cast<std::uint32_t>(*value);
 }
 
+std::string counted(std::size_t n, const char* what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
 ExperimentSettings settings_of(const Options& options) {
   ExperimentSettings settings;
   if (options.samples) settings.samples = whole_option("--samples", *options.samples);
@@ -86,8 +90,8 @@ std::string write_results(std::vector<Part> parts, const ExperimentFolder& folde
   write_file(folder.file("thesis.md"), claims_markdown(outputs.claims));
   write_file(folder.file("report.html"),
              report_html(results, outputs.figures, outputs.claims, settings));
-  return std::to_string(results.size()) + " polygons, " + std::to_string(rows) +
-         " measurements: " + folder.file("report.html") + "\n";
+  return counted(results.size(), "polygon") + ", " + counted(rows, "measurement") + ": " +
+         folder.file("report.html") + "\n";
 }
 
 void report_refused(const std::vector<Failure>& refused, std::size_t polygons) {
@@ -115,8 +119,8 @@ void run(const Options& options) {
     said += write_results(collect({folder}), folder);
   } else {
     said += "shard " + std::to_string(shard.i) + " of " + std::to_string(shard.n) + ": " +
-            std::to_string(outcome.polygons) +
-            " polygons; `evenlift experiment --merge` makes the report\n";
+            counted(outcome.polygons, "polygon") +
+            "; `evenlift experiment --merge` makes the report\n";
   }
   write_output(said);
   report_refused(outcome.refused, outcome.polygons);

@@ -11,9 +11,14 @@ namespace {
 
 constexpr const char* erase_line = "\r\x1b[K";
 
+// Under Node, Emscripten takes every pipe for a terminal: no bar there.
 bool on_terminal() {
+#ifdef __EMSCRIPTEN__
+  return false;
+#else
   const char* kind = std::getenv("TERM");
   return isatty(STDERR_FILENO) == 1 && !(kind && std::string_view(kind) == "dumb");
+#endif
 }
 
 }  // namespace
