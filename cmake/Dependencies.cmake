@@ -181,7 +181,8 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
   target_include_directories(imgui_backends SYSTEM PUBLIC "${imgui_backends}")
   target_compile_definitions(imgui_backends PUBLIC IMGUI_IMPL_OPENGL_ES3)
   # From 1.92 on it needs a macro that Emscripten 3.1.6 declares in a header that it does not include.
-  target_compile_definitions(imgui_backends PRIVATE sscanf=evenlift_scan)
+  # See wasm/left_out.cpp and wasm/gl_state.cpp.
+  target_compile_definitions(imgui_backends PRIVATE sscanf=evenlift_scan glGetIntegerv=evenlift_gl_state)
   target_compile_options(imgui_backends PRIVATE "SHELL:-include emscripten.h" -fno-exceptions -w ${evenlift_small})
   target_link_libraries(imgui_backends PUBLIC imgui::imgui SDL2::SDL2-static)
 endif()

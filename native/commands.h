@@ -12,6 +12,7 @@ using Arguments = std::vector<std::string>;
 void cmd_place(const Arguments& arguments);
 void cmd_link(const Arguments& arguments);
 void cmd_generate(const Arguments& arguments);
+void cmd_trace(const Arguments& arguments);
 void cmd_experiment(const Arguments& arguments);
 
 }  // namespace evenlift::native

@@ -18,6 +18,7 @@ struct Command {
 
 constexpr Command commands[] = {
     {"place", "where teams of robots lift a polygon, and what holds of it", cmd_place},
+    {"trace", "the algorithm step by step, in words and numbers", cmd_trace},
     {"link", "a polygon and its settings as a share link, and back", cmd_link},
     {"generate", "a polygon from a family, a size and a seed", cmd_generate},
     {"experiment", "chapter 5's measurements over many polygons, with a report", cmd_experiment},

@@ -117,7 +117,7 @@ TEST_CASE("the program answers in all its ways", "[cli]") {
   };
 
   CHECK(answers("evenlift --version").rfind("evenlift ", 0) == 0);
-  for (const char* command : {"place", "link", "link encode", "link decode", "generate"})
+  for (const char* command : {"place", "trace", "link", "link encode", "link decode", "generate"})
     CHECK(answers("evenlift " + std::string(command) + " --help")
               .find("Usage: evenlift " + std::string(command)) != std::string::npos);
   CHECK(answers("evenlift --help") == answers("evenlift help"));
@@ -154,6 +154,14 @@ TEST_CASE("the program answers in all its ways", "[cli]") {
     CHECK_FALSE(fs::exists(folder.path() / "square.svg.part"));
     CHECK(answers("evenlift place square.txt --svg /dev/stdout").find("</svg>") !=
           std::string::npos);
+  }
+  SECTION("a trace is an array of steps, or a list to read") {
+    const std::string json = answers("evenlift trace square.txt --json --teams 2 --metric circle");
+    CHECK(json.rfind("[\n  {\"kind\": \"polygon\", ", 0) == 0);
+    CHECK(json.substr(json.size() - 3) == "\n]\n");
+    CHECK(answers("evenlift trace \"$(evenlift link encode square.txt --teams 2 --metric circle)\" "
+                  "--json") == json);
+    CHECK(answers("evenlift trace square.txt").find("\nThe first team\n") != std::string::npos);
   }
   SECTION("what is generated can be placed") {
     CHECK(answers("evenlift generate random --n 60 --seed 3 | evenlift place - --json").front() ==

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "lesson.h"
 #include "whole.h"
 
 namespace evenlift::view {
@@ -65,6 +66,28 @@ void take(const AppState& s, Commands& out) {
 bool drawing(const AppState& s) { return s.tool == Tool::draw; }
 bool can_close(const AppState& s) { return drawing(s) && s.drawing.points.size() >= 3; }
 bool on_parts(const AppState& s) { return editing(s) && s.tool == Tool::parts; }
+
+bool in_lesson(const AppState& s) { return lesson_is_open(s); }
+bool can_teach(const AppState& s) { return s.placement && !s.refusal && s.tool != Tool::draw; }
+void begin_or_end_lesson(const AppState& s, Commands& out) {
+  if (in_lesson(s))
+    out.push_back(CloseLesson{});
+  else
+    out.push_back(OpenLesson{});
+}
+bool can_go_on(const AppState& s) {
+  const Timeline t = timeline(s);
+  return in_lesson(s) && (t.at + 1 < t.count || s.lesson.ask);
+}
+bool can_go_back(const AppState& s) { return in_lesson(s) && timeline(s).at > 0; }
+template <int by>
+void move_step(const AppState&, Commands& out) {
+  out.push_back(MoveSteps{by});
+}
+template <int by>
+void move_chapter(const AppState&, Commands& out) {
+  out.push_back(MoveChapters{by});
+}
 bool on_whole(const AppState& s) { return editing(s) && s.tool == Tool::whole; }
 bool on_vertex(const AppState& s) { return on_parts(s) && s.selected.has_value(); }
 
@@ -143,7 +166,7 @@ void next_compared(const AppState& s, Commands& out) {
 // Escape takes away the topmost thing that is in the way.
 bool anything_open(const AppState& s) {
   return s.list_open || s.help_open || s.selected || s.tool != Tool::parts ||
-         !s.notice.text.empty();
+         !s.notice.text.empty() || (in_lesson(s) && editing(s));
 }
 void dismiss(const AppState& s, Commands& out) {
   if (s.list_open)
@@ -152,6 +175,8 @@ void dismiss(const AppState& s, Commands& out) {
     out.push_back(SetHelpOpen{false});
   else if (!s.notice.text.empty())
     out.push_back(ShowNotice{});
+  else if (in_lesson(s))
+    out.push_back(CloseLesson{});
   else if (drawing(s) && !s.drawing.points.empty())
     out.push_back(TakePointBack{});
   else if (s.tool != Tool::parts)
@@ -164,6 +189,24 @@ void dismiss(const AppState& s, Commands& out) {
 const std::vector<Action> table = {
     {ActionId::samples, Icon::shapes, "Samples", "G", {{"g"}}, editing, show<browser::Dialog::samples>},
     {ActionId::draw, Icon::draw, "Draw", "D", {{"d"}}, editing, take<Tool::draw>},
+    {ActionId::lessons, Icon::lesson, "Lessons", "Shift+B", {{"B"}}, editing, show<browser::Dialog::lessons>},
+    {ActionId::lesson, Icon::lesson, "The algorithm step by step, on this object", "B", {{"b"}}, can_teach, begin_or_end_lesson},
+    {ActionId::step_on, Icon::step_on, "Next step", "Right", {{"ArrowRight"}}, can_go_on, move_step<1>},
+    {ActionId::step_back, Icon::step_back, "Step before", "Left", {{"ArrowLeft"}}, can_go_back, move_step<-1>},
+    {ActionId::next_chapter, Icon::chapter_on, "Next chapter", "Page down", {{"PageDown"}}, in_lesson, move_chapter<1>},
+    {ActionId::previous_chapter, Icon::chapter_back, "Chapter before", "Page up", {{"PageUp"}}, in_lesson, move_chapter<-1>},
+    {ActionId::first_step, Icon::first, "First step", "Home", {{"Home"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, 0)}); }},
+    {ActionId::last_step, Icon::last, "Last step", "End", {{"End"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, timeline(s).count - 1)}); }},
+    {ActionId::play, Icon::play, "Play or pause the lesson", "Space", {{" "}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(SetPlaying{!s.lesson.playing}); }},
+    {ActionId::faster, Icon::none, "Play faster or slower", "Up, down", {{"ArrowUp"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.lesson.speed * 2}); }},
+    {ActionId::slower, Icon::none, "Play slower", "", {{"ArrowDown"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.lesson.speed / 2}); }},
+    {ActionId::predict, Icon::none, "Predict before each choice", "Q", {{"q"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.lesson.predict}); }},
     {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, editing, show<browser::Dialog::open>},
     {ActionId::save, Icon::save, "Save", "S", {{"s"}}, editing, show<browser::Dialog::save>},
     {ActionId::undo, Icon::undo, "Undo", "Ctrl+Z", {{"z", true}}, can_undo, undo},

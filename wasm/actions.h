@@ -13,7 +13,8 @@ namespace evenlift::view {
 
 // clang-format off
 enum class ActionId : std::uint8_t {
-  samples, draw, whole, open, save, table, undo, redo, copy_link,
+  samples, draw, lessons, lesson, whole, open, save, table, undo, redo, copy_link,
+  step_on, step_back, next_chapter, previous_chapter, first_step, last_step, play, faster, slower, predict,
   finish, next_vertex, previous_vertex, insert_vertex, remove_vertex,
   left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
   more_teams, fewer_teams, next_method, compare, experiment, higher_ratio, lower_ratio,

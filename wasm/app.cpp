@@ -4,6 +4,7 @@
 
 #include "browser.h"
 #include "canvas.h"
+#include "lesson.h"
 #include "panels.h"
 #include "update.h"
 
@@ -33,6 +34,7 @@ void draw_frame(App& app, const Pointer& pointer) {
   interact(app.state, over_one_picture(app, pointer), app.commands);
   settle(app);
   const double now = ImGui::GetTime();
+  turn_over(app.state, now);
   follow(app.scene, app.state, *app.state.placement, now);
   if (app.state.other) follow(app.other_scene, app.state, *app.state.other, now);
   if (app.scene.progress < 1 || (app.state.other && app.other_scene.progress < 1))

@@ -11,5 +11,6 @@ void announce(std::string_view) {}
 void open_page() {}
 void measure_screen() {}
 void request_frame() {}
+void request_frame_after(double) {}
 
 }  // namespace evenlift::view::browser

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "canvas_drawing.h"
+#include "canvas_lesson.h"
 #include "canvas_marks.h"
 #include "canvas_view.h"
+#include "lesson.h"
 #include "painter.h"
 
 namespace evenlift::view {
@@ -137,7 +139,10 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
   const ImVec2 low(static_cast<float>(view.window.left), static_cast<float>(view.window.top));
   const ImVec2 high(static_cast<float>(view.window.right), static_cast<float>(view.window.bottom));
   list.PushClipRect(low, high, true);
-  if (view.placement) {
+  const bool teaches = lesson_is_open(view.state) && view.current() && !view.other;
+  if (teaches) {
+    draw_lesson(Painter(list, view.camera, view.window), view);
+  } else if (view.placement) {
     const Painter painter(list, view.camera, view.window, view.current() ? 1.0f : 0.35f);
     draw_picture(painter, view);
     if (view.current()) painter.outline(view.placement->vertices, view.theme.object_outline, 2);

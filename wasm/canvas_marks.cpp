@@ -9,6 +9,7 @@
 #include "format.h"
 #include "icons.h"
 #include "labels.h"
+#include "lesson.h"
 #include "pick.h"
 
 namespace evenlift::view {
@@ -125,6 +126,23 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
                                  view.theme.panel.at(0.88f).packed(), 6);
     draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3),
               over[i] ? view.theme.amber : view.theme.text, texts[i]);
+  }
+}
+
+// Those that stand there already, with their loads once all are known.
+void draw_robots_of_lesson(const Painter& painter, const CanvasView& view) {
+  const Placement& placement = *view.placement;
+  const Done& known = view.state.lesson.known;
+  const RobotSize size = robot_size(placement.teams.size());
+  if (known.shares > 0 && known.shares == placement.teams.size() && size.labelled)
+    draw_loads(painter, view, size);
+  for (std::size_t i = known.teams; i-- > 0;) {
+    const Team& team = placement.teams[i];
+    for (std::size_t end = 0; end < 2; ++end) {
+      const double share = i < known.shares ? team.loads[end] / placement.loads->max : 0;
+      draw_robot(painter, view.theme, size,
+                 end == 0 ? team.chord.r1.position : team.chord.r2.position, i, share, false);
+    }
   }
 }
 
@@ -264,6 +282,18 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
             view.theme.second_text, numbers);
 }
 
+std::string hint_of_lesson(const AppState& state) {
+  const LessonState& lesson = state.lesson;
+  if (lesson.ask) return "Press the one that you think it is";
+  if (lesson.hovered && *lesson.hovered < lesson.marks.size()) {
+    std::string text = object_text(*lesson.trace, lesson.detail, lesson.marks[*lesson.hovered]);
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+      text[0] = static_cast<char>(text[0] - 32);
+    return text;
+  }
+  return "Click a chord, or anywhere: why not this one?";
+}
+
 }  // namespace
 
 std::string hint(const AppState& state) {
@@ -277,6 +307,9 @@ std::string hint(const AppState& state) {
            "the same";
   const bool holds = state.held.kind != Pick::Kind::none && state.held.kind != Pick::Kind::ground;
   const Pick& at = holds ? state.held : state.hover;
+  if (lesson_is_open(state) && !state.refusal && at.kind != Pick::Kind::vertex &&
+      at.kind != Pick::Kind::centre)
+    return hint_of_lesson(state);
   const Points& vertices = state.document.vertices;
   switch (at.kind) {
     case Pick::Kind::vertex:
@@ -324,6 +357,12 @@ void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, co
 
 void draw_marks(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
+  if (lesson_is_open(state) && view.current() && !view.other) {
+    draw_vertices(painter, view);
+    draw_robots_of_lesson(painter, view);
+    draw_centre(painter, state, view.theme);
+    return;
+  }
   if (view.current()) draw_coverage(painter, view);
   if (state.tool == Tool::whole) draw_frame_grips(painter, state, view.theme);
   draw_edge_offer(painter, view);

@@ -60,6 +60,42 @@ struct SetDrawCursor {
 struct SetSnap {
   Snap snap;
 };
+struct OpenLesson {};  // where it was left
+struct CloseLesson {};
+struct GoToStep {
+  std::uint32_t step;
+};
+struct MoveSteps {
+  int by;  // of the ready-made lesson's stops, if there is one
+};
+struct MoveChapters {
+  int by;
+};
+struct SetPlaying {
+  bool playing;
+};
+struct SetSpeed {
+  double speed;
+};
+struct SetPredict {
+  bool on;
+};
+struct Guess {
+  std::uint32_t answer;
+};
+struct PointAtChoice {
+  std::size_t choice;  // among those of the question
+};
+struct AskWhy {
+  Vec2 at;
+};
+struct Measure {
+  std::uint32_t candidate;
+};
+struct HoverMark {
+  std::optional<std::size_t> mark;
+};
+struct LeaveScript {};  // on in the whole trace, at the same step
 struct Compare {
   std::optional<Metric> metric;
 };
@@ -113,9 +149,11 @@ using Command =
     std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
                  OpenDocument, SetWhole, EndEdit, Undo, Redo, SetTool, GripWhole, AddPoint,
                  TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, SetSnap, Compare,
-                 SetCapacity, SetMotion, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-                 ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet,
-                 CopyLink, OpenDialog, ShowNotice>;
+                 SetCapacity, SetMotion, OpenLesson, CloseLesson, GoToStep, MoveSteps, MoveChapters,
+                 SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverMark,
+                 LeaveScript, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView,
+                 SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet, CopyLink,
+                 OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

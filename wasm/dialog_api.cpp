@@ -20,6 +20,7 @@
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "format.h"
+#include "lesson.h"
 #include "page_api.h"
 #include "update.h"
 
@@ -216,5 +217,34 @@ EMSCRIPTEN_KEEPALIVE const char* page_qr(const char* text) {
   }
   return hand_over(std::move(rows));
 }
+
+// --- Lessons
+// --------------------------------------------------------------------------------------
+
+// The sample that a ready-made lesson names: its polygon's text goes to page_open_lesson(). Nothing
+// if it brings a link of its own, or cannot be read.
+EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
+  const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
+  return hand_over(lesson ? lesson->polygon : std::string());
+}
+
+// Opens a ready-made lesson. Returns why it cannot be, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon) {
+  const std::optional<evenlift::InputError> problem = open_script(app().state, text, polygon);
+  if (problem) return hand_over(sentence(*problem));
+  frame_view(app().state);
+  browser::request_frame();
+  return hand_over({});
+}
+
+// The polygon that is open, step by step; or, with `predict`, as a challenge.
+EMSCRIPTEN_KEEPALIVE void page_begin_lesson(int predict) {
+  Commands commands{OpenLesson{}, SetPredict{predict != 0}};
+  apply(app().state, commands);
+  frame_view(app().state);
+  browser::request_frame();
+}
+
+EMSCRIPTEN_KEEPALIVE int page_lesson_is_open() { return lesson_is_open(app().state) ? 1 : 0; }
 
 }  // extern "C"

@@ -53,6 +53,11 @@ void turn_back(Pen& pen, float side) {
   pen.line({{0.25f * side, 0.7f}, {-0.4f * side, 0.7f}});
 }
 
+// Points along x by its sign.
+void chevron(Pen& pen, float x, float along) {
+  pen.line({{x - 0.3f * along, -0.6f}, {x + 0.3f * along, 0}, {x - 0.3f * along, 0.6f}});
+}
+
 void corners(Pen& pen) {
   for (float x : {-1.0f, 1.0f}) {
     for (float y : {-1.0f, 1.0f}) {
@@ -184,6 +189,40 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour co
       break;
     case Icon::transform:
       frame_with_grips(pen);
+      break;
+    case Icon::lesson:  // a board on its stand
+      pen.line({{-0.85f, -0.7f}, {0.85f, -0.7f}, {0.85f, 0.35f}, {-0.85f, 0.35f}}, true);
+      pen.line({{-0.35f, 0.35f}, {-0.55f, 0.85f}});
+      pen.line({{0.35f, 0.35f}, {0.55f, 0.85f}});
+      break;
+    case Icon::play:
+      pen.line({{-0.4f, -0.7f}, {0.7f, 0}, {-0.4f, 0.7f}}, true);
+      break;
+    case Icon::pause:
+      pen.line({{-0.35f, -0.65f}, {-0.35f, 0.65f}});
+      pen.line({{0.35f, -0.65f}, {0.35f, 0.65f}});
+      break;
+    case Icon::step_on:
+      chevron(pen, 0, 1);
+      break;
+    case Icon::step_back:
+      chevron(pen, 0, -1);
+      break;
+    case Icon::chapter_on:
+      chevron(pen, -0.3f, 1);
+      chevron(pen, 0.3f, 1);
+      break;
+    case Icon::chapter_back:
+      chevron(pen, -0.3f, -1);
+      chevron(pen, 0.3f, -1);
+      break;
+    case Icon::last:
+      chevron(pen, -0.2f, 1);
+      pen.line({{0.55f, -0.6f}, {0.55f, 0.6f}});
+      break;
+    case Icon::first:
+      chevron(pen, 0.2f, -1);
+      pen.line({{-0.55f, -0.6f}, {-0.55f, 0.6f}});
       break;
     case Icon::compare:
       two_sides(pen);

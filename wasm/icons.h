@@ -33,7 +33,16 @@ enum class Icon : std::uint8_t {
   table,
   draw,
   transform,
-  compare
+  compare,
+  lesson,
+  play,
+  pause,
+  step_on,
+  step_back,
+  chapter_on,
+  chapter_back,
+  last,
+  first
 };
 
 // Within a square of `size` CSS pixels about `middle`.

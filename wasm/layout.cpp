@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lesson.h"
+
 namespace evenlift::view {
 namespace {
 
@@ -30,10 +32,24 @@ void split(Layout& l, bool compared, double beside, double above, double below) 
   l.room = room_in(l.first, beside * 0.8, above + caption, below * 0.8);
 }
 
-Layout embedded(const Screen& screen) {
+// The player at the foot of what is free; the tools of the view stand on it.
+void seat_player(Layout& l, double right, double height) {
+  l.player = {l.margin, l.free.bottom - l.margin - height, right, l.free.bottom - l.margin};
+  l.tools.top -= height + l.margin;
+  l.tools.bottom -= height + l.margin;
+  l.free.bottom -= height + l.margin;
+}
+
+Layout embedded(const AppState& state) {
+  const Screen& screen = state.screen;
   Layout l;
   l.margin = 12;
+  l.control = screen.finger ? 44 : 32;
+  l.wide = screen.width >= 640;
   l.free = {0, 0, screen.width, screen.height};
+  if (lesson_is_open(state))
+    seat_player(l, screen.width - l.margin,
+                std::min(screen.height * 0.5, l.control * 2 + (l.wide ? 128 : 176)));
   l.toolbar = {l.margin, l.margin, screen.width, l.margin + toolbar_height};
   split(l, false, 72, 60, 60);
   return l;
@@ -51,6 +67,7 @@ Layout wide(const AppState& state) {
   l.tools = {l.margin, screen.height - l.margin - tools_height, l.margin + tools_width,
              screen.height - l.margin};
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
+  if (lesson_is_open(state)) seat_player(l, l.panel.left - l.margin, l.control * 2 + 24);
   if (state.tool == Tool::whole)
     l.free.top += l.control + 60;  // the tool's bar, and the turning knob
   split(l, state.compared.has_value(), 88, 56, 84);
@@ -82,7 +99,7 @@ Layout narrow(const AppState& state) {
 
 Layout layout(const AppState& state) {
   const Screen& screen = state.screen;
-  if (screen.embed) return embedded(screen);
+  if (screen.embed) return embedded(state);
   // A phone on its side is wide, too: a sheet would leave nothing of the drawing.
   const bool side = screen.width >= 900 || (screen.width >= 640 && screen.width > screen.height);
   return side ? wide(state) : narrow(state);

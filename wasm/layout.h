@@ -12,6 +12,7 @@ struct Layout {
   double control = 32;  // height of a control: more under a finger
   double margin = 16;   // between panels and the canvas's edge
   Rect panel;           // panel or sheet
+  Rect player;          // the lesson's, while one is open; on a narrow screen it is in the sheet
   Rect toolbar;         // left and top count; it is as wide as its content
   Rect tools;           // zoom and fit
   Rect free;            // canvas that nothing covers for long

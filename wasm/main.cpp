@@ -174,6 +174,10 @@ bool start() {
 }  // namespace
 
 void browser::request_frame() { ask_for_frames(2); }
+void browser::request_frame_after(double seconds) {
+  emscripten_async_call([](void*) { ask_for_frames(1); }, nullptr,
+                        static_cast<int>(seconds * 1000) + 1);
+}
 
 }  // namespace evenlift::view
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "actions.h"
+#include "lesson.h"
 #include "widgets.h"
 
 namespace evenlift::view {
@@ -15,6 +17,23 @@ constexpr Panel side_panel[] = {
     {"overlays", draw_overlays, false}, {"teams", draw_teams, true},
     {"numbers", draw_numbers, true},    {"compare", draw_compare, true},
 };
+bool ranks(const AppState& s) {
+  const auto& scores = s.lesson.detail.scores;
+  return scores && !scores->ranking.empty();
+}
+bool has_history(const AppState& s) { return s.lesson.visited.size() > 1; }
+constexpr Panel lesson_panel[] = {
+    {"step", draw_lesson_step, true},
+    {"ranking", draw_lesson_ranking, true, ranks},
+    {"code", draw_lesson_code, true},
+    {"settings", draw_settings, false},
+    {"history", draw_lesson_history, true, has_history},
+};
+
+std::span<const Panel> sections(const AppState& state) {
+  if (lesson_is_open(state)) return lesson_panel;
+  return side_panel;
+}
 
 // The last result stands, dimmed, while the document is refused.
 void dim(const Ui& ui, ImVec2 from) {
@@ -25,12 +44,14 @@ void dim(const Ui& ui, ImVec2 from) {
 }
 
 void draw_sections(const Ui& ui, std::size_t first) {
-  for (std::size_t i = first; i < std::size(side_panel); ++i) {
+  const std::span<const Panel> panels = sections(ui.state);
+  for (std::size_t i = first; i < panels.size(); ++i) {
+    if (panels[i].shown && !panels[i].shown(ui.state)) continue;
     if (i > first) rule(ui);
-    ImGui::PushID(side_panel[i].name);
+    ImGui::PushID(panels[i].name);
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    side_panel[i].draw(ui);
-    if (side_panel[i].of_result && (ui.state.refusal || ui.state.tool == Tool::draw)) dim(ui, from);
+    panels[i].draw(ui);
+    if (panels[i].of_result && (ui.state.refusal || ui.state.tool == Tool::draw)) dim(ui, from);
     ImGui::PopID();
   }
 }
@@ -44,9 +65,21 @@ void draw_fold_button(const Ui& ui, Icon icon, bool open, const char* about) {
   ImGui::SetCursorScreenPos(at);
 }
 
+void draw_close_button(const Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.control() - 8;
+  ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetWindowPos().y + 8 - ImGui::GetScrollY()));
+  if (icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", ui.control()))
+    ui.push(CloseLesson{});
+  ImGui::SetCursorScreenPos(at);
+}
+
 void draw_side_panel(const Ui& ui) {
   begin_card(ui, "panel", ui.layout.panel);
-  draw_fold_button(ui, Icon::fold, false, "Fold the panel away (P)");
+  if (lesson_is_open(ui.state))
+    draw_close_button(ui);
+  else
+    draw_fold_button(ui, Icon::fold, false, "Fold the panel away (P)");
   draw_sections(ui, 0);
   end_card(ui);
 }
@@ -86,8 +119,16 @@ void draw_sheet(const Ui& ui) {
   ImGui::SetCursorPosY(4);
   draw_handle(ui);
   ImGui::PushID("closed");
-  draw_verdict(ui);
-  draw_teams_stepper(ui);
+  if (lesson_is_open(ui.state)) {
+    draw_player(ui);
+    if (ui.state.sheet == Sheet::closed)
+      draw_lesson_briefly(ui);
+    else
+      draw_lesson_step(ui);
+  } else {
+    draw_verdict(ui);
+    draw_teams_stepper(ui);
+  }
   ImGui::PopID();
   const double closed = static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y +
                                             ImGui::GetScrollY()) +
@@ -97,6 +138,15 @@ void draw_sheet(const Ui& ui) {
     rule(ui);
     draw_sections(ui, 1);
   }
+  end_card(ui);
+}
+
+// At the foot of the drawing; in an <iframe> it says the step, too.
+void draw_floating_player(const Ui& ui) {
+  begin_card(ui, "player", ui.layout.player,
+             {.fixed_height = true, .padding = 12, .scrolls = ui.state.screen.embed});
+  draw_player(ui);
+  if (ui.state.screen.embed) draw_lesson_briefly(ui);
   end_card(ui);
 }
 
@@ -116,6 +166,7 @@ void draw_panels(const AppState& state, Commands& commands) {
     draw_view_tools(ui);
     draw_help(ui);
   }
+  if (lesson_is_open(state) && (places.wide || state.screen.embed)) draw_floating_player(ui);
   draw_toolbar(ui);
   draw_tool_bar(ui);
   draw_notice(ui);

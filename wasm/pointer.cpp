@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "drawing.h"
+#include "lesson.h"
 #include "pick.h"
 #include "whole.h"
 
@@ -88,10 +89,22 @@ void click_drawing(const AppState& state, const Pointer& pointer, Commands& comm
   }
 }
 
+// An answer to the question, or a question of the learner's own.
+void click_lesson(const AppState& state, const Pointer& pointer, Commands& commands) {
+  commands.push_back(SelectVertex{});
+  if (state.lesson.ask) {
+    if (const auto choice = choice_at(state, pointer.at)) commands.push_back(Guess{*choice});
+  } else {
+    commands.push_back(AskWhy{state.camera.to_world(pointer.at)});
+  }
+}
+
 void release(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool clicked = state.held.kind == Pick::Kind::ground && pointer.moved < still;
   if (clicked && state.tool == Tool::draw) click_drawing(state, pointer, commands);
   // A click on the ground lets go of the selection; a pan does not.
+  else if (clicked && lesson_is_open(state))
+    click_lesson(state, pointer, commands);
   else if (clicked)
     commands.push_back(SelectVertex{});
   commands.push_back(EndEdit{});
@@ -128,6 +141,10 @@ void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
     under = pick(state, pointer.at, pointer.other);
   }
   if (!(under == state.hover)) commands.push_back(SetHover{under});
+  if (lesson_is_open(state)) {
+    const auto mark = none ? std::nullopt : mark_at(state, pointer.at);
+    if (mark != state.lesson.hovered) commands.push_back(HoverMark{mark});
+  }
 }
 
 }  // namespace

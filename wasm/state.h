@@ -12,6 +12,7 @@
 #include "evenlift/capacity.h"
 #include "evenlift/placement.h"
 #include "history.h"
+#include "lesson_state.h"
 
 namespace evenlift::view {
 
@@ -96,6 +97,8 @@ struct AppState {
   std::optional<double> capacity;    // of one robot, in the unit of the weight
   std::optional<CapacityPlan> plan;  // for it
   bool motion = true;                // what changes moves there; never with reduced motion
+
+  LessonState lesson;
 
   Camera camera;
   bool camera_follows = true;           // until somebody pans or zooms, the view fits its window

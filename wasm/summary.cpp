@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "format.h"
+#include "lesson.h"
 #include "methods.h"
 
 namespace evenlift::view {
@@ -118,6 +119,7 @@ Verdict verdict(const AppState& state) {
 
 std::string summary(const AppState& state) {
   const Verdict v = verdict(state);
+  if (lesson_is_open(state) && !state.refusal) return lesson_in_words(state);
   std::string text = join(join(v.headline, v.detail), state.refusal ? "" : need_in_words(state));
   if (state.refusal || !state.placement) return text;
   const Placement& placement = *state.placement;

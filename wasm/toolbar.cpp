@@ -56,9 +56,9 @@ void draw_embedded_bar(const Ui& ui) {
 
 void draw_toolbar(const Ui& ui) {
   if (ui.state.screen.embed) return draw_embedded_bar(ui);
-  // On a phone eight buttons just fit.
+  // On a phone nine buttons just fit.
   const float all = static_cast<float>(ui.layout.toolbar.width()) - 4;
-  const float height = ui.layout.wide ? ui.control() : std::clamp(all / 8, 40.0f, 44.0f),
+  const float height = ui.layout.wide ? ui.control() : std::clamp(all / 9, 36.0f, 44.0f),
               padding = ui.layout.wide ? 8.0f : 2.0f;
   begin_card(ui, "toolbar", ui.layout.toolbar, {.fixed_width = false, .padding = padding});
   if (ui.state.screen.width > 480) {
@@ -67,7 +67,8 @@ void draw_toolbar(const Ui& ui) {
   }
   const double width = ui.layout.toolbar.width();
   const float gap = width < 440 ? 0.0f : 2.0f;
-  for (const ActionId id : {ActionId::samples, ActionId::draw, ActionId::open, ActionId::save}) {
+  for (const ActionId id :
+       {ActionId::samples, ActionId::draw, ActionId::lessons, ActionId::open, ActionId::save}) {
     named_button(ui, id, height, width > 700);
     ImGui::SameLine(0, gap);
   }

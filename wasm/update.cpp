@@ -8,6 +8,7 @@
 #include "evenlift/link.h"
 #include "format.h"
 #include "layout.h"
+#include "lesson.h"
 
 namespace evenlift::view {
 namespace {
@@ -64,6 +65,7 @@ void follow_up(AppState& state) {
 void recompute(AppState& state) {
   adopt(state, place(state.document));
   follow_up(state);
+  follow_placement(state);
 }
 
 // A selection or a grip on something that an undo or a new document took away is none.
@@ -91,6 +93,12 @@ void open(AppState& state, Document document) {
   state.drawing = {};
   state.selected.reset();
   state.hover = state.held = {};
+  // A lesson begins with the step that the document carries, if it carries one.
+  state.lesson.trace.reset();
+  state.lesson.script.reset();
+  state.lesson.playing = false;
+  state.lesson.visited.clear();
+  state.lesson.at = 0;
   fit_view(state);
   recompute(state);
 }
@@ -122,6 +130,7 @@ bool well_shown(const AppState& state) {
 void step_back(AppState& state, Document document) {
   const bool other_shape = document.vertices.size() != state.document.vertices.size();
   state.edit_open = false;
+  document.settings.step = state.document.settings.step;  // where a lesson stands is no edit
   state.document = std::move(document);
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);
@@ -205,6 +214,7 @@ struct Applier {
   }
 
   void operator()(const SetTool& c) const {
+    if (c.tool == Tool::draw && lesson_is_open(state)) close_lesson(state);
     state.tool = c.tool;
     state.drawing = {};
     state.selected.reset();
@@ -236,6 +246,22 @@ struct Applier {
     drawing.undone.pop_back();
   }
   void operator()(const FinishDrawing&) const { finish_drawing(state); }
+  void operator()(const OpenLesson&) const { open_lesson(state); }
+  void operator()(const CloseLesson&) const { close_lesson(state); }
+  void operator()(const GoToStep& c) const { go_to_step(state, c.step); }
+  void operator()(const MoveSteps& c) const { move_steps(state, c.by); }
+  void operator()(const MoveChapters& c) const { move_chapters(state, c.by); }
+  void operator()(const SetPlaying& c) const { set_playing(state, c.playing); }
+  void operator()(const SetSpeed& c) const { set_speed(state, c.speed); }
+  void operator()(const SetPredict& c) const { set_predict(state, c.on); }
+  void operator()(const Guess& c) const { guess(state, c.answer); }
+  void operator()(const PointAtChoice& c) const {
+    if (state.lesson.ask) state.lesson.ask->pointed = c.choice;
+  }
+  void operator()(const AskWhy& c) const { ask_why(state, c.at); }
+  void operator()(const Measure& c) const { measure(state, c.candidate); }
+  void operator()(const HoverMark& c) const { state.lesson.hovered = c.mark; }
+  void operator()(const LeaveScript&) const { leave_script(state); }
   void operator()(const SetDrawCursor& c) const { state.drawing.cursor = c.at; }
   void operator()(const SetSnap& c) const { state.snap = c.snap; }
   void operator()(const Compare& c) const {
@@ -338,10 +364,17 @@ void start_with(AppState& state, Document document, const std::optional<Document
 std::optional<InputError> try_edit(AppState& state, const Document& edited) {
   Result<Placement> placement = place(edited);
   if (!placement) return placement.error();
-  begin_edit(state, false);
+  if (const auto problem = check_step(edited, *placement)) return problem;
+  Settings but_step = edited.settings;
+  but_step.step = state.document.settings.step;
+  const bool moved_only = edited.vertices == state.document.vertices &&
+                          edited.centre_of_mass == state.document.centre_of_mass &&
+                          but_step == state.document.settings;
+  if (!moved_only) begin_edit(state, false);
   state.document = edited;
   adopt(state, std::move(placement));
   follow_up(state);
+  follow_placement(state);
   return std::nullopt;
 }
 

@@ -4,7 +4,7 @@
 
 namespace evenlift {
 
-void CandidateSeeds::add(const EdgePair& pair) {
+void CandidateSeeds::examine_and_add(const EdgePair& pair) {
   const SeenEdge a = see(pair.a), b = see(pair.b);
   switch (examine_quickly(polygon_, centre_, a, b, pair, min_ratio_)) {
     case QuickVerdict::none:
@@ -49,11 +49,22 @@ Candidate CandidateSeeds::grow(const Seed& seed) const {
                           seed.opposite);
 }
 
+void CandidateSeeds::note_pairs(std::vector<Candidate>& candidates) const {
+  std::vector<std::uint32_t> pair_of_seed(seeds_.size());
+  for (std::uint32_t pair = 0; pair < of_pairs_->size(); ++pair) {
+    const std::uint32_t seed = (*of_pairs_)[pair];
+    if (seed != no_candidate) pair_of_seed[seed] = pair;
+  }
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    candidates[i].pair = pair_of_seed[number_of(keys_[i])];
+}
+
 std::vector<Candidate> CandidateSeeds::grow() {
   sort_keys(keys_);
   std::vector<Candidate> candidates;
   candidates.reserve(keys_.size());
   for (const SlopeKey key : keys_) candidates.push_back(grow(seeds_[number_of(key)]));
+  if (of_pairs_) note_pairs(candidates);
   settle_order(candidates);
   return candidates;
 }

@@ -40,13 +40,14 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
 }
 
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
-                                               double min_ratio) {
+                                               double min_ratio,
+                                               std::vector<std::uint32_t>* of_pairs) {
   const RadialView view(polygon, centre);
   if (auto error = check_number(count_edge_pairs(polygon, view), "edge-pairs")) return *error;
-  CandidateSeeds seeds(polygon, centre, view, min_ratio);
+  CandidateSeeds seeds(polygon, centre, view, min_ratio, of_pairs);
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) { seeds.add(pair); });
   std::vector<Candidate> candidates = seeds.grow();
-  merge_duplicates(candidates, near_distance(polygon.diagonal()));
+  merge_duplicates(candidates, near_distance(polygon.diagonal()), of_pairs);
   return candidates;
 }
 

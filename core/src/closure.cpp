@@ -36,10 +36,9 @@ struct Grasp {
   std::vector<Touch> touches;
 };
 
-Grasp make_grasp(const Polygon& polygon, const Vec2& centre,
-                 const std::vector<LiftingPoint>& points) {
+Grasp make_grasp(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts) {
   Grasp grasp{centre, polygon.diagonal(), near_distance(polygon.diagonal()), {}};
-  for (const Contact& contact : contacts(polygon, points)) {
+  for (const Contact& contact : contacts) {
     Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
     if (!polygon.counter_clockwise()) std::swap(from, to);
     grasp.touches.push_back({from, to, contact.position, contact.edge});
@@ -233,7 +232,7 @@ std::vector<Wrench> extreme_wrenches(const Grasp& grasp) {
 
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<LiftingPoint>& points) {
-  const Grasp grasp = make_grasp(polygon, centre, points);
+  const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
   return !free_translation(grasp) &&
          !have_common_point(rotation_centres(grasp, Sense::clockwise, grasp.near)) &&
          !have_common_point(rotation_centres(grasp, Sense::counterclockwise, grasp.near));
@@ -241,14 +240,20 @@ bool in_form_closure(const Polygon& polygon, const Vec2& centre,
 
 bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points) {
-  const Grasp grasp = make_grasp(polygon, centre, points);
+  const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
   return !have_common_point(rotation_centres(grasp, Sense::clockwise, -grasp.near)) &&
          !have_common_point(rotation_centres(grasp, Sense::counterclockwise, -grasp.near));
 }
 
+FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
+                         const std::vector<Contact>& contacts) {
+  const Grasp grasp = make_grasp(polygon, centre, contacts);
+  return {free_region(grasp, Sense::clockwise), free_region(grasp, Sense::counterclockwise)};
+}
+
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points) {
-  const Grasp grasp = make_grasp(polygon, centre, points);
+  const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
   Closure closure;
   closure.translation = free_translation(grasp);
   closure.translation_free = closure.translation.has_value();

@@ -38,6 +38,12 @@ class VertexFinder {
 
 }  // namespace
 
+Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
+  const Vec2 along = polygon.edge_end(edge) - polygon.edge_start(edge);
+  const Vec2 left = left_normal(along) / length(along);
+  return polygon.counter_clockwise() ? left : Vec2(-left);
+}
+
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
   const VertexFinder finder(polygon, near_distance(polygon.diagonal()));
   std::vector<Contact> contacts;

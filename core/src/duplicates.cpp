@@ -167,7 +167,8 @@ class Merger {
 
 }  // namespace
 
-void merge_duplicates(std::vector<Candidate>& candidates, double near) {
+void merge_duplicates(std::vector<Candidate>& candidates, double near,
+                      std::vector<std::uint32_t>* of_pairs) {
   const std::vector<Index> first_of = Merger(candidates, near).run();
   // In candidate order the first of a class comes first: a later one takes its place only with a
   // larger ratio.
@@ -181,6 +182,14 @@ void merge_duplicates(std::vector<Candidate>& candidates, double near) {
     const CandidateKind kind = std::min(candidates[best[first]].kind, candidates[i].kind);
     if (candidates[i].chord.ratio > candidates[best[first]].chord.ratio) best[first] = i;
     candidates[best[first]].kind = kind;
+  }
+  if (of_pairs) {
+    std::vector<Index> place(candidates.size());
+    Index places = 0;
+    for (Index i = 0; i < candidates.size(); ++i)
+      if (best[first_of[i]] == i) place[first_of[i]] = places++;
+    for (Index i = 0; i < candidates.size(); ++i)
+      (*of_pairs)[candidates[i].pair] = place[first_of[i]];
   }
   Index kept = 0;
   for (Index i = 0; i < candidates.size(); ++i) {

@@ -37,7 +37,7 @@ SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdg
 }
 
 Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& direction) {
-  return {chord, kind, rightward(direction), chord.arm1 + chord.arm2};
+  return {chord, kind, 0, rightward(direction), chord.arm1 + chord.arm2};
 }
 
 // C r_a at a section end.
@@ -127,6 +127,17 @@ Candidate vertex_candidate(const Polygon& polygon, const Vec2& centre, std::uint
   const Chord chord =
       chord_from_vertex(polygon, centre, vertex, edge, across, other.edge, opposite);
   return make_candidate(chord, CandidateKind::vertex, centre - polygon.vertex(vertex));
+}
+
+SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                       const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
+  const SectionEnd end = section_end(polygon, centre, a, b, vertex_a, vertex_b);
+  const Chord chord = end_candidate(polygon, centre, a, b, end, CandidateKind::vertex).chord;
+  // The chord's ends are in the order of the slope, not of a and b.
+  const bool vertex_is_right = !points_right(centre - polygon.vertex(end.vertex));
+  const bool a_is_right = vertex_is_right == end.on_a;
+  return {chord, a_is_right ? chord.r2.position : chord.r1.position,
+          a_is_right ? chord.r1.position : chord.r2.position};
 }
 
 PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,

@@ -37,6 +37,15 @@ Candidate bisecting_candidate(const Vec2& centre, std::uint32_t edge_a, std::uin
 Candidate vertex_candidate(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex,
                            std::uint32_t edge, const SeenEdge& other, std::uint32_t opposite);
 
+// The vertex-chord at an end of a pair's range, where edge a ends at `vertex_a`, edge b at
+// `vertex_b` (inside_edge for one of them that does not). O(1).
+struct SectionRim {
+  Chord chord;
+  Vec2 on_a, on_b;  // its ends
+};
+SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                       const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b);
+
 // A direction or its opposite, whichever points from r1 to r2. O(1).
 Vec2 rightward(const Vec2& direction);
 

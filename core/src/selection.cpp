@@ -66,11 +66,16 @@ std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
   return scores;
 }
 
-std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre,
-                                     std::size_t teams) {
+double open_directions_rad(const Polygon& polygon, const Vec2& centre) {
   double measure = 0;
   for_each_opening(polygon, centre,
                    [&](double from, double to, const auto&, const auto&) { measure += to - from; });
+  return measure;
+}
+
+std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre,
+                                     std::size_t teams) {
+  const double measure = open_directions_rad(polygon, centre);
   if (measure <= tau) return {};  // nothing but what rounding leaves between radial edges
 
   const RayCaster rays(polygon, centre);

@@ -30,6 +30,27 @@ class Selector {
   // The score of a candidate against the teams taken so far (at least one).
   double score(std::uint32_t candidate);
 
+  // Finds those that compete for the next team, as take_next() does, and takes none.
+  void compare() { find_leaders(); }
+
+  // What is known of the gain of an end of a candidate (0: r1, 1: r2) and, if it is outside H, the
+  // edge of H beyond which it lies; relative to C. With at least one team taken.
+  const Gain& gain(std::uint32_t candidate, std::uint32_t end) const {
+    return ends_[2 * candidate + end].gain;
+  }
+  const Wedge& wedge(std::uint32_t candidate, std::uint32_t end) const {
+    return wedges_[ends_[2 * candidate + end].wedge];
+  }
+  bool outside(std::uint32_t candidate, std::uint32_t end) const {
+    return gains(wedge(candidate, end), ends_[2 * candidate + end].position);
+  }
+
+  // Corners of H, relative to C.
+  const Points& base() const { return hull_; }
+
+  // How far below the best score another still ties.
+  double floor() const { return floor_; }
+
  private:
   using Index = std::uint32_t;
   using Indices = std::vector<Index>;

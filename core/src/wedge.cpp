@@ -138,6 +138,18 @@ double Wedge::distance_gain(const Vec2& p) const {
   return gain;
 }
 
+std::vector<Wedge::Arm> Wedge::arms(const Vec2& p) const {
+  const std::size_t split = seen_up_to(p);
+  const Outside before(h1_, p), behind(p, h2_);
+  std::vector<Arm> arms;
+  for (std::size_t k = 0; k < outer_.size(); ++k) {
+    const Vec2& v = outer_[k].position;
+    const double left = (k < split ? before : behind).distance(v);
+    arms.push_back({v, outer_[k].distance, std::max(0.0, left), k < split});
+  }
+  return arms;
+}
+
 double Wedge::distance_bound(const Vec2& p) const {
   // The sum of positive parts is at least the positive part of the sum, and sums of distances from
   // one line follow from the sums of positions.

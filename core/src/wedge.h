@@ -56,6 +56,15 @@ class Wedge {
   // f(p) itself. O(m) for the m vertices and crossings of P in the wedge beyond the edge.
   double evaluate(const Vec2& p) const;
 
+  // Of metric distance: the vertices whose arms f(p) sums up, with their distances outside the edge
+  // and outside the new one. O(m).
+  struct Arm {
+    Vec2 vertex;
+    double before, after;
+    bool up_to_p;  // the new edge is h1 p, else p h2
+  };
+  std::vector<Arm> arms(const Vec2& p) const;
+
  private:
   void collect_area();
   void collect_outer_vertices();

@@ -173,5 +173,5 @@ test("embedded it shows the drawing and a link out, and no panel", async () => {
 test("all of it is small", () => {
   const sizes = readdirSync(pageFolder).map((name) => gzipSync(readFileSync(path.join(pageFolder, name)), { level: 9 }).length);
   const total = sizes.reduce((a, b) => a + b, 0);
-  assert.ok(total <= 400 * 1024, `${total} bytes after gzip`);
+  assert.ok(total <= 350 * 1024, `${total} bytes after gzip`);
 });

@@ -18,6 +18,7 @@ std::string_view name(CandidateKind kind);
 struct Candidate {
   Chord chord;
   CandidateKind kind = CandidateKind::bisecting;
+  std::uint32_t pair = 0;  // where find_candidates was asked to note it: index in edge_pairs()
   Vec2 direction = Vec2::Zero();  // from r1 to r2, not normalized; chords of one vertex share it
   double length = 0;              // |r1 r2|
 };
@@ -37,8 +38,11 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
 
 // All candidates in candidate order. `min_ratio` in [0, 1]. Refused if there are more than
 // max_edge_pairs pairs. O(n log n + K) for K edge-pairs, and O(l log l) for each line through C
-// with l candidates on it.
+// with l candidates on it. With `of_pairs`, notes for each pair in the order of edge_pairs() the
+// index of the candidate that it led to, or no_candidate; and in each candidate its pair.
+inline constexpr std::uint32_t no_candidate = ~std::uint32_t{0};
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
-                                               double min_ratio);
+                                               double min_ratio,
+                                               std::vector<std::uint32_t>* of_pairs = nullptr);
 
 }  // namespace evenlift

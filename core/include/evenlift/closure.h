@@ -16,6 +16,9 @@ struct Contact {
   std::uint32_t point = 0;  // index of the lifting point it belongs to
 };
 
+// The direction in which an edge's contact pushes, of unit length. O(1).
+Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge);
+
 // The contacts of lifting points: at a point inside an edge one, at a reflex vertex two, at a
 // straight vertex one, at a convex vertex none. "At a vertex" is within tau L of it. O(m log n + n
 // log n).
@@ -28,6 +31,14 @@ struct FreeRegion {
   Points clipped;         // the region within the square about C with half side 100 L,
                           // counter-clockwise; empty, one or two points where it has no area there
 };
+
+// The regions of free rotation centres that contacts leave. O(c log c) for c of them, O(c^2) where
+// a region has no area.
+struct FreeRegions {
+  FreeRegion clockwise, counterclockwise;
+};
+FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
+                         const std::vector<Contact>& contacts);
 
 struct Closure {
   bool form_closure = false;     // nothing is free to first order

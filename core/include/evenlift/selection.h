@@ -26,6 +26,10 @@ std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric);
 
+// How much of the half turn the lines through C have that meet the boundary on both sides of it,
+// but for lines along radial edges: in [0, pi]. O(n log n).
+double open_directions_rad(const Polygon& polygon, const Vec2& centre);
+
 // Teams at equal angles (thesis 5.2): `teams` chords, or none where no line through C but along
 // radial edges meets the boundary on both sides (C within tolerance of an edge of a convex
 // polygon). O(n log n + teams n).

@@ -1,0 +1,43 @@
+// The lesson in words: captions with this polygon's own numbers, formulas with the numbers filled
+// in, the algorithm as pseudo-code, and answers to "why not this one?". Plain English, UTF-8, the
+// same bytes on every platform; vertices, edges, candidates and teams are counted from 1, as people
+// do.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/trace.h"
+#include "evenlift/why_not.h"
+
+namespace evenlift {
+
+// "Edges that face each other". O(1).
+std::string_view title(Chapter chapter);
+
+// One to three sentences about a step. O(1) besides numbers(); of `slopes` and `duplicates` linear.
+std::string caption(const Trace& trace, const StepDetail& detail);
+
+// The step's formula with the numbers filled in, "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty
+// where there is nothing to calculate. O(1).
+std::string formula(const Trace& trace, const StepDetail& detail);
+
+// The algorithm in our own words, a statement a line, two spaces of indentation a level; `metric`
+// is the placement's. O(1).
+std::vector<std::string_view> pseudo_code(Metric metric);
+
+// Which of these lines the step carries out, from 0. O(1).
+std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);
+
+// What a learner is asked before the step is shown. `question` is that of the detail. O(1).
+std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question);
+
+// Why a chord is no team, or which one it is, with the numbers. O(1).
+std::string why_not_text(const Trace& trace, const WhyNot& answer);
+
+// What a shape is, for the pointer over it: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7 of
+// 100". O(1).
+std::string object_text(const Trace& trace, const StepDetail& detail, const Object& object);
+
+}  // namespace evenlift

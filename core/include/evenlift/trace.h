@@ -1,0 +1,337 @@
+// The lesson's data: the algorithm as a row of steps, each had at once from its number.
+//
+// A trace belongs to one placement. It holds what the stages found on the way (chords from
+// vertices, edge-pairs and what became of each, contacts) and a table of blocks of like steps, so
+// that the kind and the item of step k are a matter of a few additions. Nothing accumulates by
+// playing: what is known after step k is done(trace, k), counts of what has been dealt with, and
+// the arrays that they count are the trace's and the placement's own. What only one step needs (the
+// score of every candidate, the regions that a few contacts leave) look_at() computes with the
+// stages' own functions. No step is computed a second way for being taught.
+//
+// A program that shows a lesson keeps the placement, its trace and the detail of the current step:
+//
+//   const Result<Trace> trace = make_trace(placement);
+//   const StepDetail detail = look_at(*trace, k);    // once for each change of k
+//   objects(*trace, detail)                          // what the step is about, to draw and hover
+//   done(*trace, k)                                  // what to draw in the background
+//   question(*trace, detail)                         // if the learner could guess it
+//   why_not(*trace, k, candidate)                    // why_not.h
+// and the words in output/trace_words.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/placement.h"
+#include "evenlift/polygon.h"
+
+namespace evenlift {
+
+// The chapters in the thesis's order.
+enum class Chapter : std::uint8_t {
+  object,         // the polygon and its centre of mass
+  vertex_chords,  // from each vertex through C
+  slopes,         // their order
+  pairs,          // edges that face each other, and the candidate of each pair
+  candidates,     // the list
+  first_team,
+  further_teams,
+  loads,
+  grasp,  // coverage and immobilization
+};
+inline constexpr std::uint32_t chapter_count = 9;
+
+// What a step is about. `item` of a step counts from 0 among the steps of its kind; what it numbers
+// is said here ("1" where there is only one).
+enum class StepKind : std::uint8_t {
+  polygon,       // 1
+  centroid,      // 1: how it is found
+  centre,        // 1: the centre of mass in force: the centroid, or moved
+  radial,        // 1: edges whose line passes through C; only where there are some
+  ray,           // rays: what is hit on the ray from a vertex through C
+  slopes,        // 1: the chords in order of slope
+  sections,      // pairs: two edges and their parts that face each other
+  outcome,       // pairs: the bisecting chord or the nearer end, accepted or not
+  duplicates,    // 1: chords that several pairs gave
+  candidates,    // 1: the list
+  directions,    // 1, distributed: the directions that have places on both sides
+  scores,        // teams: every candidate's score and rank, by area, circle or distance
+  team,          // teams: the one that is taken
+  base,          // teams: H grows
+  fewer,         // 1: no place for as many teams as were asked for, or for any
+  share,         // teams: the law of the lever
+  loads,         // 1: all robots
+  coverage,      // 1
+  contacts,      // 1: where the robots touch edges
+  cut,           // contacts: its normal line cuts the two regions
+  slide,         // 1: is a translation free?
+  closure,       // 1: form closure, margin
+  second_order,  // 1: only where form closure does not hold
+  result,        // 1: all that place() reports
+};
+inline constexpr std::uint32_t step_kind_count = 24;
+
+// "pairs", "first_team"; "outcome", "second_order": as in JSON, lessons and links. O(1).
+std::string_view name(Chapter chapter);
+std::string_view name(StepKind kind);
+std::optional<StepKind> step_kind_from_name(std::string_view text);
+
+struct Step {
+  StepKind kind = StepKind::polygon;
+  Chapter chapter = Chapter::object;
+  std::uint32_t item = 0;
+  bool operator==(const Step&) const = default;
+};
+
+// No index.
+inline constexpr std::uint32_t no_index = ~std::uint32_t{0};
+
+// More steps are refused: nobody would watch them, and a browser would not hold them.
+inline constexpr std::uint32_t max_trace_steps = 1u << 20;
+
+struct Trace {
+  Placement placement;
+  Polygon polygon;
+  Vec2 centre = Vec2::Zero();  // the placement's centre of mass
+
+  // Chapter 2. A ray's chords are ray_chords[begins[i]] to before begins[i + 1]: first those that
+  // were listed at an earlier ray already, whose `vertex` is their other end, then its own.
+  struct Rays {
+    std::vector<std::uint32_t> vertices;  // in the order found
+    std::vector<std::uint32_t> begins;    // one more
+    std::vector<VertexChord> chords;
+  } rays;
+  std::vector<std::uint32_t> radial_edges;
+
+  // Chapter 4, area, circle and distance only.
+  std::vector<EdgePair> pairs;
+  std::vector<std::uint32_t> candidate_of_pair;  // no_index for a pair without
+  // Of each candidate the pair whose chord stands, and the first pair that led to it.
+  std::vector<std::uint32_t> pair_of_candidate, first_pair_of_candidate;
+
+  std::vector<Contact> contacts;
+
+  // Runs of like steps: item i takes the steps first + i * kinds and on, one of each kind.
+  struct Block {
+    std::uint32_t first = 0, items = 0, first_item = 0, kinds = 1;
+    std::array<StepKind, 3> kind{};
+    Chapter chapter = Chapter::object;
+  };
+  std::vector<Block> blocks;
+
+  // Number of steps, at least 5. O(1).
+  std::uint32_t size() const;
+  // Step k < size(). O(1).
+  Step step(std::uint32_t k) const;
+  // Number of steps of a kind that a trace has: its items are 0 .. count - 1. O(1).
+  std::uint32_t count(StepKind kind) const;
+  // The number of a step; nothing if there is none such. O(1).
+  std::optional<std::uint32_t> find(StepKind kind, std::uint32_t item) const;
+  // The first step of a chapter; nothing if this trace has no such chapter. O(1).
+  std::optional<std::uint32_t> chapter_begin(Chapter chapter) const;
+  // Whether teams are chosen among candidates: area, circle or distance. O(1).
+  bool by_candidates() const;
+};
+
+// Whether C lies outside of the polygon, its boundary being inside; exact. O(n).
+bool centre_is_outside(const Trace& trace);
+
+// The team and the end (0: r1, 1: r2) that a contact belongs to. O(1).
+struct RobotIndex {
+  std::uint32_t team = 0, end = 0;
+};
+inline RobotIndex robot_of(const Contact& contact) {
+  return {contact.point / 2, contact.point % 2};
+}
+
+// The trace of a placement that place() gave. Refused where there are more than max_trace_steps
+// steps, and of objects smaller than 1e-30, whose products would not be doubles. The cost of
+// place() without the selection: O(n log n + K log K) for K edge-pairs.
+Result<Trace> make_trace(const Placement& placement);
+
+// The step of `trace` that is nearest to a step of another trace (before an edit): the same kind
+// and item, else the last of that kind, else the beginning of its chapter or of the next there is.
+// O(1).
+std::uint32_t nearest_step(const Trace& trace, const Step& step);
+
+// What is known after step k: counts, from the beginning, of what has been dealt with.
+struct Done {
+  std::uint32_t rays = 0;
+  bool slopes = false;
+  std::uint32_t sections = 0, pairs = 0;  // pairs shown, pairs decided
+  bool merged = false;                    // from here on the placement's own candidates
+  std::uint32_t teams = 0;                // teams taken
+  std::uint32_t base_teams = 0;           // teams that H is the hull of
+  std::uint32_t shares = 0;               // teams whose loads are known
+  bool coverage = false;
+  std::uint32_t cuts = 0;  // contacts whose normal lines have cut the regions
+  bool closure = false;    // all that place() reports
+  bool operator==(const Done&) const = default;
+};
+// A pure function of k. O(1).
+Done done(const Trace& trace, std::uint32_t k);
+
+// Candidate c is known after step k if done(k).merged, or else if first_pair_of_candidate[c] <
+// done(k).pairs. H of the first `teams` teams: O(teams log teams).
+Points lifting_base(const Trace& trace, std::uint32_t teams);
+
+// What became of an edge-pair.
+enum class Outcome : std::uint8_t {
+  bisecting,     // C bisects a chord in the sections: the candidate
+  nearer_end,    // it does not: the end of larger ratio is the candidate
+  too_uneven,    // or is not, its ratio being below the minimum
+  midpoint,      // parallel: the chord between the midpoints
+  parallel_low,  // parallel, the ratio all along below the minimum
+};
+std::string_view name(Outcome outcome);
+
+struct PairDetail {
+  EdgePair pair;
+  PairVerdict verdict;
+  Outcome outcome = Outcome::bisecting;
+  // The section's ends: the part of a is from a[0] to a[1], that of b from b[0] to b[1], a[i] and
+  // b[i] being the ends of the vertex-chord ends[i].
+  std::array<Vec2, 2> a{Vec2::Zero(), Vec2::Zero()}, b{Vec2::Zero(), Vec2::Zero()};
+  std::array<Chord, 2> ends;
+  // Edge b reflected through C; where the line of a meets its line, which is an end of the chord
+  // that C bisects (perhaps far outside); nothing where they are parallel.
+  std::array<Vec2, 2> reflected{Vec2::Zero(), Vec2::Zero()};
+  std::optional<Vec2> meeting;
+  std::uint32_t nearer = 0;            // the end of larger ratio: 0 or 1
+  Chord chosen;                        // the candidate, or what was tried and had too low a ratio
+  std::uint32_t candidate = no_index;  // into placement.candidates
+  bool stands = false;                 // the candidate's chord is this pair's, not a duplicate's
+};
+// O(1).
+PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
+
+// How far an end of a candidate would push out H.
+struct EndGain {
+  bool outside = false;                       // of H; if not, it gains nothing
+  Vec2 h1 = Vec2::Zero(), h2 = Vec2::Zero();  // the edge of H that C sees it beyond
+  Vec2 p = Vec2::Zero();                      // the end
+  double value = 0;                           // f(p)
+};
+// The key at which a candidate was out; of the winner's choice, the key that told it from the last
+// of the others.
+enum class DecidedBy : std::uint8_t { only_one, first_key, ratio, length, order };
+struct Score {
+  double value = 0;    // of a further team; of a first one its length (or ratio, with `most_even`)
+  bool exact = true;   // else an upper bound, found to be too low to win
+  bool taken = false;  // by an earlier team
+  bool eligible = true;                      // first team, with even candidates: only these
+  DecidedBy lost_by = DecidedBy::first_key;  // unless it won
+  std::array<EndGain, 2> ends;               // of r1 and r2; of a first team empty
+};
+enum class Rule : std::uint8_t {
+  longest_even,  // first team: length, ratio, order
+  most_even,     // first team without an even candidate: ratio, length, order
+  score,         // further teams: score, ratio, length, order
+};
+struct TeamScores {
+  std::uint32_t team = 0;
+  Rule rule = Rule::score;
+  Points base;  // H before
+  std::vector<Score> of_candidate;
+  // The candidates not taken yet, the winner first, then by what they lost: the last to tie first.
+  std::vector<std::uint32_t> ranking;
+  DecidedBy decided_by = DecidedBy::only_one;
+};
+// For the choice of team `team`; traces by_candidates() only. With at most exact_score_budget
+// products of candidates and vertices every score is exact; beyond, only those that compete, as the
+// selection has them. O(K log K) and the scores.
+TeamScores look_at_scores(const Trace& trace, std::uint32_t team);
+inline constexpr std::uint64_t exact_score_budget = 1u << 22;
+
+// All that a step shows and that is not in the trace itself; empty what it is not about.
+struct StepDetail {
+  std::uint32_t number = 0;
+  Step step;
+  std::optional<PairDetail> pair;          // sections, outcome
+  std::optional<TeamScores> scores;        // scores, team: by candidates
+  Points base_before, base;                // scores, team, base: H without and with the team
+  FreeRegion clockwise, counterclockwise;  // contacts, cut: what is left after it
+  bool clockwise_before = true, counterclockwise_before = true;  // whether there was one before it
+};
+// O(1), but: scores and team as look_at_scores; base O(teams log teams); contacts and cut O(c^2) at
+// worst for c contacts so far.
+StepDetail look_at(const Trace& trace, std::uint32_t k);
+
+// What there is to draw, and to tell about when the pointer is over it.
+enum class Mark : std::uint8_t {
+  object,       // the polygon (area)
+  triangle,     // a vertex and an edge; value: its share of the area, negative where it folds back
+  centroid,     // point
+  centre,       // point: C
+  vertex,       // point; item: vertex
+  radial_edge,  // segment; item: edge
+  ray,          // from the vertex to C or the farthest hit
+  chord,        // vertex-chord; item: into rays.chords; value: ratio
+  edge,         // a whole edge of the pair; item: edge
+  section,      // its part in the pair; item: edge
+  reflected,    // edge b mirrored through C
+  section_end,  // chord at an end of the sections; item: 0 or 1; value: ratio
+  bisecting,    // the chord that C bisects, of the lines, perhaps outside of the sections
+  chosen,       // the pair's candidate, or the chord that was refused; value: ratio
+  candidate,    // chord; item: candidate; value: score, length or ratio
+  team,         // chord; item: team; value: ratio
+  robot,        // point; item: 2 team + end; value: load, once known
+  gain_triangle,  // h1 h2 p; value: f(p)
+  gain_part,      // what of it is in P: a chain that may touch itself along the triangle's sides
+  gain_circle,    // 1 point, the middle; value: radius
+  arm_before,     // from a vertex to H's edge; item: vertex; value: distance
+  arm_after,      // to the new edge
+  base_before,    // area or segment
+  base,
+  contact,    // point; item: contact
+  normal,     // the inward normal line through a contact, long; item: contact
+  clockwise,  // area, segment or point of free rotation centres
+  counterclockwise,
+  translation,  // from C, a free direction
+};
+std::string_view name(Mark mark);
+
+struct Object {
+  Mark mark = Mark::object;
+  Points points;  // 1: a point, 2: a segment, more: an area
+  std::uint32_t item = no_index;
+  double value = 0;
+};
+// What the step is about, back to front. O(size of it): n, K candidates, or the chords of a ray;
+// the chords of all rays for `slopes`.
+std::vector<Object> objects(const Trace& trace, const StepDetail& detail);
+
+// The chords of all rays in order of slope, each once: indices into rays.chords. O(their number).
+std::vector<std::uint32_t> chords_by_slope(const Trace& trace);
+
+// What the metric measures for a candidate: its triangles clipped to P, circles or arms. `scores`
+// of further teams. O(n).
+std::vector<Object> gain_objects(const Trace& trace, const TeamScores& scores,
+                                 std::uint32_t candidate);
+
+// The numbers of a step under the names that JSON gives them. O(1).
+struct Number {
+  std::string_view name;
+  double value;
+};
+std::vector<Number> numbers(const Trace& trace, const StepDetail& detail);
+
+// A choice that a learner could predict, made in this step. The answer is the correct one.
+enum class QuestionKind : std::uint8_t {
+  nearer_end,     // outcome: which end is nearer to even? 0 or 1, of pair->ends
+  winning_chord,  // scores: which candidate wins? an index of placement.candidates
+};
+struct Question {
+  QuestionKind kind = QuestionKind::nearer_end;
+  std::uint32_t answer = 0;
+};
+// Ask before step detail.number is shown, while step number - 1 is. Nothing if it is no choice.
+// O(1).
+std::optional<Question> question(const Trace& trace, const StepDetail& detail);
+// The same without the detail: is step k a choice? O(1).
+bool is_choice(const Trace& trace, std::uint32_t k);
+
+}  // namespace evenlift

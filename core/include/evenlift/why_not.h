@@ -1,0 +1,59 @@
+// "Why not this one?" Why a chord through C is not among the teams, as data; the words are in
+// output/trace_words.h.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evenlift/trace.h"
+
+namespace evenlift {
+
+enum class Why : std::uint8_t {
+  no_chord,           // there is no boundary on both sides of C in that direction
+  not_by_candidates,  // the method does not choose among candidates
+  no_pair,            // its ends lie on edges that do not face each other (radial ones)
+  too_uneven,         // no chord of its pair has the minimum load ratio
+  not_best_of_pair,   // its pair's candidate is another chord
+  duplicate,          // its pair's candidate is within tolerance of another pair's, which stands
+  not_even,           // a candidate; the first team is chosen among the even ones only
+  behind,             // a candidate; another one won (see decided_by)
+  taken,              // a team has taken it
+};
+
+struct WhyNot {
+  Why why = Why::no_chord;
+  Chord chord;                         // the one asked about
+  std::uint32_t pair = no_index;       // its edge-pair, where there is one
+  double pair_ratio = 0;               // the best ratio in that pair
+  std::uint32_t candidate = no_index;  // the candidate it is, or that its pair led to instead
+  std::uint32_t team = 0;              // the choice that is spoken of; with `taken` the team itself
+  std::uint32_t rank = 0;              // of the candidate in that choice, from 0
+  std::uint32_t winner = no_index;     // the candidate that won it
+  double value = 0, best = 0;          // score, length or ratio by `rule`: its own, the winner's
+  bool exact = true;                   // else `value` is an upper bound
+  Rule rule = Rule::score;
+  DecidedBy decided_by = DecidedBy::first_key;  // the key at which it lost
+};
+
+// Why candidate `candidate` is not the team that is chosen at step k or, at a step that is no
+// choice, the last one before (the first, before any). The cost of look_at_scores.
+WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate);
+
+// The same for an edge-pair's chord. O(1) or that of why_not.
+WhyNot why_not_pair(const Trace& trace, std::uint32_t k, std::uint32_t pair);
+
+// The chords through C along the line of `direction`, other than zero: one for each boundary point
+// ahead and each behind. At most most_chords_through. O(n log n).
+inline constexpr std::size_t most_chords_through = 256;
+std::vector<Chord> chords_through(const Trace& trace, const Vec2& direction);
+
+// The shortest of the chords through C and `point` that reaches it, or the longest if none does;
+// nothing where there is none, or at C itself. O(n log n).
+std::optional<Chord> chord_at(const Trace& trace, const Vec2& point);
+
+// Why this chord (of chords_through or chord_at, or nothing) is no team. O(n + K) besides why_not.
+WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Chord>& chord);
+
+}  // namespace evenlift

@@ -1,0 +1,85 @@
+// What one step shows besides the trace itself, its numbers, and which steps a learner could guess.
+#include <algorithm>
+
+#include "evenlift/predicates.h"
+#include "evenlift/trace.h"
+
+namespace evenlift {
+namespace {
+
+void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail) {
+  const auto some = [&](std::uint32_t number) {
+    return std::vector<Contact>(trace.contacts.data(), trace.contacts.data() + number);
+  };
+  FreeRegions after = free_regions(trace.polygon, trace.centre, some(contacts));
+  detail.clockwise = std::move(after.clockwise);
+  detail.counterclockwise = std::move(after.counterclockwise);
+  if (contacts < 2) return;
+  const FreeRegions before = free_regions(trace.polygon, trace.centre, some(contacts - 1));
+  detail.clockwise_before = before.clockwise.exists;
+  detail.counterclockwise_before = before.counterclockwise.exists;
+}
+
+}  // namespace
+
+bool centre_is_outside(const Trace& trace) {
+  const Vec2& c = trace.centre;
+  bool outside = true;
+  for (std::size_t i = 0; i < trace.polygon.size(); ++i) {
+    const Vec2 &p = trace.polygon.edge_start(i), &q = trace.polygon.edge_end(i);
+    const double side = orient(p, q, c);
+    const bool within_x = (p.x() <= c.x()) == (c.x() <= q.x());
+    const bool within_y = (p.y() <= c.y()) == (c.y() <= q.y());
+    if (side == 0 && within_x && within_y) return false;
+    // Half-open, so that a vertex to the left of C counts for one of its two edges.
+    if ((p.y() > c.y()) != (q.y() > c.y()) && (side > 0) == (q.y() > p.y())) outside = !outside;
+  }
+  return outside;
+}
+
+StepDetail look_at(const Trace& trace, std::uint32_t k) {
+  StepDetail detail;
+  detail.number = k;
+  detail.step = trace.step(k);
+  const std::uint32_t item = detail.step.item;
+  switch (detail.step.kind) {
+    case StepKind::sections:
+    case StepKind::outcome:
+      detail.pair = look_at_pair(trace, item);
+      break;
+    case StepKind::scores:
+    case StepKind::team:
+      if (trace.by_candidates()) detail.scores = look_at_scores(trace, item);
+      [[fallthrough]];
+    case StepKind::base:
+      detail.base_before = lifting_base(trace, item);
+      detail.base = lifting_base(trace, item + 1);
+      break;
+    case StepKind::contacts:
+      cut_regions(trace, 0, detail);
+      break;
+    case StepKind::cut:
+      cut_regions(trace, item + 1, detail);
+      break;
+    default:
+      break;
+  }
+  return detail;
+}
+
+bool is_choice(const Trace& trace, std::uint32_t k) {
+  const Step step = trace.step(k);
+  if (step.kind == StepKind::scores)  // of one candidate there is no choice
+    return trace.placement.candidates.size() > step.item + std::size_t{1};
+  if (step.kind != StepKind::outcome) return false;
+  const Outcome outcome = look_at_pair(trace, step.item).outcome;
+  return outcome == Outcome::nearer_end || outcome == Outcome::too_uneven;
+}
+
+std::optional<Question> question(const Trace& trace, const StepDetail& detail) {
+  if (!is_choice(trace, detail.number)) return std::nullopt;
+  if (detail.pair) return Question{QuestionKind::nearer_end, detail.pair->nearer};
+  return Question{QuestionKind::winning_chord, detail.scores->ranking.front()};
+}
+
+}  // namespace evenlift

@@ -1,0 +1,34 @@
+#include "commands.h"
+#include "evenlift/output/trace_json.h"
+#include "evenlift/placement.h"
+#include "evenlift/trace.h"
+#include "options.h"
+
+namespace evenlift::native {
+
+void cmd_trace(const Arguments& arguments) {
+  CommandLine line(
+      "evenlift trace", "Prints the algorithm's steps in order, with this polygon's numbers.",
+      "FILE is a path, - for standard input, or a share link, as for `evenlift place`.\n\n"
+      "Examples:\n"
+      "  evenlift trace table.txt\n"
+      "  evenlift trace table.txt --metric circle --teams 2 --json\n");
+  std::string file;
+  SettingOptions options;
+  bool as_json = false;
+  line.positional(file, "FILE", "the polygon");
+  options.declare(line);
+  line.flag(as_json, "--json", "one JSON array of steps instead of a list");
+  if (!line.parse(arguments)) return;
+
+  Input input = read_input(file);
+  options.apply(input.document);
+  const Result<Placement> placement = place(input.document);
+  if (!placement) throw options.failure(input.source, placement.error());
+  const Result<Trace> trace = make_trace(*placement);
+  if (!trace) throw options.failure(input.source, trace.error());
+  if (const auto error = check_printed_size(*trace)) throw options.failure(input.source, *error);
+  write_output(as_json ? trace_json(*trace) : trace_list(*trace));
+}
+
+}  // namespace evenlift::native

@@ -1,0 +1,69 @@
+// The lesson: which step is shown, what is asked, what is answered. Changes AppState::lesson and
+// the document's step; everything else is the trace's (evenlift/trace.h).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "command.h"
+#include "state.h"
+
+namespace evenlift::view {
+
+inline bool lesson_is_open(const AppState& state) { return state.lesson.trace.has_value(); }
+
+// After each change of the placement: traces it anew if a lesson is open, and keeps the place as
+// well as it can. The cost of make_trace().
+void follow_placement(AppState& state);
+
+// Why the step that an edited document asks for cannot be shown; nothing if it can, or none is
+// asked for.
+std::optional<InputError> check_step(const Document& document, const Placement& placement);
+
+void open_lesson(AppState& state);
+void close_lesson(AppState& state);
+
+// O(1) besides look_at() and objects().
+void go_to_step(AppState& state, std::uint32_t step);
+
+// To the next step or stop, or one back; with predictions on, forward stops to ask.
+void move_steps(AppState& state, int by);
+void move_chapters(AppState& state, int by);
+
+void set_playing(AppState& state, bool playing);
+inline constexpr double slowest_speed = 0.25, fastest_speed = 32;  // 1 is a comfortable pace
+void set_speed(AppState& state, double speed);
+void set_predict(AppState& state, bool on);
+void guess(AppState& state, std::uint32_t answer);
+void ask_why(AppState& state, const Vec2& at);
+void measure(AppState& state, std::uint32_t candidate);  // shows what the metric measures for it
+void leave_script(AppState& state);
+
+// While it plays: turns over when the time has come. `now` in seconds. Returns whether it did.
+bool turn_over(AppState& state, double now);
+
+// Opens a ready-made lesson; `polygon` is the text of the sample that it names, if it names one.
+// Says what is wrong, and changes nothing, if it cannot be opened.
+std::optional<InputError> open_script(AppState& state, const std::string& text,
+                                      const std::string& polygon);
+
+// The mark under the pointer: points first, then lines, then areas. O(marks).
+std::optional<std::size_t> mark_at(const AppState& state, const Vec2& screen);
+
+// The choice of the question under the pointer.
+std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen);
+
+// Position on the timeline: steps, or the stops of a ready-made lesson.
+struct Timeline {
+  std::uint32_t at = 0, count = 1;
+};
+Timeline timeline(const AppState& state);
+std::uint32_t step_of(const AppState& state, std::uint32_t position);
+
+// The teacher's words for this step, or empty.
+std::string words_of_stop(const AppState& state);
+
+// Caption, formula and what is asked, for those who cannot see the canvas.
+std::string lesson_in_words(const AppState& state);
+
+}  // namespace evenlift::view
