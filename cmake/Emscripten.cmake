@@ -45,6 +45,27 @@ function(evenlift_node_program target)
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/node_pre.js")
 endfunction()
 
+# A module for a worker of the page: computes, and nothing else.
+function(evenlift_worker_module target)
+  target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})
+  target_link_options(
+    ${target}
+    PRIVATE
+    ${evenlift_small}
+    -fno-exceptions
+    --no-entry
+    -sENVIRONMENT=worker
+    -sFILESYSTEM=0
+    -sMALLOC=emmalloc
+    -sDYNAMIC_EXECUTION=0
+    -sALLOW_MEMORY_GROWTH=1
+    -sMODULARIZE=1
+    -sEXPORT_ES6=1
+    -sEXPORTED_FUNCTIONS=_malloc,_free
+    -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8
+    ${evenlift_stack})
+endfunction()
+
 # A program for a web page: WebGL 2, no file system, no exceptions, and nothing that a content security policy
 # without 'unsafe-eval' refuses.
 function(evenlift_page_program target)

@@ -49,6 +49,11 @@ void CommandLine::positional(std::string& into, const std::string& name, const s
   app_->add_option(name, into, help)->type_name("");
 }
 
+void CommandLine::positionals(std::vector<std::string>& into, const std::string& name,
+                              const std::string& help) {
+  app_->add_option(name, into, help)->type_name("");
+}
+
 void CommandLine::value(std::optional<std::string>& into, const std::string& option,
                         const std::string& name, const std::string& help) {
   value_options_.push_back(option);

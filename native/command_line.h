@@ -20,6 +20,9 @@ class CommandLine {
   ~CommandLine();
 
   void positional(std::string& into, const std::string& name, const std::string& help);
+  // Any number of them, also none.
+  void positionals(std::vector<std::string>& into, const std::string& name,
+                   const std::string& help);
   void value(std::optional<std::string>& into, const std::string& option, const std::string& name,
              const std::string& help);
   void flag(bool& into, const std::string& option, const std::string& help);

@@ -1,6 +1,30 @@
 #include "failure.h"
 
+#include <cstdio>
+
 namespace evenlift::native {
+namespace {
+
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
+}  // namespace
+
+void print_failure(const Failure& failure) {
+  if (failure.where.empty()) return;
+  std::fprintf(stderr, "evenlift: %s: %s\n", printable(failure.where).c_str(),
+               printable(failure.what).c_str());
+}
+
+std::string system_message(const std::error_code& error) {
+  std::string text = error.message();
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z')
+    text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  return text;
+}
 
 Failure bad_input(const std::string& source, const InputError& error) {
   const std::string place = describe(error.place);

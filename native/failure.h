@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <system_error>
 
 #include "evenlift/result.h"
 
@@ -16,6 +17,13 @@ struct Failure {
   std::string where;  // a file and the place in it, or an option as it is typed
   std::string what;   // one sentence, no full stop
 };
+
+// Prints `evenlift: WHERE: WHAT` on standard error, in one line whatever a file is called; nothing
+// if it says not where.
+void print_failure(const Failure& failure);
+
+// What the system says of an error, as part of a sentence: "no such file or directory".
+std::string system_message(const std::error_code& error);
 
 // An error in what `source` (a file's name, "standard input", "link") holds.
 Failure bad_input(const std::string& source, const InputError& error);

@@ -4,7 +4,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 
 #include "evenlift/formats.h"
@@ -19,13 +18,7 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-// "no such file or directory"
-std::string system_error() {
-  std::string text = std::strerror(errno);
-  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z')
-    text[0] = static_cast<char>(text[0] - 'A' + 'a');
-  return text;
-}
+std::string system_error() { return system_message({errno, std::generic_category()}); }
 
 // Reads to the end, or one byte more than is allowed, which the reader of the text then refuses.
 std::string read_all(std::FILE* file, const std::string& source) {
@@ -71,6 +64,16 @@ Input read_input(const std::string& file) {
   const File opened(std::fopen(file.c_str(), "rb"));
   if (!opened) throw Failure{bad_input_status, file, system_error()};
   return {file, parsed(read_all(opened.get(), file), file)};
+}
+
+std::optional<std::string> read_file(const std::string& path) {
+  const File opened(std::fopen(path.c_str(), "rb"));
+  if (!opened) return std::nullopt;
+  try {
+    return read_all(opened.get(), path);
+  } catch (const Failure&) {
+    return std::nullopt;
+  }
 }
 
 void write_file(const std::string& path, std::string_view text) {

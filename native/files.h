@@ -1,6 +1,7 @@
 // Reading and writing whole files, byte for byte.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,9 @@ struct Input {
   Document document;
 };
 Input read_input(const std::string& file);
+
+// What a file holds, up to max_text_bytes and one; nothing if it cannot be read.
+std::optional<std::string> read_file(const std::string& path);
 
 // Replaces the file by `text` or leaves it as it was: writes beside it and renames. What is no
 // regular file (a pipe, /dev/stdout) is written to directly. Throws Failure.

@@ -21,6 +21,7 @@ constexpr Command commands[] = {
     {"trace", "the algorithm step by step, in words and numbers", cmd_trace},
     {"link", "a polygon and its settings as a share link, and back", cmd_link},
     {"generate", "a polygon from a family, a size and a seed", cmd_generate},
+    {"experiment", "chapter 5's measurements over many polygons, with a report", cmd_experiment},
 };
 
 std::string help() {
@@ -30,7 +31,7 @@ std::string help() {
       "Usage: evenlift COMMAND ...\n\nCommands:\n";
   for (const Command& command : commands) {
     std::string name = command.name;
-    name.resize(10, ' ');
+    name.resize(12, ' ');
     text += "  " + name + command.summary + "\n";
   }
   return text +
@@ -57,20 +58,6 @@ void run(Arguments arguments) {
                        : "unknown command; `evenlift --help` lists them"};
 }
 
-// A line stays one line, whatever a file is called.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return text;
-}
-
-int report(const Failure& failure) {
-  if (!failure.where.empty())
-    std::fprintf(stderr, "evenlift: %s: %s\n", printable(failure.where).c_str(),
-                 printable(failure.what).c_str());
-  return failure.status;
-}
-
 }  // namespace
 }  // namespace evenlift::native
 
@@ -83,8 +70,10 @@ int main(int count, char** values) {
     run(Arguments(values + 1, values + count));
     return 0;
   } catch (const Failure& failure) {
-    return report(failure);
+    print_failure(failure);
+    return failure.status;
   } catch (const std::exception& error) {
-    return report({other_status, "internal error", error.what()});
+    print_failure({other_status, "internal error", error.what()});
+    return other_status;
   }
 }

@@ -118,4 +118,22 @@ compare(place missing.txt)
 compare(place "${POLYGONS}/square.txt" --teams 0)
 compare()
 
-message(STATUS "${compared} runs, the same bytes")
+
+# An experiment writes files; the times among them differ.
+set(measured "")
+foreach(name square star hammer thesis-sample letter-e-moved gear comb)
+  list(APPEND measured "${POLYGONS}/${name}.txt")
+endforeach()
+execute_process(COMMAND "${NATIVE}" experiment ${measured} --out native-experiment --samples 4 --jobs 2
+                WORKING_DIRECTORY "${WORK}" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${NODE}" "${WEBASSEMBLY}" experiment ${measured} --out wasm-experiment --samples 4
+                WORKING_DIRECTORY "${WORK}" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+foreach(name measurements.csv aggregates.csv polygons.csv thesis.md report.html)
+  file(SHA256 "${WORK}/native-experiment/${name}" native_sum)
+  file(SHA256 "${WORK}/wasm-experiment/${name}" wasm_sum)
+  if(NOT native_sum STREQUAL wasm_sum)
+    message(FATAL_ERROR "experiment: native and WebAssembly write different ${name}")
+  endif()
+endforeach()
+
+message(STATUS "${compared} runs and an experiment, the same bytes")

@@ -17,7 +17,7 @@ enum class ActionId : std::uint8_t {
   step_on, step_back, next_chapter, previous_chapter, first_step, last_step, play, faster, slower, predict,
   finish, next_vertex, previous_vertex, insert_vertex, remove_vertex,
   left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
-  more_teams, fewer_teams, next_method, compare, higher_ratio, lower_ratio,
+  more_teams, fewer_teams, next_method, compare, experiment, higher_ratio, lower_ratio,
   toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, toggle_tipping,
   zoom_in, zoom_out, fit, fold_panel, motion, help, dismiss
 };

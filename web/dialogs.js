@@ -2,15 +2,16 @@
 // of its own.
 import { button, el } from "./elements.js";
 
-let styles;
+const styles = new Map();
 
-// Resolves once the windows' style sheet is there.
-export function ensureStyles() {
-  styles ??= new Promise((done) => {
-    const sheet = el("link", { rel: "stylesheet", href: new URL("dialogs.css", import.meta.url).href, onload: done, onerror: done });
-    document.head.append(sheet);
-  });
-  return styles;
+// Resolves once a style sheet is there: the windows' own, or what one of them needs besides.
+export function ensureStyles(name = "dialogs.css") {
+  if (!styles.has(name)) {
+    styles.set(name, new Promise((done) => {
+      document.head.append(el("link", { rel: "stylesheet", href: new URL(name, import.meta.url).href, onload: done, onerror: done }));
+    }));
+  }
+  return styles.get(name);
 }
 
 // Opens a window: modal, or beside the canvas. Closed, it is gone, and the focus is back on the canvas (or in the window

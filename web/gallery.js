@@ -1,6 +1,7 @@
 // The gallery of samples.
 import { openWindow, problemLine } from "./dialogs.js";
 import { button, el, svgEl } from "./elements.js";
+import { show as showExperiment } from "./experiment.js";
 import { fetchJson } from "./fetched.js";
 
 // The points of a text in the thesis's format, and its centre of mass; else the centroid.
@@ -48,7 +49,11 @@ export async function show(page) {
   const count = el("p", { class: "for-readers", role: "status" });
   // A keyboard that comes up by itself would hide half of a phone's gallery.
   const typing = matchMedia("(pointer: fine)").matches;
-  const root = await openWindow({ name: "samples", title: "Samples", tools: [filter], body: [list, count], focus: typing ? filter : undefined });
+  const footer = el("footer", {}, button("Compare methods over many polygons …", { onclick: () => {
+    root.close();
+    showExperiment(page);
+  } }));
+  const root = await openWindow({ name: "samples", title: "Samples", tools: [filter], body: [list, count, footer], focus: typing ? filter : undefined });
   if (!root) return;
 
   const load = async () => {

@@ -230,6 +230,21 @@ std::vector<Wrench> extreme_wrenches(const Grasp& grasp) {
 
 }  // namespace
 
+bool in_form_closure(const Polygon& polygon, const Vec2& centre,
+                     const std::vector<LiftingPoint>& points) {
+  const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
+  return !free_translation(grasp) &&
+         !have_common_point(rotation_centres(grasp, Sense::clockwise, grasp.near)) &&
+         !have_common_point(rotation_centres(grasp, Sense::counterclockwise, grasp.near));
+}
+
+bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
+                        const std::vector<LiftingPoint>& points) {
+  const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
+  return !have_common_point(rotation_centres(grasp, Sense::clockwise, -grasp.near)) &&
+         !have_common_point(rotation_centres(grasp, Sense::counterclockwise, -grasp.near));
+}
+
 FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
                          const std::vector<Contact>& contacts) {
   const Grasp grasp = make_grasp(polygon, centre, contacts);

@@ -6,9 +6,12 @@
 #include "evenlift/hull.h"
 #include "evenlift/selection.h"
 #include "evenlift/tolerance.h"
+#include "normal_size.h"
 
 namespace evenlift {
 namespace {
+
+using evenlift::scale;
 
 InputError bad_option(const char* option, const char* message) {
   return {ErrorCode::bad_setting, message, {Place::Kind::option, 0, 0, option}};
@@ -64,32 +67,6 @@ void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords,
   placement.hull = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
   placement.coverage = coverage(polygon, placement.hull);
   placement.closure = analyse_closure(polygon, placement.centre_of_mass, points);
-}
-
-// Exponents are shifted for polygons so small that products of coordinates would leave the range of
-// doubles. Multiplying by a power of two is exact, and the results are those of the shifted
-// polygon.
-constexpr int smallest_exponent = -100;
-
-int exponent_of_size(const Points& vertices) {
-  Vec2 low = vertices.front(), high = low;
-  for (const Vec2& v : vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  const double size = (high - low).maxCoeff();
-  if (!std::isfinite(size) || size <= 0) return 0;
-  int exponent = 0;
-  std::frexp(size, &exponent);
-  return exponent;
-}
-
-void scale(Vec2& v, int exponent) {
-  v = {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent)};
-}
-
-void scale(Points& points, int exponent) {
-  for (Vec2& p : points) scale(p, exponent);
 }
 
 void scale(Chord& chord, int exponent) {
@@ -154,13 +131,9 @@ std::optional<InputError> check_settings(const Settings& settings) {
 
 Result<Placement> place(const Document& document) {
   if (auto error = check_settings(document.settings)) return *error;
-  const int exponent = document.vertices.empty() ? 0 : exponent_of_size(document.vertices);
-  if (exponent >= smallest_exponent) return place_unscaled(document);
-
-  Document shifted = document;
-  scale(shifted.vertices, -exponent);
-  if (shifted.centre_of_mass) scale(*shifted.centre_of_mass, -exponent);
-  auto placement = place_unscaled(shifted);
+  const int exponent = exponent_of_small(document.vertices);
+  if (exponent == 0) return place_unscaled(document);
+  auto placement = place_unscaled(of_normal_size(document, exponent));
   if (!placement) return placement.error();
   scale(*placement, exponent);
   return placement;

@@ -7,7 +7,7 @@ import { asset, link, load, phone, startBrowser } from "./browser.mjs";
 import { allClosed, openWindow } from "./windows.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const names = ["samples", "open", "save", "table", "lessons"];
+const names = ["samples", "open", "save", "table", "lessons", "experiment"];
 const finger = { viewport: phone, hasTouch: true, isMobile: true };
 
 let browser;

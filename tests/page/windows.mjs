@@ -1,7 +1,7 @@
 // The page's own windows, for the tests beside this file.
 import { settled } from "./browser.mjs";
 
-const keys = { samples: "g", open: "o", save: "s", table: "e", lessons: "Shift+B" };
+const keys = { samples: "g", open: "o", save: "s", table: "e", lessons: "Shift+B", experiment: "K" };
 
 // Opens a window by its key, and waits until it is there.
 export async function openWindow(page, name) {

@@ -49,6 +49,16 @@ struct Closure {
   FreeRegion clockwise, counterclockwise;
 };
 
+// analyse_closure's form_closure alone, which more points never end. O(m log m + n log n).
+bool in_form_closure(const Polygon& polygon, const Vec2& centre,
+                     const std::vector<LiftingPoint>& points);
+
+// The thesis's own test (5.5): that neither region of free rotation centres has an area. It takes
+// an object for held that can slide between parallel sides, or still turns about a single point.
+// O(m log m + n log n).
+bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
+                        const std::vector<LiftingPoint>& points);
+
 // Analyses the grasp of robots at `points`. Emptiness of the regions and free translations are
 // decided exactly from the edges' directions and the rounded points. O(m log m) for m contacts;
 // O(e^2) for the margin, e the number of different edges touched; O(m^2) where a free region has no

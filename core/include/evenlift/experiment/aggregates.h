@@ -1,0 +1,54 @@
+// Averages over the polygons: what figures 5.3 to 5.8 and 5.11 of the thesis show.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evenlift/experiment/results.h"
+
+namespace evenlift {
+
+struct Statistics {
+  double mean = 0;
+  std::optional<double>
+      deviation;  // standard deviation of a sample (divided by n - 1); none of one
+};
+
+// Mean and deviation of values, at least one, added up in their order. O(n).
+Statistics statistics(const std::vector<double>& values);
+
+// A method with a number of teams, over all polygons on which the algorithm can place that many and
+// the method did.
+struct Aggregate {
+  Metric method = Metric::area;
+  std::uint32_t teams = 0;
+  std::uint32_t polygons = 0;  // at least 1
+  Statistics spread;           // kg (figures 5.3, 5.4)
+  Statistics load_max;         // kg
+  Statistics max_share;        // 0.5 .. 1 (5.5, 5.6)
+  Statistics coverage;         // 0 .. 1 (5.7, 5.8)
+  // Of the polygons, those that some method closes with some number of teams, be it in one random
+  // sample; and of these the part in form closure, 0 .. 1 (5.11). The same by the thesis's own
+  // test.
+  std::uint32_t closable = 0, no_area_possible = 0;
+  std::optional<double> form_closure, no_area;
+};
+
+// Whether some measurement of the polygon is in form closure, or passes the thesis's own test.
+// O(rows).
+bool closable(const PolygonResult& result);
+bool no_area_possible(const PolygonResult& result);
+
+// By method, then teams. O(rows).
+std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results);
+
+// One row for each aggregate, under a heading; deviations and form_closure are empty where there
+// are none. O(rows).
+std::string aggregates_csv(const std::vector<Aggregate>& aggregates);
+
+// The aggregate of a method and number of teams, or null. O(rows).
+const Aggregate* find(const std::vector<Aggregate>& aggregates, Metric method, std::uint32_t teams);
+
+}  // namespace evenlift

@@ -1,0 +1,44 @@
+// The thesis's figures as data: what a chart draws, and a sentence that says what it shows.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/experiment/aggregates.h"
+
+namespace evenlift {
+
+struct FigurePoint {
+  std::uint32_t robots = 0;
+  double value = 0;            // as in the aggregates: kg, or a share of 1
+  std::uint32_t polygons = 0;  // that it is an average of
+};
+
+struct FigureSeries {
+  Metric method = Metric::area;
+  std::vector<FigurePoint> points;  // by robots
+};
+
+struct Figure {
+  std::string id;                    // "5.3", of the thesis's figure
+  std::string title;                 // what is measured, in words
+  std::string unit;                  // "kg", or "%" where values are shares, shown times 100
+  std::string column;                // of the aggregates that the values are
+  std::string sentence;              // what it shows, made from the data
+  std::vector<FigureSeries> series;  // by method; none without values
+};
+
+// As many teams as at least a fifth of the polygons with candidates can place, so that no average
+// of a chart is one of few; 0 without any. O(rows).
+std::uint32_t most_teams_shown(const std::vector<Aggregate>& aggregates);
+
+// Figures 5.3 to 5.8 and 5.11, up to most_teams_shown. O(rows).
+std::vector<Figure> make_figures(const std::vector<Aggregate>& aggregates);
+
+// [{"id", "title", "unit", "column", "sentence", "series": [{"method",
+// "points": [[robots, value, polygons], ...]}]}] O(rows).
+std::string figures_json(const std::vector<Figure>& figures);
+
+}  // namespace evenlift

@@ -1,0 +1,72 @@
+// What chapter 5 of the thesis measures of one polygon: every method with every number of teams.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evenlift/candidates.h"
+#include "evenlift/document.h"
+#include "evenlift/polygon.h"
+#include "evenlift/result.h"
+
+namespace evenlift {
+
+// As in the thesis (5.2, 5.3).
+inline constexpr double experiment_weight = 100;  // of the object, kg
+
+// Bounds on what is asked for.
+inline constexpr std::uint32_t max_samples = 100000;
+inline constexpr std::uint32_t max_experiment_teams = 10000;
+
+struct ExperimentSettings {
+  double min_ratio = 0.8;       // minimum load ratio, 0 .. 1, both included
+  std::uint32_t samples = 200;  // random placements of each polygon, 1 .. max_samples
+  // Polygons on which the algorithm can place more are measured with up to so many, 1 ..
+  // max_experiment_teams: the time grows with the square.
+  std::uint32_t most_teams = 1000;
+  bool operator==(const ExperimentSettings&) const = default;
+};
+
+// Whether settings are in range; the error's place names the option. O(1).
+std::optional<InputError> check_settings(const ExperimentSettings& settings);
+
+// A polygon ready to be measured. If it is too small for doubles' range it is scaled up, which
+// changes no measure.
+struct Subject {
+  Polygon polygon;
+  Vec2 centre = Vec2::Zero();
+  std::vector<Candidate> candidates;  // as many teams as the algorithm can place
+};
+
+// Validates a document and finds its candidates; errors as place(). The document's settings do not
+// matter. O(n log n + K log K) for K edge-pairs.
+Result<Subject> prepare(const Document& document, double min_ratio);
+
+// One method with one number of teams on one polygon; of random placements the averages.
+struct Measurement {
+  Metric method = Metric::area;
+  std::uint32_t teams = 0;    // 1 .. number of candidates
+  std::uint32_t samples = 1;  // placements averaged; 1 for all methods but random
+  double coverage = 0;        // 0 .. 1
+  double form_closure = 0;    // part of the placements in form closure, 0 .. 1; 0 or 1 of one
+  double no_area = 0;         // the same of the thesis's own test, that no region of free rotation
+                              // centres has an area
+  double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, kg
+  double spread = 0;                                 // load_max - load_min, kg (figure 5.3)
+  double max_share = 0.5;  // greatest share of its team's load that a robot bears (figure 5.5)
+  std::optional<std::uint32_t> chosen;  // the candidate that the last team took, from 0, in
+                                        // candidate order; none for distributed and random
+  bool operator==(const Measurement&) const = default;
+};
+
+// Measures one method with 1, 2, ... teams, as many as the algorithm can place (one for each
+// candidate) and settings allow, also for distributed and random placements, which do not need
+// them. A number of teams that a method cannot place (distributed and random, C on the boundary) is
+// left out. The random sample k = 1 .. samples is random_teams with seed k, whose first t teams are
+// its placement of t teams. The same values as place() reports. For t teams in all: O(t^2) loads,
+// and coverage and closure once for each team.
+std::vector<Measurement> measure(const Subject& subject, Metric method,
+                                 const ExperimentSettings& settings);
+
+}  // namespace evenlift

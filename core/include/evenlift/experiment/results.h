@@ -1,0 +1,66 @@
+// The measurements of many polygons, and their text: the tidy CSV, and the part files that an
+// interrupted or shared run is put together from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "evenlift/experiment/measure.h"
+
+namespace evenlift {
+
+struct PolygonResult {
+  std::string polygon;  // its name, unique among the results
+  std::string problem;  // why it could not be measured; empty if it could
+  std::uint32_t vertices = 0;
+  bool convex = false;
+  std::uint32_t candidates = 0;           // as many teams as the algorithm can place
+  std::vector<Measurement> measurements;  // by method, then teams
+  bool operator==(const PolygonResult&) const = default;
+};
+
+// Seconds that a stage took ("candidates", or a method's name).
+using Times = std::vector<std::pair<std::string, double>>;
+
+// 16 hexadecimal digits that tell texts apart (FNV-1a, 64 bits). O(bytes).
+std::string fingerprint(std::string_view bytes);
+
+// Of all that a polygon's result depends on: settings, centre of mass and vertices. O(n).
+std::string fingerprint(const Document& document, const ExperimentSettings& settings);
+
+// Stands for the fingerprint of what could not be read.
+inline constexpr const char* refused_fingerprint = "refused";
+
+// A result without measurements yet. O(1).
+PolygonResult describe(const std::string& name, const Subject& subject);
+
+// One finished polygon as text, ending in a newline; O(rows).
+struct Part {
+  ExperimentSettings settings;
+  std::string fingerprint;  // of its input
+  PolygonResult result;
+  Times times;
+  bool operator==(const Part&) const = default;
+};
+std::string write_part(const Part& part);
+
+// Reads what write_part wrote, exactly; none for anything else, also if a line is missing.
+// O(bytes).
+std::optional<Part> read_part(std::string_view text);
+
+// One row for each polygon, method and number of teams, in that order, under a heading; numbers
+// have the fewest digits that read back to the same double. Columns as Measurement's fields;
+// `chosen` is empty where there is none. O(rows).
+std::string measurements_csv(const std::vector<PolygonResult>& results);
+
+// One row for each polygon: its size, how many teams the algorithm can place, or why it was
+// refused.
+std::string polygons_csv(const std::vector<PolygonResult>& results);
+
+// One row for each polygon and stage, with the seconds that it took.
+std::string times_csv(const std::vector<Part>& parts);
+
+}  // namespace evenlift

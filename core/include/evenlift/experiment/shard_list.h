@@ -1,0 +1,34 @@
+// The list of polygons that a finished shard of an experiment leaves, for those who merge.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/experiment/results.h"
+
+namespace evenlift {
+
+// The i-th of n equal parts of the work, 1 <= i <= n <= max_shards.
+inline constexpr std::uint32_t max_shards = 100000;
+struct Shard {
+  std::uint32_t i = 1, n = 1;
+  bool operator==(const Shard&) const = default;
+};
+
+struct ShardList {
+  Shard shard;
+  ExperimentSettings settings;
+  struct Entry {
+    std::string polygon, fingerprint;  // as in its part
+  };
+  std::vector<Entry> entries;
+};
+
+// As text, and back; none for what write_shard_list did not write. O(entries).
+std::string write_shard_list(const ShardList& list);
+std::optional<ShardList> read_shard_list(std::string_view text);
+
+}  // namespace evenlift

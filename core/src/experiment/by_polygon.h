@@ -1,0 +1,67 @@
+// What chapter 5 counts polygon by polygon, not from averages.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evenlift/experiment/aggregates.h"
+
+namespace evenlift {
+
+// How often, out of how many.
+struct Count {
+  std::uint32_t yes = 0, of = 0;
+};
+
+// The measurement of a method with a number of teams, or null. O(rows).
+const Measurement* find(const PolygonResult& result, Metric method, std::uint32_t teams);
+
+// Polygons with candidates for `teams` on which area, circle and distance choose the same last
+// team; with more than two teams, of those on which they chose the same one before, too (5.4).
+// Only polygons with up to `most_candidates`.
+inline constexpr std::uint32_t any_number = ~std::uint32_t{0};
+Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
+                  std::uint32_t most_candidates = any_number);
+
+// Of the polygons where they do not all choose the same second team, those where their coverages
+// then differ by less than `difference` of the polygon.
+Count alike_coverage(const std::vector<PolygonResult>& results, double difference);
+
+// For each polygon with two teams or more the mean, over 2 .. its most teams, of the coverage of
+// the method less that of the algorithm (the mean of its metrics).
+std::vector<double> coverage_differences(const std::vector<PolygonResult>& results, Metric method);
+
+// For each polygon with candidates the algorithm's coverage with the most teams.
+std::vector<double> final_coverages(const std::vector<PolygonResult>& results);
+
+// The greatest loss of coverage (method area) with `teams` teams from a polygon NAME to NAME-moved,
+// and the name; none without such a couple.
+struct Loss {
+  std::string polygon;
+  double before = 0, after = 0;
+};
+std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t teams);
+
+// What counts as closed: form closure, or the thesis's own test.
+using Closed = double Measurement::*;
+
+// Polygons that some method closes with some number of teams, and that area, circle or distance
+// closes, too. (With all candidates placed the three are one.)
+Count closed(const std::vector<PolygonResult>& results, Closed closed);
+
+// Polygons with up to `most_candidates` that can be closed and on which the method can place
+// `teams`, and those that it closes with them.
+Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Metric method,
+                  std::uint32_t teams, std::uint32_t most_candidates);
+
+// Steps from one number of teams to the next at which a polygon in form closure loses it; and the
+// numbers of robots after the step at which that happens, each once, rising.
+struct Lost {
+  Count steps;
+  std::vector<std::uint32_t> robots;
+};
+Lost closure_lost(const std::vector<PolygonResult>& results, Closed closed, Metric method);
+
+}  // namespace evenlift

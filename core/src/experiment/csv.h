@@ -1,0 +1,23 @@
+// Comma-separated values (RFC 4180) with line feeds: as this project writes them, and back.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace evenlift::csv {
+
+using Row = std::vector<std::string>;
+
+// A field, in quotes where it needs them. O(bytes).
+std::string field(std::string_view text);
+
+// A row and its line feed. O(bytes).
+std::string line(const Row& row);
+
+// All rows; none if a quote is open at the end, text follows a closing quote, or the last line does
+// not end in a line feed. O(bytes).
+std::optional<std::vector<Row>> read(std::string_view text);
+
+}  // namespace evenlift::csv

@@ -1,0 +1,41 @@
+// Reads the fields of a row one after another.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "csv.h"
+#include "evenlift/formats.h"
+
+namespace evenlift::csv {
+
+class Fields {
+ public:
+  explicit Fields(const Row& row, std::size_t first = 0) : row_(row), at_(first) {}
+
+  std::string text() { return at_ < row_.size() ? row_[at_++] : (good_ = false, std::string()); }
+
+  double number() {
+    const std::optional<double> value = read_number(text());
+    good_ = good_ && value;
+    return value.value_or(0);
+  }
+
+  std::uint32_t whole() {
+    const double value = number();
+    good_ = good_ && value >= 0 && value <= 0xFFFFFFFFu;
+    const auto truncated = good_ ? static_cast<std::uint32_t>(value) : 0;
+    good_ = good_ && static_cast<double>(truncated) == value;
+    return truncated;
+  }
+
+  // Whether all fields have been read, and each was as expected.
+  bool done() const { return good_ && at_ == row_.size(); }
+
+ private:
+  const Row& row_;
+  std::size_t at_;
+  bool good_ = true;
+};
+
+}  // namespace evenlift::csv

@@ -1,0 +1,202 @@
+#include "evenlift/experiment/measure.h"
+
+#include <algorithm>
+
+#include "../normal_size.h"
+#include "evenlift/closure.h"
+#include "evenlift/hull.h"
+#include "evenlift/loads.h"
+#include "evenlift/selection.h"
+#include "evenlift/stability.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+// Follows a placement while teams are added to it one by one.
+class Growing {
+ public:
+  explicit Growing(const Subject& subject)
+      : subject_(subject), near_(near_distance(subject.polygon.diagonal())) {}
+
+  void add(const Chord& chord) {
+    for (const LiftingPoint& end : {chord.r1, chord.r2}) points_.push_back(end);
+    chords_.push_back(chord);
+    Points hull = widened(chord);
+    if (hull == hull_) return;
+    hull_ = std::move(hull);
+    coverage_.reset();
+  }
+
+  const std::vector<LiftingPoint>& points() const { return points_; }
+
+  // All but form closure.
+  Measurement measured() {
+    Measurement m;
+    m.teams = static_cast<std::uint32_t>(chords_.size());
+    if (!coverage_) coverage_ = coverage(subject_.polygon, hull_);
+    m.coverage = *coverage_;
+    const LoadSummary loads = *summarize_loads(distribute_weight(chords_, experiment_weight));
+    m.load_min = loads.min;
+    m.load_mean = loads.mean;
+    m.load_max = loads.max;
+    m.spread = loads.spread;
+    m.max_share = loads.max_share;
+    return m;
+  }
+
+ private:
+  Points widened(const Chord& chord) const {
+    const Vec2 &p = chord.r1.position, &q = chord.r2.position;
+    if (hull_.size() >= 3) return widen_hull(hull_, p, q, near_);
+    // While H is a segment, what lies beside it within tolerance is not among its corners.
+    Points all;
+    for (const LiftingPoint& point : points_) all.push_back(point.position);
+    return convex_hull(std::move(all), near_);
+  }
+
+  const Subject& subject_;
+  double near_;
+  std::vector<Chord> chords_;
+  std::vector<LiftingPoint> points_;
+  Points hull_;
+  std::optional<double> coverage_;  // of this hull, once asked for
+};
+
+using Test = bool (*)(const Polygon&, const Vec2&, const std::vector<LiftingPoint>&);
+
+void test_closure(const Subject& subject, const std::vector<LiftingPoint>& points, Measurement& m) {
+  m.form_closure = in_form_closure(subject.polygon, subject.centre, points) ? 1 : 0;
+  m.no_area = no_region_has_area(subject.polygon, subject.centre, points) ? 1 : 0;
+}
+
+std::vector<Measurement> measure_selected(const Subject& subject, Metric method,
+                                          std::size_t most_teams) {
+  std::vector<Measurement> rows;
+  Growing placement(subject);
+  for (const std::uint32_t i :
+       select_teams(subject.polygon, subject.centre, subject.candidates, method, most_teams)) {
+    placement.add(subject.candidates[i].chord);
+    Measurement m = placement.measured();
+    m.method = method;
+    test_closure(subject, placement.points(), m);
+    m.chosen = i;
+    rows.push_back(m);
+  }
+  return rows;
+}
+
+// Equal angles: every number of teams is a placement of its own.
+std::vector<Measurement> measure_distributed(const Subject& subject, std::size_t most_teams) {
+  std::vector<Measurement> rows;
+  for (std::size_t teams = 1; teams <= most_teams; ++teams) {
+    const std::vector<Chord> chords = distributed_teams(subject.polygon, subject.centre, teams);
+    if (chords.size() < teams) break;
+    Growing placement(subject);
+    for (const Chord& chord : chords) placement.add(chord);
+    Measurement m = placement.measured();
+    m.method = Metric::distributed;
+    test_closure(subject, placement.points(), m);
+    rows.push_back(m);
+  }
+  return rows;
+}
+
+// The least number of teams that passes, or one more than there are. More teams never fail where
+// fewer pass, so a search by halves finds it.
+std::size_t first_passing(const Subject& subject, const std::vector<LiftingPoint>& points,
+                          Test test) {
+  std::size_t fails = 0, passes = points.size() / 2 + 1;
+  if (!test(subject.polygon, subject.centre, points)) return passes;
+  --passes;
+  while (passes - fails > 1) {
+    const std::size_t middle = fails + (passes - fails) / 2;
+    const auto end = points.begin() + static_cast<std::ptrdiff_t>(2 * middle);
+    const bool passed = test(subject.polygon, subject.centre, {points.begin(), end});
+    (passed ? passes : fails) = middle;
+  }
+  return passes;
+}
+
+void add_sample(const Subject& subject, const std::vector<Chord>& chords,
+                std::vector<Measurement>& sums) {
+  Growing placement(subject);
+  for (std::size_t t = 0; t < chords.size(); ++t) {
+    placement.add(chords[t]);
+    const Measurement m = placement.measured();
+    Measurement& sum = sums[t];
+    ++sum.samples;
+    sum.coverage += m.coverage;
+    sum.load_min += m.load_min;
+    sum.load_mean += m.load_mean;
+    sum.load_max += m.load_max;
+    sum.spread += m.spread;
+    sum.max_share += m.max_share;
+  }
+  const std::size_t closed = first_passing(subject, placement.points(), in_form_closure);
+  for (std::size_t t = closed; t <= chords.size(); ++t) sums[t - 1].form_closure += 1;
+  const std::size_t no_area = first_passing(subject, placement.points(), no_region_has_area);
+  for (std::size_t t = no_area; t <= chords.size(); ++t) sums[t - 1].no_area += 1;
+}
+
+std::vector<Measurement> measure_random(const Subject& subject, std::size_t teams,
+                                        std::uint32_t samples) {
+  Measurement none;
+  none.method = Metric::random;
+  none.samples = 0;
+  none.max_share = 0;
+  std::vector<Measurement> sums(teams, none);
+  for (std::uint32_t seed = 1; seed <= samples; ++seed)
+    add_sample(subject, random_teams(subject.polygon, subject.centre, teams, seed), sums);
+  for (std::size_t t = 0; t < teams; ++t) {
+    Measurement& m = sums[t];
+    m.teams = static_cast<std::uint32_t>(t + 1);
+    for (double* sum : {&m.coverage, &m.form_closure, &m.no_area, &m.load_min, &m.load_mean,
+                        &m.load_max, &m.spread, &m.max_share})
+      *sum /= m.samples;
+  }
+  std::erase_if(sums, [](const Measurement& m) { return m.samples == 0; });
+  return sums;
+}
+
+InputError bad_option(const char* option, const char* message) {
+  return {ErrorCode::bad_setting, message, {Place::Kind::option, 0, 0, option}};
+}
+
+}  // namespace
+
+std::optional<InputError> check_settings(const ExperimentSettings& settings) {
+  if (!(settings.min_ratio >= 0 && settings.min_ratio <= 1))
+    return bad_option("min_ratio", "the minimum load ratio is a number from 0 to 1");
+  if (settings.samples < 1 || settings.samples > max_samples)
+    return bad_option("samples", "the number of random samples is from 1 to 100000");
+  if (settings.most_teams < 1 || settings.most_teams > max_experiment_teams)
+    return bad_option("max_teams", "the greatest number of teams is from 1 to 10000");
+  return std::nullopt;
+}
+
+Result<Subject> prepare(const Document& given, double min_ratio) {
+  const Document document = of_normal_size(given, exponent_of_small(given.vertices));
+  auto polygon = Polygon::create(document.vertices);
+  if (!polygon) return polygon.error();
+  const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);
+  if (!centre) return centre.error();
+  auto candidates = find_candidates(*polygon, *centre, min_ratio);
+  if (!candidates) return candidates.error();
+  return Subject{*std::move(polygon), *centre, *std::move(candidates)};
+}
+
+std::vector<Measurement> measure(const Subject& subject, Metric method,
+                                 const ExperimentSettings& settings) {
+  const std::size_t teams = std::min<std::size_t>(subject.candidates.size(), settings.most_teams);
+  switch (method) {
+    case Metric::distributed:
+      return measure_distributed(subject, teams);
+    case Metric::random:
+      return measure_random(subject, teams, settings.samples);
+    default:
+      return measure_selected(subject, method, teams);
+  }
+}
+
+}  // namespace evenlift

@@ -1,0 +1,179 @@
+#include <algorithm>
+#ifndef __EMSCRIPTEN__
+#include <thread>
+#endif
+
+#include "commands.h"
+#include "evenlift/experiment/outputs.h"
+#include "evenlift/formats.h"
+#include "experiment_run.h"
+#include "options.h"
+#include "report.h"
+
+namespace evenlift::native {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths;
+  std::optional<std::string> out, samples, min_ratio, max_teams, jobs, shard;
+  bool merge = false;
+};
+
+std::uint32_t whole_option(const std::string& option, const std::string& text) {
+  const std::optional<std::uint64_t> value = read_whole(text);
+  if (!value || *value > 0xFFFFFFFF)
+    throw Failure{bad_input_status, option, "expected a whole number, not \"" + text + "\""};
+  return static_cast<std::uint32_t>(*value);
+}
+
+std::string counted(std::size_t n, const char* what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+ExperimentSettings settings_of(const Options& options) {
+  ExperimentSettings settings;
+  if (options.samples) settings.samples = whole_option("--samples", *options.samples);
+  if (options.max_teams) settings.most_teams = whole_option("--max-teams", *options.max_teams);
+  if (options.min_ratio) {
+    const std::optional<double> value = read_number(*options.min_ratio);
+    if (!value)
+      throw Failure{bad_input_status, "--min-ratio",
+                    "expected a number, not \"" + *options.min_ratio + "\""};
+    settings.min_ratio = *value;
+  }
+  if (const std::optional<InputError> error = check_settings(settings))
+    throw SettingOptions{}.failure("", *error);
+  return settings;
+}
+
+unsigned jobs_of(const Options& options) {
+#ifdef __EMSCRIPTEN__
+  constexpr unsigned processors = 1;  // no threads there
+#else
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+#endif
+  if (!options.jobs) return processors;
+  const std::uint32_t jobs = whole_option("--jobs", *options.jobs);
+  if (jobs < 1 || jobs > 1024)
+    throw Failure{bad_input_status, "--jobs", "the number of threads is from 1 to 1024"};
+  return jobs;
+}
+
+Shard shard_of(const Options& options) {
+  if (!options.shard) return {};
+  const std::size_t slash = options.shard->find('/');
+  const auto i = read_whole(options.shard->substr(0, slash));
+  const auto n =
+      slash == std::string::npos ? std::nullopt : read_whole(options.shard->substr(slash + 1));
+  if (!i || !n || *i < 1 || *i > *n || *n > max_shards)
+    throw Failure{bad_input_status, "--shard",
+                  "expected I/N, with I from 1 to N and N up to " + std::to_string(max_shards) +
+                      ", not \"" + *options.shard + "\""};
+  return {static_cast<std::uint32_t>(*i), static_cast<std::uint32_t>(*n)};
+}
+
+// All files of a finished experiment. The same parts, the same bytes.
+std::string write_results(std::vector<Part> parts, const ExperimentFolder& folder) {
+  const ExperimentSettings settings = parts.empty() ? ExperimentSettings{} : parts.front().settings;
+  const std::string times = times_csv(parts);
+  std::vector<PolygonResult> results;
+  std::size_t rows = 0;
+  for (Part& part : parts) {
+    rows += part.result.measurements.size();
+    results.push_back(std::move(part.result));
+  }
+  const Outputs outputs = make_outputs(results);
+  write_file(folder.file("measurements.csv"), outputs.measurements_csv);
+  write_file(folder.file("aggregates.csv"), outputs.aggregates_csv);
+  write_file(folder.file("polygons.csv"), outputs.polygons_csv);
+  write_file(folder.file("times.csv"), times);
+  write_file(folder.file("thesis.md"), claims_markdown(outputs.claims));
+  write_file(folder.file("report.html"),
+             report_html(results, outputs.figures, outputs.claims, settings));
+  return counted(results.size(), "polygon") + ", " + counted(rows, "measurement") + ": " +
+         folder.file("report.html") + "\n";
+}
+
+void report_refused(const std::vector<Failure>& refused, std::size_t polygons) {
+  for (const Failure& failure : refused) print_failure(failure);
+  if (!refused.empty())
+    throw Failure{other_status, "experiment",
+                  std::to_string(refused.size()) + " of " + std::to_string(polygons) +
+                      " polygons could not be read and were left out"};
+}
+
+void run(const Options& options) {
+  if (options.paths.empty())
+    throw Failure{bad_input_status, "PATH", "missing; `evenlift experiment --help` tells more"};
+  const ExperimentSettings settings = settings_of(options);
+  const Shard shard = shard_of(options);
+  const unsigned jobs = jobs_of(options);
+  const std::vector<PolygonFile> files = find_polygon_files(options.paths);
+  const ExperimentFolder folder = ExperimentFolder::create(*options.out);
+  const RunOutcome outcome = run_experiment(files, shard, settings, jobs, folder);
+  std::string said;
+  if (outcome.resumed > 0)
+    said = std::to_string(outcome.resumed) + " of " + std::to_string(outcome.polygons) +
+           " polygons had been measured before\n";
+  if (shard == Shard{}) {
+    said += write_results(collect({folder}), folder);
+  } else {
+    said += "shard " + std::to_string(shard.i) + " of " + std::to_string(shard.n) + ": " +
+            counted(outcome.polygons, "polygon") +
+            "; `evenlift experiment --merge` makes the report\n";
+  }
+  write_output(said);
+  report_refused(outcome.refused, outcome.polygons);
+}
+
+void merge(const Options& options) {
+  for (const auto& [option, given] :
+       {std::pair("--samples", &options.samples), std::pair("--min-ratio", &options.min_ratio),
+        std::pair("--max-teams", &options.max_teams), std::pair("--jobs", &options.jobs),
+        std::pair("--shard", &options.shard)})
+    if (*given)
+      throw Failure{bad_input_status, option,
+                    "does not go with --merge: the shards are measured already"};
+  std::vector<ExperimentFolder> folders;
+  for (const std::string& path : options.paths) folders.push_back(ExperimentFolder::open(path));
+  if (folders.empty()) folders.push_back(ExperimentFolder::open(*options.out));
+  const std::vector<Part> parts = collect(folders);
+  std::vector<Failure> refused;
+  for (const Part& part : parts)
+    if (!part.result.problem.empty())
+      refused.push_back({other_status, part.result.polygon, part.result.problem});
+  write_output(write_results(parts, ExperimentFolder::create(*options.out)));
+  report_refused(refused, parts.size());
+}
+
+}  // namespace
+
+void cmd_experiment(const Arguments& arguments) {
+  CommandLine line(
+      "evenlift experiment",
+      "Measures every method with every number of teams on many polygons, as chapter 5 of the\n"
+      "thesis does, and writes tables and a report with its figures.",
+      "PATH is a polygon's file, or a folder of them. What is measured stays in DIR/parts: a run\n"
+      "that was interrupted goes on where it was.\n\n"
+      "Examples:\n"
+      "  evenlift experiment assets/polygons --out report\n"
+      "  evenlift experiment assets/polygons --out report --shard 2/8   (each of 8 machines its "
+      "own)\n"
+      "  evenlift experiment --merge --out report                       (when all 8 are done)\n");
+  Options options;
+  line.positionals(options.paths, "PATH", "polygons and folders; with --merge folders of shards");
+  line.value(options.out, "--out", "DIR", "the folder to write to");
+  line.value(options.samples, "--samples", "N", "random placements to average (default 200)");
+  line.value(options.min_ratio, "--min-ratio", "R", "minimum load ratio, 0 to 1 (default 0.8)");
+  line.value(options.max_teams, "--max-teams", "N",
+             "measure no more teams than that (default 1000)");
+  line.value(options.jobs, "--jobs", "N", "threads (default as many as processors)");
+  line.value(options.shard, "--shard", "I/N", "measure only the I-th of N parts of the work");
+  line.flag(options.merge, "--merge", "only make the report, of the shards that PATHs or DIR hold");
+  if (!line.parse(arguments)) return;
+  if (!options.out)
+    throw Failure{bad_input_status, "--out", "missing; it names the folder to write to"};
+  options.merge ? merge(options) : run(options);
+}
+
+}  // namespace evenlift::native

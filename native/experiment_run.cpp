@@ -1,0 +1,157 @@
+#include "experiment_run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <numeric>
+
+#ifndef __EMSCRIPTEN__
+#include <thread>
+#endif
+
+#include "files.h"
+#include "progress.h"
+
+namespace evenlift::native {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Part measured(const std::string& name, const Subject& subject, const ExperimentSettings& settings) {
+  Part part;
+  part.settings = settings;
+  part.result = describe(name, subject);
+  for (const Metric method : all_metrics) {
+    const Clock::time_point start = Clock::now();
+    for (Measurement& m : measure(subject, method, settings))
+      part.result.measurements.push_back(std::move(m));
+    part.times.emplace_back(evenlift::name(method), seconds_since(start));
+  }
+  return part;
+}
+
+// What became of one file.
+struct Work {
+  ShardList::Entry entry;
+  bool resumed = false;
+  std::optional<Failure> refused;
+};
+
+Work refuse(const PolygonFile& file, const Failure& failure, const ExperimentSettings& settings,
+            const ExperimentFolder& folder) {
+  Part part;
+  part.settings = settings;
+  part.fingerprint = refused_fingerprint;
+  part.result.polygon = file.name;
+  // Without the path, which is another on the next machine.
+  const std::size_t path = failure.where.rfind(file.path, 0) == 0 ? file.path.size() : 0;
+  const std::string place = failure.where.substr(std::min(path + 2, failure.where.size()));
+  part.result.problem = (path == 0 || place.empty() ? "" : place + ": ") + failure.what;
+  folder.keep(part);
+  return {{file.name, part.fingerprint}, false, failure};
+}
+
+Work work_on(const PolygonFile& file, const ExperimentSettings& settings,
+             const ExperimentFolder& folder) {
+  try {
+    const Input input = read_input(file.path);
+    const std::string id = fingerprint(input.document, settings);
+    if (folder.find(file.name, id, settings)) return {{file.name, id}, true, {}};
+    const Clock::time_point start = Clock::now();
+    const Result<Subject> subject = prepare(input.document, settings.min_ratio);
+    const double seconds = seconds_since(start);
+    if (!subject) return refuse(file, bad_input(file.path, subject.error()), settings, folder);
+    Part part = measured(file.name, *subject, settings);
+    part.fingerprint = id;
+    part.times.insert(part.times.begin(), {"candidates", seconds});
+    folder.keep(part);
+    return {{file.name, id}, false, {}};
+  } catch (const Failure& failure) {
+    if (failure.status != bad_input_status) throw;
+    return refuse(file, failure, settings, folder);
+  }
+}
+
+// Large ones first, so that the threads end together.
+std::vector<std::size_t> by_size(const std::vector<PolygonFile>& files) {
+  std::vector<std::uintmax_t> sizes;
+  for (const PolygonFile& file : files) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file.path, error);
+    sizes.push_back(error ? 0 : size);
+  }
+  std::vector<std::size_t> order(files.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return sizes[a] != sizes[b] ? sizes[a] > sizes[b] : a < b;
+  });
+  return order;
+}
+
+// Calls task(0) .. task(count - 1), each once, in `jobs` threads; throws what a task threw first.
+template <class Task>
+void in_threads(std::size_t count, unsigned jobs, Task task) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failed;
+  const auto loop = [&] {
+    for (std::size_t i; (i = next++) < count;) {
+      try {
+        task(i);
+      } catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!failed) failed = std::current_exception();
+        next = count;
+      }
+    }
+  };
+#ifdef __EMSCRIPTEN__
+  (void)jobs;  // it has no threads
+  loop();
+#else
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < jobs && i < count; ++i) threads.emplace_back(loop);
+  loop();
+  for (std::thread& thread : threads) thread.join();
+#endif
+  if (failed) std::rethrow_exception(failed);
+}
+
+}  // namespace
+
+RunOutcome run_experiment(const std::vector<PolygonFile>& all, const Shard& shard,
+                          const ExperimentSettings& settings, unsigned jobs,
+                          const ExperimentFolder& folder) {
+  std::vector<PolygonFile> files;
+  for (std::size_t i = shard.i - 1; i < all.size(); i += shard.n) files.push_back(all[i]);
+
+  std::vector<Work> works(files.size());
+  {
+    const std::vector<std::size_t> order = by_size(files);
+    Progress progress(files.size());
+    in_threads(files.size(), jobs, [&](std::size_t turn) {
+      const std::size_t i = order[turn];
+      works[i] = work_on(files[i], settings, folder);
+      progress.done(files[i].name);
+    });
+  }
+  RunOutcome outcome;
+  ShardList list{shard, settings, {}};
+  outcome.polygons = files.size();
+  for (const Work& work : works) {
+    list.entries.push_back(work.entry);
+    outcome.resumed += work.resumed;
+    if (work.refused) outcome.refused.push_back(*work.refused);
+  }
+  folder.finish(list);
+  return outcome;
+}
+
+}  // namespace evenlift::native

@@ -1,0 +1,25 @@
+// Measures polygons in several threads and keeps what is finished.
+#pragma once
+
+#include <vector>
+
+#include "experiment_folder.h"
+#include "failure.h"
+#include "polygon_files.h"
+
+namespace evenlift::native {
+
+struct RunOutcome {
+  std::size_t polygons = 0;      // of this shard
+  std::size_t resumed = 0;       // of these, measured in an earlier run
+  std::vector<Failure> refused;  // what could not be read, by the polygons' names
+};
+
+// Measures the shard's part of the files, every n-th: first what is largest, in `jobs` threads (in
+// WebAssembly one after another). What the folder holds already of the same polygon and settings is
+// not measured again. Ends with the shard's list. Throws Failure if the folder cannot be written.
+RunOutcome run_experiment(const std::vector<PolygonFile>& files, const Shard& shard,
+                          const ExperimentSettings& settings, unsigned jobs,
+                          const ExperimentFolder& folder);
+
+}  // namespace evenlift::native

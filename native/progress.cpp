@@ -1,0 +1,51 @@
+#include "progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace evenlift::native {
+namespace {
+
+constexpr const char* erase_line = "\r\x1b[K";
+
+// Under Node, Emscripten takes every pipe for a terminal: no bar there.
+bool on_terminal() {
+#ifdef __EMSCRIPTEN__
+  return false;
+#else
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && !(kind && std::string_view(kind) == "dumb");
+#endif
+}
+
+}  // namespace
+
+Progress::Progress(std::size_t total) : shown_(on_terminal()), total_(total) { draw(""); }
+
+Progress::~Progress() {
+  if (shown_) std::fputs(erase_line, stderr);
+}
+
+void Progress::done(const std::string& name) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++done_;
+  draw(name);
+}
+
+// Fits into 80 columns.
+void Progress::draw(const std::string& name) const {
+  if (!shown_) return;
+  constexpr std::size_t width = 30;
+  const std::size_t filled = total_ == 0 ? width : width * done_ / total_;
+  std::string shown = name.substr(0, 28);
+  for (char& c : shown)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
+  std::fprintf(stderr, "%s[%s%s] %zu/%zu %s", erase_line, std::string(filled, '#').c_str(),
+               std::string(width - filled, '.').c_str(), done_, total_, shown.c_str());
+  std::fflush(stderr);
+}
+
+}  // namespace evenlift::native

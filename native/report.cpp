@@ -1,0 +1,219 @@
+#include "report.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "evenlift/formats.h"
+#include "evenlift/output/words.h"
+
+namespace evenlift::native {
+namespace {
+
+// Files of the sources, as the build put them in here.
+constexpr unsigned char template_bytes[] = {
+#include "template.html.inc"
+};
+constexpr unsigned char report_style[] = {
+#include "report.css.inc"
+};
+constexpr unsigned char charts_style[] = {
+#include "charts.css.inc"
+};
+constexpr unsigned char script_bytes[] = {
+#include "report_charts.js.inc"
+};
+
+template <std::size_t n>
+std::string text_of(const unsigned char (&bytes)[n]) {
+  return std::string(bytes, bytes + n);
+}
+
+bool have_charts() { return sizeof script_bytes > 1; }
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::string count(std::size_t n, const std::string& of) {
+  return std::to_string(n) + " " + of + (n == 1 ? "" : "s");
+}
+
+std::string summary(const std::vector<PolygonResult>& results, const ExperimentSettings& settings) {
+  std::size_t measured = 0, convex = 0, without = 0, rows = 0;
+  for (const PolygonResult& r : results) {
+    if (!r.problem.empty()) continue;
+    ++measured;
+    convex += r.convex;
+    without += r.candidates == 0;
+    rows += r.measurements.size();
+  }
+  std::string text = count(measured, "polygon") + " (" + std::to_string(convex) + " convex), " +
+                     count(rows, "measurement") + ". Minimum load ratio " +
+                     shortest(settings.min_ratio) + ", object of " + shortest(experiment_weight) +
+                     " kg, " + count(settings.samples, "random placement") + " averaged.";
+  if (without > 0)
+    text += " On " + std::to_string(without) +
+            " of the polygons the algorithm can place no team, so no method was measured there.";
+  return text;
+}
+
+std::string problems(const std::vector<PolygonResult>& results) {
+  std::string items;
+  for (const PolygonResult& r : results)
+    if (!r.problem.empty())
+      items += "<li>" + escaped(r.polygon) + ": " + escaped(r.problem) + "</li>";
+  if (items.empty()) return "";
+  return "<div class=\"problem\">Left out, since they could not be read:<ul>" + items +
+         "</ul></div>";
+}
+
+std::string shown(const std::vector<Figure>& figures) {
+  std::uint32_t most = 0;
+  for (const Figure& figure : figures)
+    for (const FigureSeries& series : figure.series)
+      for (const FigurePoint& point : series.points) most = std::max(most, point.robots);
+  if (most == 0) return "";
+  return "The charts end at " + std::to_string(most) +
+         " robots, which at least a fifth of the polygons take; the files go on.";
+}
+
+std::string value_text(const Figure& figure, double value) {
+  return figure.unit == "%" ? fixed(100 * value, 1) : fixed(value, 2);
+}
+
+// A row for each number of robots, a column for each method.
+std::string data_table(const Figure& figure) {
+  std::set<std::uint32_t> robots;
+  std::string head = "<th scope=\"col\">robots</th>";
+  for (const FigureSeries& series : figure.series) {
+    head += "<th scope=\"col\">" + std::string(name(series.method)) + "</th>";
+    for (const FigurePoint& point : series.points) robots.insert(point.robots);
+  }
+  std::string body;
+  for (const std::uint32_t r : robots) {
+    body += "<tr><th scope=\"row\">" + std::to_string(r) + "</th>";
+    for (const FigureSeries& series : figure.series) {
+      const auto at = std::lower_bound(
+          series.points.begin(), series.points.end(), r,
+          [](const FigurePoint& p, std::uint32_t value) { return p.robots < value; });
+      const bool there = at != series.points.end() && at->robots == r;
+      body += "<td>" + (there ? value_text(figure, at->value) : "") + "</td>";
+    }
+    body += "</tr>\n";
+  }
+  return "<div class=\"wide\"><table class=\"numbers\"><thead><tr>" + head +
+         "</tr></thead><tbody>\n" + body + "</tbody></table></div>";
+}
+
+std::string figure_html(const Figure& figure) {
+  return "<figure data-figure=\"" + figure.id + "\"><h3>" + escaped(figure.title) +
+         " <span>(figure " + figure.id + ", " + figure.unit +
+         ")</span></h3><div class=\"plot\"></div>" + "<figcaption>" + escaped(figure.sentence) +
+         "</figcaption><details" + (have_charts() ? "" : " open") + "><summary>Numbers</summary>" +
+         data_table(figure) + "</details></figure>\n";
+}
+
+std::string figures_html(const std::vector<Figure>& figures,
+                         std::initializer_list<std::string_view> ids) {
+  std::string html = "<div class=\"figures\">\n";
+  for (const Figure& figure : figures)
+    if (std::find(ids.begin(), ids.end(), figure.id) != ids.end()) html += figure_html(figure);
+  return html + "</div>";
+}
+
+std::string claim_rows(const std::vector<Claim>& claims) {
+  std::string html;
+  for (const Claim& c : claims)
+    html += "<tr><td>" + escaped(c.section) + "</td><th scope=\"row\">" + escaped(c.what) +
+            "</th><td>" + escaped(c.thesis) + "</td><td>" + escaped(c.ours) + "</td></tr>\n";
+  return html;
+}
+
+std::string polygon_rows(const std::vector<PolygonResult>& results) {
+  std::string html;
+  for (const PolygonResult& r : results)
+    if (r.problem.empty())
+      html += "<tr><th scope=\"row\">" + escaped(r.polygon) + "</th><td>" +
+              std::to_string(r.vertices) + "</td><td>" + (r.convex ? "yes" : "no") + "</td><td>" +
+              std::to_string(r.candidates) + "</td></tr>\n";
+  return html;
+}
+
+// JSON inside a script element: no "<" may stand there.
+std::string inside_script(std::string json) {
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6)
+    json.replace(at, 1, "\\u003c");
+  return json;
+}
+
+struct Blank {
+  std::string name, content;
+};
+
+// The template with its blanks filled; what is filled in is not looked at again.
+std::string filled(const std::string& form, const std::vector<Blank>& blanks) {
+  std::string out;
+  for (std::size_t at = 0; at < form.size();) {
+    const Blank* found = nullptr;
+    for (const Blank& blank : blanks)
+      if (form[at] == '@' && form.compare(at, blank.name.size(), blank.name) == 0) found = &blank;
+    if (found) {
+      out += found->content;
+      at += found->name.size();
+    } else {
+      out += form[at++];
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string report_html(const std::vector<PolygonResult>& results,
+                        const std::vector<Figure>& figures, const std::vector<Claim>& claims,
+                        const ExperimentSettings& settings) {
+  const auto measured = static_cast<std::size_t>(std::count_if(
+      results.begin(), results.end(), [](const PolygonResult& r) { return r.problem.empty(); }));
+  const std::string no_charts =
+      have_charts() ? ""
+                    : "<p class=\"problem\">The charts are missing: this program was built without "
+                      "Observable Plot or esbuild, which draw them (./dev build installs both). "
+                      "Their numbers are below.</p>";
+  return filled(text_of(template_bytes),
+                {{"@STYLE@", text_of(report_style) + text_of(charts_style)},
+                 {"@SUMMARY@", summary(results, settings)},
+                 {"@PROBLEMS@", problems(results)},
+                 {"@SHOWN@", shown(figures)},
+                 {"@NO_CHARTS@", no_charts},
+                 {"@FIGURES_5.3@", figures_html(figures, {"5.3", "5.4", "5.5", "5.6"})},
+                 {"@FIGURES_5.4@", figures_html(figures, {"5.7", "5.8"})},
+                 {"@FIGURES_5.5@", figures_html(figures, {"5.11"})},
+                 {"@CLAIMS@", claim_rows(claims)},
+                 {"@POLYGON_COUNT@", count(measured, "polygon")},
+                 {"@POLYGONS@", polygon_rows(results)},
+                 {"@VERSION@", EVENLIFT_VERSION},
+                 {"@DATA@", inside_script(figures_json(figures))},
+                 {"@SCRIPT@", have_charts() ? text_of(script_bytes) : ""}});
+}
+
+}  // namespace evenlift::native

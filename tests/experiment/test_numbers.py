@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""The numbers of `evenlift experiment`, worked out once more from measurements.csv by other code.
+
+    EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/experiment/test_numbers.py
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import results  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("EVENLIFT_PROGRAM", str(ROOT / "build" / "bin" / "evenlift"))
+FIGURES = {"5.3": "spread_mean", "5.4": "spread_sd", "5.5": "max_share_mean", "5.6": "max_share_sd",
+           "5.7": "coverage_mean", "5.8": "coverage_sd", "5.11": "form_closure_mean"}
+
+
+def numbers(text):
+    return [float(n) for n in re.findall(r"\d+(?:\.\d+)?", text)]
+
+
+class Numbers(unittest.TestCase):
+    maxDiff = 4000
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="evenlift-numbers-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder, True)
+        done = subprocess.run([PROGRAM, "experiment", str(ROOT / "assets/polygons"), "--out", str(cls.folder)],
+                              capture_output=True, text=True, timeout=1200)
+        assert done.returncode == 0, done.stderr
+        cls.rows = results.measurements(cls.folder)
+        cls.made = results.Recomputed(cls.rows)
+        cls.claims = results.claims(cls.folder)
+
+    def near(self, text, *expected, places):
+        """Numbers in a text are what was worked out, to the places that the text shows."""
+        given = numbers(text)
+        self.assertEqual(len(given), len(expected), text)
+        for shown, value in zip(given, expected):
+            self.assertLessEqual(abs(shown - value), 0.5 * 10 ** -places + 1e-9, f"{text}: {value}")
+
+    def test_the_set_is_the_one_of_the_issue(self):
+        polygons = results.table(self.folder, "polygons.csv")
+        self.assertGreaterEqual(len(polygons), 80)
+        self.assertGreaterEqual(sum(row["polygon"].endswith("-moved") for row in polygons), 30)
+        self.assertTrue(all(row["problem"] == "" for row in polygons))
+
+    def test_the_classes_are_filled_as_the_manual_says(self):
+        text = (ROOT / "assets" / "README.md").read_text(encoding="utf-8")
+        stated = {name: [int(n) for n in re.findall(r"\d+", rest)][:4]
+                  for name, rest in re.findall(r"^\| ((?:non-)?convex[^|]*) \| (.*)$", text, re.M)}
+        regular = re.findall(r"`([\w-]+)`", re.search(r"^\| convex regular .*$", text, re.M).group(0))
+        found = {name: [] for name in stated}
+        for row in results.table(self.folder, "polygons.csv"):
+            outline = row["polygon"].removesuffix("-moved")
+            kind = ("convex regular" if outline in regular else "convex irregular" if row["convex"] == "1"
+                    else "non-convex, simple" if int(row["vertices"]) < 40 else "non-convex, complex")
+            found[kind].append(row)
+            self.assertIn(f"| `{outline.removesuffix('-centroid')}` |", text)
+        for kind, rows in found.items():
+            vertices = [int(row["vertices"]) for row in rows]
+            moved = sum(row["polygon"].endswith("-moved") for row in rows)
+            self.assertEqual(stated[kind], [len(rows), moved, min(vertices), max(vertices)], kind)
+
+    def test_every_polygon_method_and_number_of_teams_has_its_row(self):
+        candidates = {row["polygon"]: int(row["candidates"]) for row in results.table(self.folder, "polygons.csv")}
+        expected = [(p, m, t) for p in sorted(candidates) for m in results.METHODS for t in range(1, candidates[p] + 1)]
+        self.assertEqual([(r["polygon"], r["method"], r["teams"]) for r in self.rows], expected)
+
+    def test_rows_are_consistent_in_themselves(self):
+        for row in self.rows:
+            where = f'{row["polygon"]} {row["method"]} {row["teams"]}'
+            team = 100 / row["teams"]
+            self.assertEqual(row["robots"], 2 * row["teams"], where)
+            self.assertEqual(row["samples"], 200 if row["method"] == "random" else 1, where)
+            self.assertAlmostEqual(row["load_mean"], team / 2, delta=1e-12 * team, msg=where)
+            self.assertAlmostEqual(row["spread"], row["load_max"] - row["load_min"], delta=1e-12 * team, msg=where)
+            self.assertAlmostEqual(row["max_share"], row["load_max"] / team, delta=1e-12, msg=where)
+            self.assertTrue(0 <= row["coverage"] <= 1 and row["form_closure"] <= row["no_area"] <= 1, where)
+            if row["method"] in results.ALGORITHM:
+                self.assertLessEqual(row["max_share"], 1 / 1.8 + 1e-9, where)
+
+    def test_aggregates_are_those_of_the_rows(self):
+        seen = set()
+        for row in results.table(self.folder, "aggregates.csv"):
+            key = row["method"], int(row["teams"])
+            seen.add(key)
+            self.assertEqual(int(row["robots"]), 2 * key[1])
+            for name, value in self.made.aggregate(*key).items():
+                if value is None:
+                    self.assertEqual(row[name], "", (key, name))
+                else:
+                    self.assertAlmostEqual(float(row[name]), value, delta=1e-9 * max(1, abs(value)), msg=str((key, name)))
+        self.assertEqual(seen, set(self.made.by))
+
+    def test_figures_draw_the_aggregates(self):
+        aggregates = {(row["method"], int(row["robots"])): row for row in results.table(self.folder, "aggregates.csv")}
+        figures = results.figures(self.folder)
+        self.assertEqual([figure["id"] for figure in figures], list(FIGURES))
+        shown = 2 * self.made.shown_teams()
+        self.assertGreaterEqual(shown, 30)
+        for figure in figures:
+            column = FIGURES[figure["id"]]
+            self.assertEqual(figure["column"], column)
+            expected = {key: row[column] for key, row in aggregates.items() if key[1] <= shown and row[column] != ""}
+            drawn = {(series["method"], robots): value for series in figure["series"] for robots, value, _ in series["points"]}
+            self.assertEqual(set(drawn), set(expected), figure["id"])
+            for key, value in drawn.items():
+                self.assertEqual(value, float(expected[key]), (figure["id"], key))
+            counts = "closable" if figure["id"] == "5.11" else "polygons"
+            for series in figure["series"]:
+                for robots, _, polygons in series["points"]:
+                    self.assertEqual(polygons, int(aggregates[series["method"], robots][counts]))
+
+    def test_sentences_say_what_the_figures_show(self):
+        sentences = {figure["id"]: figure["sentence"].replace("\u00a0", " ") for figure in results.figures(self.folder)}
+        for figure, teams, column, places in [("5.3", 2, "spread_mean", 2), ("5.5", 10, "max_share_mean", 1),
+                                              ("5.7", 6, "coverage_mean", 1), ("5.11", 4, "form_closure_mean", 1)]:
+            scale = 1 if figure == "5.3" else 100
+            for method, by in [("area", "by area"), ("circle", "by circle"), ("distance", "by distance"),
+                               ("distributed", "at equal angles"), ("random", "at random")]:
+                value = float(re.search(rf"([\d.]+) (?:kg|%) {by}", sentences[figure]).group(1))
+                self.assertAlmostEqual(value, scale * self.made.aggregate(method, teams)[column], delta=0.5001 * 10 ** -places)
+        least, most = self.made.times_more_even("distributed")
+        self.assertIn(f"{least:.1f} to {most:.1f} times that of the algorithm", sentences["5.3"])
+        report = (self.folder / "report.html").read_text(encoding="utf-8")
+        for sentence in sentences.values():
+            self.assertIn(sentence.replace(" kg", "\u00a0kg").replace(" %", "\u00a0%"), report)
+
+    def test_claims_about_loads(self):
+        for robots, teams in ((4, 2), (30, 15)):
+            for method in results.METHODS:
+                made = self.made.aggregate(method, teams)
+                _, ours = self.claims[f"Difference of loads with {robots} robots, {method}"]
+                self.near(ours, made["spread_mean"], made["spread_sd"], places=2)
+        for method in results.METHODS:
+            made = self.made.aggregate(method, 10)
+            _, ours = self.claims[f"Shares of their team’s load with 10 teams, {method}"]
+            self.near(ours, 100 - 100 * made["max_share_mean"], 100 * made["max_share_mean"], 100 * made["max_share_sd"], places=1)
+            _, ours = self.claims[f"Fewest robots whose greatest load is at most 5 kg of 100 kg, averaged over the polygons, {method}"]
+            self.assertEqual(numbers(ours)[0], self.made.robots_needed(method))
+        for method in ("distributed", "random"):
+            _, ours = self.claims[f"How many times more evenly than {method} the algorithm shares the weight, over the numbers of robots shown"]
+            self.near(ours, *self.made.times_more_even(method), places=1)
+
+    def test_claims_about_choices_and_coverage(self):
+        same, of = self.made.same_second()
+        self.assertIn(f"({len(same)} of {len(of)})", self.claims["All three metrics choose the same second team"][1])
+        same, of = self.made.same_third()
+        self.assertIn(f"({len(same)} of {len(of)})", self.claims["Of these, all three choose the same third team"][1])
+        covered = [self.made.algorithm("coverage_mean", teams) for teams in range(2, self.made.shown_teams() + 1)]
+        self.near(self.claims["Coverage by the algorithm: mean of figure 5.7 from 4 robots on"][1], 100 * statistics.fmean(covered), places=1)
+        for what, method, sign in [("Coverage of distributed less that of the algorithm, mean over a polygon’s numbers of teams", "distributed", 1),
+                                   ("Coverage of the algorithm less that of random, likewise", "random", -1)]:
+            made = self.made.coverage_difference(method)
+            ours = self.claims[what][1]
+            self.near(ours, abs(sign * 100 * statistics.fmean(made)), 100 * statistics.stdev(made), places=1)
+            self.assertEqual(ours.startswith("-"), sign * statistics.fmean(made) < 0)
+
+    def test_claims_about_closure(self):
+        for test, how in (("form_closure", ""), ("no_area", ", by the thesis’s test that no region has an area")):
+            possible = self.made.possible[test]
+            self.assertEqual(self.claims[f"Polygons that no method closes{how}"][1],
+                             f"{len(self.made.polygons) - len(possible)} of {len(self.made.polygons)}")
+            for robots, teams in ((4, 2), (8, 4)):
+                for method in results.METHODS:
+                    made = self.made.aggregate(method, teams)
+                    count = made["closable" if test == "form_closure" else "no_area_possible"]
+                    self.near(self.claims[f"Closed with {robots} robots, {method}{how}"][1], 100 * made[f"{test}_mean"], count, places=0)
+            for method in results.ALGORITHM:
+                lost, steps = self.made.lost(method, test)
+                self.assertEqual(lost, [], method)
+                self.assertEqual(self.claims[f"Closure lost by adding a team, {method}{how}"][1], f"never (in {len(steps)} steps)")
+            lost, steps = self.made.lost("distributed", test)
+            ours = self.claims[f"Closure lost by adding a team, distributed{how}"][1]
+            self.assertEqual(numbers(ours), [len(lost), len(steps), *sorted({row["robots"] for row in lost})])
+            closed = self.made.closed_by_algorithm(test) & possible
+            self.assertIn(f"({len(closed)} of {len(possible)})",
+                          self.claims[f"Of the polygons that any method closes, the algorithm does{how}"][1])
+
+    def test_the_manual_holds_this_table(self):
+        manual = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
+        self.assertIn((self.folder / "thesis.md").read_text(encoding="utf-8"), manual,
+                      "docs/experiments.md is not what the program makes of assets/polygons now")
+
+
+if __name__ == "__main__":
+    unittest.main()

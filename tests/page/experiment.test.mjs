@@ -1,0 +1,261 @@
+// The window that compares the methods over many polygons.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { asset, evenlift, gallery, phone, root, startBrowser } from "./browser.mjs";
+import { allClosed, drop, openWindow } from "./windows.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const some = ["square", "star", "hammer", "thesis-sample"];
+
+let browser, folder;
+before(async () => {
+  browser = await startBrowser();
+  folder = mkdtempSync(path.join(tmpdir(), "evenlift-page-experiment-"));
+});
+after(() => {
+  rmSync(folder, { recursive: true, force: true });
+  return browser.close();
+});
+
+// What the program makes of polygons: its files by name.
+function program(names, { samples, extra = {} }) {
+  const inputs = mkdtempSync(path.join(folder, "inputs-"));
+  const out = path.join(inputs, "out");
+  mkdirSync(out);
+  for (const name of names) copyFileSync(path.join(root, "assets/polygons", `${name}.txt`), path.join(inputs, `${name}.txt`));
+  for (const [name, text] of Object.entries(extra)) writeFileSync(path.join(inputs, name), text);
+  try {
+    evenlift("experiment", inputs, "--out", out, "--samples", String(samples));
+  } catch (error) {
+    assert.equal(error.status, 1);
+  }
+  return (name) => readFileSync(path.join(out, name), "utf8");
+}
+
+const filesOf = (names) => names.map((name) => ({ name: `${name}.txt`, mimeType: "text/plain", buffer: Buffer.from(asset(name)) }));
+
+async function saved(page, button) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: button }).click()]);
+  return readFileSync(await download.path(), "utf8");
+}
+
+// No worker is left.
+async function ended(page) {
+  for (let tries = 0; page.workers().length > 0 && tries < 100; ++tries) await page.waitForTimeout(20);
+  assert.equal(page.workers().length, 0);
+}
+
+async function runOver(page, window, files, samples) {
+  if (files) await window.locator("input[type=file]").setInputFiles(files);
+  await window.getByLabel("Random placements").fill(String(samples));
+  await window.getByRole("button", { name: "Compare", exact: true }).click();
+  await window.locator(".results figure").first().waitFor({ timeout: 300000 });
+  await window.getByText(/^Done: /).waitFor({ state: "attached" });
+}
+
+test("it costs nothing until it is opened, and computes nothing until it is told to", async () => {
+  const page = await browser.open();
+  const asked = () => page.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => /experiment|charts|windows/.test(name)).map(({ name }) => name.split("/").pop()));
+  assert.deepEqual(await asked(), []);
+  await openWindow(page, "experiment");
+  assert.deepEqual((await asked()).sort(), ["charts.css", "experiment.css", "windows.js"]);
+  assert.equal(page.workers().length, 0);
+  await page.done();
+});
+
+test("over the samples it writes what the program writes, byte for byte", async () => {
+  const page = await browser.open();
+  const samples = await openWindow(page, "samples");
+  await samples.getByRole("button", { name: "Compare methods over many polygons" }).click();
+  const window = page.locator("#experiment");
+  await window.waitFor();
+  await runOver(page, window, undefined, 3);
+  const expected = program(gallery(), { samples: 3 });
+  assert.equal(await saved(page, "Measurements"), expected("measurements.csv"));
+  assert.equal(await saved(page, "Averages"), expected("aggregates.csv"));
+  await window.getByText("Against the thesis").click();
+  const rows = await window.locator(".claims tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+  const table = expected("thesis.md").trim().split("\n").slice(2).map((line) => line.slice(2, -2).split(" | "));
+  assert.deepEqual(rows, table);
+  await page.done();
+});
+
+test("what the charts draw is what the CSV holds", async () => {
+  const page = await browser.open();
+  const window = await openWindow(page, "experiment");
+  await runOver(page, window, filesOf(some), 5);
+  await window.locator(".plot svg").nth(6).waitFor();
+  const [head, ...lines] = (await saved(page, "Averages")).trim().split("\n").map((line) => line.split(","));
+  const rows = lines.map((cells) => Object.fromEntries(head.map((name, at) => [name, cells[at]])));
+  const columns = { "5.3": "spread_mean", "5.4": "spread_sd", "5.5": "max_share_mean", "5.6": "max_share_sd", "5.7": "coverage_mean", "5.8": "coverage_sd", "5.11": "form_closure_mean" };
+  for (const [id, column] of Object.entries(columns)) {
+    const drawn = await window.locator(`[data-figure="${id}"]`).evaluate((plot) => Object.fromEntries(["area", "circle", "distance", "distributed", "random"].map((method) =>
+      [method, [...plot.querySelectorAll(`.dots-${method} > *`)].map((sign) => sign.cy?.baseVal.value ?? sign.transform.baseVal.consolidate().matrix.f)])));
+    const ticks = await window.locator(`[data-figure="${id}"]`).evaluate((plot) => [...plot.querySelectorAll("[aria-label='y-axis tick label'] text")].map((label) => [Number(label.textContent), label.transform.baseVal.consolidate().matrix.f]));
+    const [[v0, y0], [v1, y1]] = [ticks[0], ticks.at(-1)];
+    const scale = ["5.3", "5.4"].includes(id) ? 1 : 100;
+    const most = Math.max(...rows.filter((row) => row.method === "area" && Number(row.polygons) * 5 >= some.length).map((row) => Number(row.teams)));
+    let points = 0;
+    for (const [method, places] of Object.entries(drawn)) {
+      const expected = rows.filter((row) => row.method === method && row[column] !== "" && Number(row.teams) <= most).map((row) => scale * Number(row[column]));
+      assert.equal(places.length, expected.length, `${id} ${method}`);
+      places.forEach((y, at) => {
+        const value = v0 + (v1 - v0) * (y - y0) / (y1 - y0);
+        assert.ok(Math.abs(value - expected[at]) < Math.abs(v1 - v0) / 200, `${id} ${method} ${at}: ${value} for ${expected[at]}`);
+      });
+      points += places.length;
+    }
+    assert.ok(points > 20, id);
+  }
+  await page.done();
+});
+
+test("the visitor's own files, one of them broken", async () => {
+  const page = await browser.open();
+  const window = await openWindow(page, "experiment");
+  const broken = "(0,0)\n(4,0)\n(4 4)\n";
+  await runOver(page, window, [...filesOf(some), { name: "broken.txt", mimeType: "text/plain", buffer: Buffer.from(broken) }], 4);
+  const expected = program(some, { samples: 4, extra: { "broken.txt": broken } });
+  assert.equal(await saved(page, "Measurements"), expected("measurements.csv"));
+  assert.match(await window.locator(".results .problem").textContent(), /1 polygon could not be read and was left out:broken: line 3, column 4: expected ','/);
+  // Dropped on the window, they are this window's.
+  await drop(page, { files: [["a.txt", asset("kite")], ["b.wkt", "POLYGON ((0 0, 4 0, 4 3, 0 0))"]] }, "#experiment");
+  await window.getByText("My files (2)").waitFor();
+  await window.getByRole("button", { name: "Compare", exact: true }).click();
+  await page.waitForFunction(() => document.querySelector(".results .problem") === null);
+  const names = new Set((await saved(page, "Measurements")).trim().split("\n").slice(1).map((line) => line.split(",")[0]));
+  assert.deepEqual([...names], ["a", "b"]);
+  await page.done();
+});
+
+test("it says what is wrong with files and settings", async () => {
+  const page = await browser.open();
+  const window = await openWindow(page, "experiment");
+  const problem = window.locator("> .scroll > .problem");
+  const compare = async () => window.getByRole("button", { name: "Compare", exact: true }).click();
+  await window.getByLabel("My files").check();
+  await compare();
+  await window.getByText("Choose files first, or drop them here.").waitFor();
+  await window.locator("input[type=file]").setInputFiles([...filesOf(["star"]), { name: "star.wkt", mimeType: "text/plain", buffer: Buffer.from("x") }]);
+  await compare();
+  await window.getByText("Two files have the name “star”.").waitFor();
+  await window.locator("input[type=file]").setInputFiles(filesOf(["star"]));
+  for (const [label, value, message] of [["Minimum load ratio", "1.2", "The minimum load ratio is a number from 0 to 1."], ["Random placements", "0", "The number of random samples is from 1 to 100000."], ["Random placements", "", "The number of random samples is from 1 to 100000."]]) {
+    await window.getByLabel("Minimum load ratio").fill("0.8");
+    await window.getByLabel("Random placements").fill("5");
+    await window.getByLabel(label).fill(value);
+    await compare();
+    await window.getByText(message).waitFor();
+    assert.equal(await problem.textContent(), message);
+  }
+  assert.equal(await window.locator("figure").count(), 0);
+  await page.done();
+});
+
+test("the page stays smooth while it computes; it shows how far it is, and stops when told to", async () => {
+  const page = await browser.open();
+  const window = await openWindow(page, "experiment");
+  await window.locator("input[type=file]").setInputFiles(filesOf(["square", "kite", "labyrinth"]));
+  await window.getByLabel("Random placements").fill("20000");  // the last polygon then takes minutes
+  await window.getByRole("button", { name: "Compare", exact: true }).click();
+  const bar = window.getByRole("progressbar");
+  await page.waitForFunction(() => document.querySelector("#experiment progress").value > 0, undefined, { timeout: 120000 });
+  assert.match(await window.locator(".running p").textContent(), /^\d+ of \d+: /);
+  assert.ok(page.workers().length >= 1);
+  // The page's own thread is never held up: timers keep coming.
+  const longest = await page.evaluate(() => new Promise((done) => {
+    const times = [];
+    const tick = () => {
+      times.push(performance.now());
+      if (times.length < 60) return setTimeout(tick, 10);
+      done(Math.max(...times.slice(1).map((time, at) => time - times[at])));
+    };
+    tick();
+  }));
+  assert.ok(longest < 200, `${longest} ms`);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Cancel");
+  await page.keyboard.press("Enter");
+  await window.getByText("Cancelled.").waitFor({ state: "attached" });
+  assert.ok(await bar.isHidden());
+  assert.equal(await window.locator("figure").count(), 0);
+  await page.waitForFunction(() => document.activeElement.textContent === "Compare");
+  await ended(page);
+  // Closing the window ends it as well.
+  await window.getByRole("button", { name: "Compare", exact: true }).click();
+  await page.waitForFunction(() => document.querySelector("#experiment progress").value > 0, undefined, { timeout: 120000 });
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+  await ended(page);
+  await page.done();
+});
+
+test("results are there again when the window is opened again", async () => {
+  const page = await browser.open();
+  let window = await openWindow(page, "experiment");
+  await runOver(page, window, filesOf(["square", "kite"]), 2);
+  const before = await saved(page, "Measurements");
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+  window = await openWindow(page, "experiment");
+  await window.locator(".plot svg").nth(6).waitFor();
+  assert.equal(await saved(page, "Measurements"), before);
+  await page.done();
+});
+
+test("when the module cannot be fetched it says so, and tries again", async () => {
+  const page = await browser.open({ quiet: false });
+  const window = await openWindow(page, "experiment");
+  await page.route("**/samples.json", (route) => route.abort());
+  await window.getByRole("button", { name: "Compare", exact: true }).click();
+  await window.getByText("The samples cannot be fetched: the server cannot be reached.").waitFor();
+  await page.unroute("**/samples.json");
+  await runOver(page, window, filesOf(["square"]), 2);
+  await page.done();
+});
+
+for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }]]) {
+  test(`with results it has no fault that axe finds and fits, ${how}`, async () => {
+    const page = await browser.open({ ...options, reducedMotion: "reduce" });
+    const window = await openWindow(page, "experiment");
+    await runOver(page, window, filesOf(some), 3);
+    await window.locator(".plot svg").nth(6).waitFor();
+    for (const summary of await window.locator("summary").all()) await summary.click();
+    await page.evaluate(axe);
+    const found = await page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`));
+    assert.deepEqual(found, []);
+    assert.ok(await window.evaluate((dialog) => dialog.querySelector(".scroll").scrollWidth <= dialog.querySelector(".scroll").clientWidth));
+    await page.done();
+  });
+}
+
+test("the program's report has the same charts, and needs nothing else", async () => {
+  const out = path.join(folder, "report");
+  execFileSync("mkdir", ["-p", out]);
+  const inputs = some.map((name) => path.join(root, "assets/polygons", `${name}.txt`));
+  evenlift("experiment", ...inputs, "--out", out, "--samples", "5");
+  const page = await browser.browser.newPage({ viewport: { width: 360, height: 700 } });
+  const complaints = [];
+  page.on("console", (message) => complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("request", (request) => request.url().startsWith("file:") || complaints.push(request.url()));
+  await page.goto(`file://${path.join(out, "report.html")}`);
+  await page.locator(".plot svg").nth(6).waitFor();
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  const figures = await page.evaluate(() => JSON.parse(document.getElementById("figures").textContent));
+  for (const figure of figures) {
+    const drawn = await page.locator(`[data-figure="${figure.id}"] .plot svg`).evaluate((svg) => [...svg.querySelectorAll("[class^=dots-] > *")].map((sign) => sign.getAttribute("aria-label")));
+    assert.equal(drawn.length, figure.series.flatMap(({ points }) => points).length, figure.id);
+    const [first] = figure.series[0].points;
+    const value = figure.unit === "%" ? (100 * first[1]).toFixed(1) : first[1].toFixed(2);
+    assert.ok(drawn[0].includes(`${value} ${figure.unit} with ${first[0]} robots`), drawn[0]);
+  }
+  await page.evaluate(axe);
+  assert.deepEqual(await page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id }) => id)), []);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});

@@ -1,0 +1,101 @@
+// Charts of an experiment's figures, as SVG, by Observable Plot. They are drawn alike in the program's report and in the
+// page; colours and text sizes are charts.css's.
+import { axisX, axisY, dot, gridY, line, plot, pointer, ruleY, tip } from "@observablehq/plot";
+
+const methods = ["area", "circle", "distance", "distributed", "random"];
+const names = { area: "area", circle: "circle", distance: "distance", distributed: "distributed (equal angles)", random: "random" };
+const symbols = { area: "circle", circle: "square", distance: "triangle", distributed: "diamond", random: "times" };
+const dashes = { area: "none", circle: "6 3", distance: "2 3", distributed: "none", random: "8 3 2 3" };
+const colour = (method) => `var(--${method})`;
+
+// Values as people read them: shares are shown as percentages.
+const shown = ({ unit }, value) => (unit === "%" ? 100 * value : value);
+const digits = ({ unit }) => (unit === "%" ? 1 : 2);
+
+export function inWords(figure, method, [robots, value, polygons]) {
+  return `${names[method]}: ${shown(figure, value).toFixed(digits(figure))} ${figure.unit} with ${robots} robots, ${polygons === 1 ? "1 polygon" : `${polygons} polygons`}`;
+}
+
+// The chart of a figure {id, title, unit, series: [{method, points: [[robots, value, polygons], …]}]}, `width` pixels wide.
+export function drawChart(figure, width) {
+  const rows = figure.series.flatMap(({ method, points }) => points.map((point) => ({
+    method, robots: point[0], value: shown(figure, point[1]), label: inWords(figure, method, point),
+  })));
+  const svg = plot({
+    className: "chart",
+    width,
+    height: Math.round(Math.max(220, Math.min(320, width * 0.5))),
+    marginLeft: 44,
+    marginTop: 24,
+    marginBottom: 40,
+    x: { domain: [Math.min(2, ...rows.map(({ robots }) => robots)), Math.max(4, ...rows.map(({ robots }) => robots))], inset: 6 },
+    y: { domain: span(figure, rows), nice: true },
+    marks: [
+      gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
+      axisX({ label: "robots", tickFormat: "d", ticks: width / 70, tickSize: 4, labelAnchor: "center", labelArrow: "none", fontSize: 12 }),
+      axisY({ label: figure.unit, ticks: 5, tickSize: 0, labelArrow: "none", fontSize: 12 }),
+      ruleY(figure.unit === "%" && span(figure, rows)[0] > 0 ? [] : [0], { stroke: "var(--second)" }),
+      ...figure.series.map(({ method }) => line(rows.filter((row) => row.method === method), {
+        x: "robots", y: "value", stroke: colour(method), strokeWidth: 1.75, strokeDasharray: dashes[method], className: `line-${method}`,
+      })),
+      ...figure.series.map(({ method }) => dot(rows.filter((row) => row.method === method), {
+        x: "robots", y: "value", stroke: colour(method), fill: method === "random" ? "none" : colour(method), symbol: symbols[method], r: width < 420 ? 2 : 2.5,
+        ariaLabel: "label", className: `dots-${method}`,
+      })),
+      tip(rows, pointer({ x: "robots", y: "value", title: "label", fontSize: 12, lineWidth: 22, fill: "var(--panel)", stroke: "var(--line)", textPadding: 8 })),
+    ],
+  });
+  // Plot brings a style sheet of its own, which a page's content security policy refuses; charts.css says the same.
+  svg.querySelector("style")?.remove();
+  svg.setAttribute("aria-hidden", "true");  // it is read out as one picture, see follow()
+  return svg;
+}
+
+// Shares begin where there is something to see (a greatest share is never below a half), all else at 0.
+function span(figure, rows) {
+  const values = rows.map(({ value }) => value);
+  if (values.length === 0) return [0, 1];
+  const most = Math.max(...values);
+  if (figure.column === "max_share_mean") return [50, Math.max(most, 51)];
+  if (figure.column === "coverage_mean" || figure.column === "form_closure_mean") return [0, 100];
+  return [0, most > 0 ? most : 1];
+}
+
+// Which line is which, for the methods that have values.
+export function legend(figures) {
+  const used = methods.filter((method) => figures.some(({ series }) => series.some((one) => one.method === method)));
+  const list = document.createElement("ul");
+  list.className = "legend";
+  for (const method of used) {
+    const key = plot({
+      className: "key", width: 34, height: 14, margin: 0, axis: null, x: { domain: [0, 1] }, y: { domain: [0, 1] },
+      marks: [
+        line([[0.04, 0.5], [0.96, 0.5]], { stroke: colour(method), strokeWidth: 1.75, strokeDasharray: dashes[method] }),
+        dot([[0.5, 0.5]], { stroke: colour(method), fill: method === "random" ? "none" : colour(method), symbol: symbols[method], r: 3 }),
+      ],
+    });
+    key.querySelector("style")?.remove();
+    key.setAttribute("aria-hidden", "true");
+    const item = document.createElement("li");
+    item.append(key, names[method]);
+    list.append(item);
+  }
+  return list;
+}
+
+// Draws a figure into an element, and anew whenever its width changes.
+export function follow(element, figure) {
+  element.setAttribute("role", "img");
+  element.setAttribute("aria-label", `Chart: ${figure.title}, by number of robots. ${figure.sentence}`);
+  let drawn = 0;
+  const draw = () => {
+    const width = Math.floor(element.clientWidth);
+    if (width === drawn || width < 40) return;
+    drawn = width;
+    element.replaceChildren(drawChart(figure, width));
+  };
+  draw();
+  const observer = new ResizeObserver(draw);
+  observer.observe(element);
+  return () => observer.disconnect();
+}

@@ -1,0 +1,10 @@
+// The report of `evenlift experiment`: draws the charts from the data that stand in it.
+import { follow, legend } from "./charts.js";
+
+const figures = JSON.parse(document.getElementById("figures").textContent);
+for (const figure of figures) {
+  const place = document.querySelector(`[data-figure="${figure.id}"] .plot`);
+  if (!place) continue;
+  place.before(legend([figure]));
+  follow(place, figure);
+}

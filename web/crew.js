@@ -1,0 +1,67 @@
+// The workers of an experiment, and what they are given to do.
+class Hand {
+  #worker;
+  #waiting = new Map();
+  #last = 0;
+  #ended;
+
+  constructor() {
+    this.#worker = new Worker(new URL("experiment_worker.js", import.meta.url), { type: "module" });
+    this.#worker.addEventListener("message", ({ data: { id, answer, problem } }) => {
+      const { done, fail } = this.#waiting.get(id);
+      this.#waiting.delete(id);
+      if (problem === undefined) done(answer);
+      else fail(new Error(problem));
+    });
+    this.#worker.addEventListener("error", (event) => {
+      event.preventDefault();
+      this.end(new Error(event.message || "the server cannot be reached"));
+    });
+  }
+
+  ask(task, given) {
+    return new Promise((done, fail) => {
+      if (this.#ended) fail(this.#ended);
+      this.#waiting.set(++this.#last, { done, fail });
+      this.#worker.postMessage({ id: this.#last, task, ...given });
+    });
+  }
+
+  end(why) {
+    this.#ended ??= why;
+    this.#worker.terminate();
+    for (const { fail } of this.#waiting.values()) fail(why);
+    this.#waiting.clear();
+  }
+}
+
+// One processor is left to the page. Each worker has a memory of its own, so there are not many.
+const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
+
+// Measures polygons [{name, read: () => text, which may fail}] and gives the results (evenlift/experiment/outputs.h).
+// `progress(done, name)` is told of each. Ended by `signal`, it fails with the signal's reason.
+export async function runExperiment(polygons, { minRatio, samples, signal, progress }) {
+  const crew = Array.from({ length: Math.min(most(), Math.max(1, polygons.length)) }, () => new Hand());
+  const stop = (why) => crew.forEach((hand) => hand.end(why));
+  signal.addEventListener("abort", () => stop(signal.reason), { once: true });
+  const parts = [];
+  let next = 0;
+  try {
+    signal.throwIfAborted();
+    const problem = await crew[0].ask("check", { minRatio, samples });
+    if (problem) throw new Error(problem);
+    await Promise.all(crew.map(async (hand) => {
+      while (next < polygons.length) {
+        const { name, read } = polygons[next++];
+        const text = await read().then((content) => ({ content }), (error) => ({ problem: error.message }));
+        signal.throwIfAborted();
+        parts.push(await (text.problem === undefined ? hand.ask("measure", { name, text: text.content, minRatio, samples })
+          : hand.ask("refuse", { name, problem: text.problem })));
+        progress(parts.length, name);
+      }
+    }));
+    return await crew[0].ask("results", { parts });
+  } finally {
+    stop(new Error("ended"));
+  }
+}
