@@ -1,5 +1,6 @@
-# The ready-made lessons of assets/lessons/index.txt for the page, each with its polygon. As a script:
-#   cmake -DLESSONS=FOLDER -DPOLYGONS=FOLDER -DJSON=FILE -P Lessons.cmake
+# The ready-made lessons of assets/lessons/index.txt for the page, each with its polygon, and the texts of all sample
+# polygons by name, for lessons that come from elsewhere. As a script:
+#   cmake -DLESSONS=FOLDER -DPOLYGONS=FOLDER -DJSON=FILE -DPOLYGONS_JSON=FILE -P Lessons.cmake
 cmake_minimum_required(VERSION 3.24)
 include("${CMAKE_CURRENT_LIST_DIR}/JsonString.cmake")
 
@@ -34,3 +35,16 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 file(WRITE "${JSON}" "[\n${entries}\n]\n")
+
+file(GLOB files "${POLYGONS}/*.txt")
+list(REMOVE_ITEM files "${POLYGONS}/index.txt")
+set(entries "")
+set(separator "")
+foreach(file IN LISTS files)
+  cmake_path(GET file STEM name)
+  file(READ "${file}" text)
+  json_string(json_text "${text}")
+  string(APPEND entries "${separator}  \"${name}\": ${json_text}")
+  set(separator ",\n")
+endforeach()
+file(WRITE "${POLYGONS_JSON}" "{\n${entries}\n}\n")

@@ -20,13 +20,12 @@ export async function openLessonText(page, text, name = "", join = false) {
   if (!sample) return open(page, name, text, "", join);
   let samples;
   try {
-    samples = await fetchJson("samples.json");
+    samples = await fetchJson("polygons.json");
   } catch (error) {
     return `Its polygon cannot be fetched: ${error.message}`;
   }
-  const found = samples.find((s) => s.name === sample);
-  if (!found) return `It is about the sample “${sample}”, and there is none of that name`;
-  return open(page, name, text, found.text, join);
+  if (!Object.hasOwn(samples, sample)) return `It is about the sample “${sample}”, and there is none of that name`;
+  return open(page, name, text, samples[sample], join);
 }
 
 function open(page, name, text, polygon, join) {
