@@ -135,6 +135,38 @@ TEST_CASE("the trace ends in the state that place reports", "[trace]") {
   }
 }
 
+TEST_CASE("every pair with a candidate leads to the one that stands for it", "[trace]") {
+  std::size_t merged = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    const Trace trace = traced(placed(corpus::polygon(name)));
+    const std::vector<Candidate>& candidates = trace.placement.candidates;
+    const double near = 1.01e-9 * trace.polygon.diagonal();
+    std::vector<std::uint32_t> standing(candidates.size());
+    for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
+      const PairDetail detail = look_at_pair(trace, pair);
+      REQUIRE(detail.verdict.candidate.has_value() == (detail.candidate != no_index));
+      if (detail.candidate == no_index) continue;
+      REQUIRE(detail.candidate < candidates.size());
+      CHECK(trace.first_pair_of_candidate[detail.candidate] <= pair);
+      const Chord& kept = candidates[detail.candidate].chord;
+      standing[detail.candidate] += detail.stands;
+      merged += !detail.stands;
+      if (detail.stands) {
+        CHECK(kept.r1.position == detail.chosen.r1.position);
+        CHECK(kept.r2.position == detail.chosen.r2.position);
+      }
+      const double straight = std::max(length(kept.r1.position - detail.chosen.r1.position),
+                                       length(kept.r2.position - detail.chosen.r2.position));
+      const double turned = std::max(length(kept.r1.position - detail.chosen.r2.position),
+                                     length(kept.r2.position - detail.chosen.r1.position));
+      CHECK(std::min(straight, turned) <= near);
+    }
+    for (const std::uint32_t number : standing) CHECK(number == 1);
+  }
+  CHECK(merged > 100);
+}
+
 TEST_CASE("every step is found again from its kind and item", "[trace]") {
   for (const std::string& name : corpus::polygon_names()) {
     for (const Metric metric : all_metrics) {
@@ -218,12 +250,70 @@ TEST_CASE("every caption, formula and name of every sample is complete", "[trace
   }
 }
 
+TEST_CASE("where there is little or nothing to show the lesson says so", "[trace][words]") {
+  struct Hard {
+    const char* text;
+    double min_ratio;
+    StepKind has;  // a step that such a trace must have
+  };
+  const Hard cases[] = {
+      // C at a vertex, and in line with edges.
+      {"CoM:(5,4)\n(0,0)\n(10,0)\n(5,4)\n(5,20)\n", 0.8, StepKind::radial},
+      {"CoM:(2,2)\n(0,0)\n(4,0)\n(4,2)\n(3,2)\n(3,4)\n(0,4)\n", 0.8, StepKind::radial},
+      // C beside an edge.
+      {"CoM:(1,0.001)\n(0,0)\n(4,0)\n(4,4)\n(0,4)\n", 1, StepKind::fewer},
+      // C so near to a corner that all chords are uneven.
+      {"CoM:(1,1)\n(0,0)\n(400,0)\n(400,400)\n(0,400)\n", 1, StepKind::fewer},
+      {"CoM:(2,1e-10)\n(0,0)\n(4,0)\n(4,4)\n(0,4)\n", 0.8, StepKind::radial},
+      {"(0,0)\n(4,0)\n(0,3)\n", 1, StepKind::fewer}};
+  for (const Hard& hard : cases) {
+    Result<Document> document = read_polygon(hard.text);
+    REQUIRE(document.ok());
+    document->settings.min_ratio = hard.min_ratio;
+    for (const Metric metric : all_metrics) {
+      INFO(hard.text << evenlift::name(metric));
+      const Trace trace = traced(placed(*document, metric, 4));
+      if (trace.by_candidates()) CHECK(trace.count(hard.has) == 1);
+      if (trace.placement.teams.empty()) {
+        CHECK(trace.count(StepKind::fewer) == 1);
+        CHECK(trace.count(StepKind::loads) == 0);
+      }
+      CHECK(trace.step(trace.size() - 1).kind == StepKind::result);
+      for (std::uint32_t k = 0; k < trace.size(); ++k) {
+        INFO("step " << k);
+        const StepDetail detail = look_at(trace, k);
+        check_text(caption(trace, detail), true);
+        check_text(formula(trace, detail), false);
+        for (const Object& object : objects(trace, detail))
+          check_text(object_text(trace, detail, object), false);
+      }
+      for (int i = 0; i < 12; ++i) {
+        const double angle = 0.5 * i;
+        const auto chord =
+            chord_at(trace, trace.centre +
+                                trace.polygon.diagonal() * Vec2(std::cos(angle), std::sin(angle)));
+        const std::uint32_t end = trace.size() - 1;
+        check_text(why_not_text(trace, why_not_chord(trace, end, chord)), true);
+        check_text(why_not_text(trace, why_not_chord(trace, 0, chord)), true);
+      }
+    }
+  }
+}
+
 TEST_CASE("a caption does not hide what decides", "[trace][words]") {
   // Ratios that differ from 1 or from the minimum are not rounded to it.
   const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
   const auto at = trace.find(StepKind::ray, 1);
   REQUIRE(at);
   CHECK(caption(trace, look_at(trace, *at)).find("0.7998") != std::string::npos);
+}
+
+TEST_CASE("numbers are as short left of zero as right of it", "[trace][words]") {
+  Document document = corpus::polygon("stone-slab");
+  for (Vec2& v : document.vertices) v -= Vec2(2000, 2000);
+  const Trace trace = traced(placed(document));
+  CHECK(caption(trace, look_at(trace, *trace.find(StepKind::centre, 0)))
+            .find("centroid, (-1483.4, -1622.2).") != std::string::npos);
 }
 
 TEST_CASE("a choice is asked with the answer that the algorithm gives", "[trace]") {

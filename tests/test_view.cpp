@@ -1,4 +1,4 @@
-// The view without a window: Dear ImGui draws into nothing, the pointer is made up.
+// The view without a window.
 #include <imgui.h>
 
 #include <cmath>
@@ -23,109 +23,13 @@
 #include "theme.h"
 #include "triangulate.h"
 #include "update.h"
+#include "view_page.h"
 
 using namespace evenlift;
 using namespace evenlift::view;
+using namespace view_page;
 
 namespace {
-
-Document document(const std::string& text) {
-  Result<Document> read = read_polygon(text);
-  REQUIRE(read.ok());
-  return *read;
-}
-
-const std::string l_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
-
-std::string asset(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-std::vector<std::filesystem::path> assets() {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(EVENLIFT_ASSETS_DIR "/polygons")) {
-    if (entry.path().extension() == ".txt" && entry.path().stem() != "index")
-      paths.push_back(entry.path());
-  }
-  REQUIRE(paths.size() > 10);
-  return paths;
-}
-
-// A page without a window.
-class Page {
- public:
-  explicit Page(const std::string& text = l_shape) {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    load_fonts(1);
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    start_with(app.state, document(text), std::nullopt);
-  }
-  ~Page() { ImGui::DestroyContext(); }
-  Page(const Page&) = delete;
-  Page& operator=(const Page&) = delete;
-
-  void frame(const Pointer& pointer = {}) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(app.state.screen.width),
-                            static_cast<float>(app.state.screen.height));
-    io.DeltaTime = 1.0f / 60;
-    ImGui::NewFrame();
-    draw_frame(app, pointer);
-    ImGui::Render();
-    settle(app);
-  }
-
-  Pointer at(const Vec2& world) const {
-    Pointer p;
-    p.at = app.state.camera.to_screen(world);
-    p.present = true;
-    return p;
-  }
-
-  void click(const Vec2& world) {
-    Pointer p = at(world);
-    p.pressed = p.down = true;
-    frame(p);
-    p.pressed = p.down = false;
-    p.released = true;
-    frame(p);
-  }
-
-  // `off` in CSS pixels: in another picture of the same.
-  void drag(const Vec2& from, const Vec2& to, const Vec2& off = Vec2::Zero()) {
-    Pointer p = at(from);
-    p.at += off;
-    frame(p);
-    p.pressed = p.down = true;
-    frame(p);
-    p.pressed = false;
-    const Vec2 start = p.at, end = app.state.camera.to_screen(to) + off;
-    for (int i = 1; i <= 4; ++i) {
-      p.at = start + (end - start) * i / 4;
-      p.moved = length(p.at - start);
-      frame(p);
-    }
-    p.down = false;
-    p.released = true;
-    frame(p);
-  }
-
-  void press(const Key& key) {
-    const Action* found = action_for(app.state, key);
-    REQUIRE(found != nullptr);
-    found->run(app.state, app.commands);
-    settle(app);
-  }
-
-  App app;
-};
 
 double area_of(const Points& polygon, const std::vector<std::uint32_t>& triangles) {
   double area = 0;
@@ -360,11 +264,13 @@ TEST_CASE("the verdict is a sentence", "[view]") {
   CHECK(freedom(closure) == "It cannot move.");
 }
 
-TEST_CASE("no two actions share a key, and every key in the list does something", "[view]") {
+TEST_CASE("no two actions share a key, but for the lesson's arrows", "[view]") {
   std::vector<Key> seen;
   for (const Action& a : actions()) {
     for (const Key& key : a.keys) {
       if (key.name.empty()) continue;
+      const bool lessons = a.id >= ActionId::step_on && a.id <= ActionId::predict;
+      if (lessons && key.name.starts_with("Arrow")) continue;
       for (const Key& other : seen) {
         CHECK_FALSE(
             (other.name == key.name && other.command == key.command && other.shift == key.shift));

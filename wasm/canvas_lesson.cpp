@@ -95,6 +95,7 @@ void draw_arrow(const Painter& painter, const CanvasView& view, const Vec2& from
 
 void draw_mark(const Painter& painter, const CanvasView& view, const Object& mark) {
   const Theme& t = view.theme;
+  const LessonState& lesson = view.state.lesson;
   const Points& p = mark.points;
   if (p.empty()) return;
   const auto line = [&](Colour colour, float width) {
@@ -135,7 +136,8 @@ void draw_mark(const Painter& painter, const CanvasView& view, const Object& mar
     case Mark::chosen:
       return line(t.hull_outline, 4);
     case Mark::candidate:
-      return dashes(t.chord, 1.6f);
+      return lesson.trace->placement.candidates.size() <= most_dashed ? dashes(t.chord, 1.6f)
+                                                                      : line(t.chord, 1);
     case Mark::team:
       return line(t.chord, 2.5f);
     case Mark::robot:
@@ -208,9 +210,10 @@ void draw_choices(const Painter& painter, const CanvasView& view) {
                              ? ask->detail.pair->ends[choice]
                              : view.state.lesson.trace->placement.candidates[choice].chord;
     draw_chord(painter, chord, view.theme.accent.at(pointed ? 1 : 0.45f), pointed ? 4.0f : 2.5f);
-    if (ask->question.kind != QuestionKind::nearer_end) continue;
+    if (ask->choices.size() > most_valued) continue;
     const ImVec2 at = painter.at(chord.r2.position);
-    const std::string name = choice == 0 ? "first" : "second";
+    const bool end = ask->question.kind == QuestionKind::nearer_end;
+    const std::string name = !end ? std::to_string(choice + 1) : choice == 0 ? "first" : "second";
     draw_text(painter.list(), Face::strong_label, ImVec2(at.x + 8, at.y - 8), view.theme.accent,
               name);
   }

@@ -89,6 +89,9 @@ struct PointAtChoice {
 struct AskWhy {
   Vec2 at;
 };
+struct Measure {
+  std::uint32_t candidate;
+};
 struct HoverMark {
   std::optional<std::size_t> mark;
 };
@@ -147,7 +150,7 @@ using Command =
                  OpenDocument, SetWhole, EndEdit, Undo, Redo, SetTool, GripWhole, AddPoint,
                  TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, SetSnap, Compare,
                  SetCapacity, SetMotion, OpenLesson, CloseLesson, GoToStep, MoveSteps, MoveChapters,
-                 SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, HoverMark,
+                 SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverMark,
                  LeaveScript, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView,
                  SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet, CopyLink,
                  OpenDialog, ShowNotice>;

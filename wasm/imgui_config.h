@@ -10,6 +10,9 @@
 #define IMGUI_DISABLE_DEMO_WINDOWS
 #define IMGUI_DISABLE_DEBUG_TOOLS
 
+// A comb of 1,000 vertices has 45,000 candidates: more corners than 16 bits count.
+#define ImDrawIdx unsigned int
+
 // Files are the browser's business, and a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 

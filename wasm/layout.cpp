@@ -48,7 +48,8 @@ Layout embedded(const AppState& state) {
   l.wide = screen.width >= 640;
   l.free = {0, 0, screen.width, screen.height};
   if (lesson_is_open(state))
-    seat_player(l, screen.width - l.margin, std::min(screen.height * 0.5, l.control * 2 + 128));
+    seat_player(l, screen.width - l.margin,
+                std::min(screen.height * 0.5, l.control * 2 + (l.wide ? 128 : 176)));
   l.toolbar = {l.margin, l.margin, screen.width, l.margin + toolbar_height};
   split(l, false, 72, 60, 60);
   return l;

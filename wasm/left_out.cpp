@@ -1,5 +1,7 @@
 // What libraries would bring into the page although nothing there uses it. Defined here, the linker
 // leaves theirs out.
+#include <SDL_surface.h>
+
 #include <cstdarg>
 #include <cstdlib>
 #include <string_view>
@@ -26,5 +28,20 @@ int evenlift_scan(const char* text, const char* format, ...) {
   va_end(arguments);
   return 1;
 }
+
+// SDL2's software surfaces: pictures for icons, cursors and windows without OpenGL, 6 KB after
+// compression. Weak, so that SDL2's own win where they come along for another reason.
+#define LEFT_OUT __attribute__((weak))
+LEFT_OUT SDL_Surface* SDL_CreateRGBSurface(Uint32, int, int, int, Uint32, Uint32, Uint32, Uint32) {
+  return nullptr;
+}
+LEFT_OUT SDL_Surface* SDL_CreateRGBSurfaceFrom(void*, int, int, int, int, Uint32, Uint32, Uint32,
+                                               Uint32) {
+  return nullptr;
+}
+LEFT_OUT SDL_Surface* SDL_ConvertSurfaceFormat(SDL_Surface*, Uint32, Uint32) { return nullptr; }
+LEFT_OUT void SDL_FreeSurface(SDL_Surface*) {}
+LEFT_OUT int SDL_LockSurface(SDL_Surface*) { return -1; }
+LEFT_OUT void SDL_UnlockSurface(SDL_Surface*) {}
 
 }  // extern "C"

@@ -13,7 +13,6 @@ namespace evenlift::view {
 namespace {
 
 constexpr std::size_t most_visited = 60;
-constexpr double slowest = 0.25, fastest = 32;
 
 // What only the step before had.
 void forget_step(LessonState& lesson) {
@@ -22,8 +21,16 @@ void forget_step(LessonState& lesson) {
   lesson.asked.reset();
   lesson.why.clear();
   lesson.hovered.reset();
+  lesson.measured.reset();
   lesson.gained.clear();
   lesson.turn_at.reset();
+}
+
+void show_gain(LessonState& lesson, std::uint32_t candidate) {
+  const TeamScores& scores = *lesson.detail.scores;
+  lesson.measured = candidate;
+  lesson.gained.clear();
+  if (scores.rule == Rule::score) lesson.gained = gain_objects(*lesson.trace, scores, candidate);
 }
 
 void look(LessonState& lesson) {
@@ -35,8 +42,7 @@ void look(LessonState& lesson) {
   lesson.caption = caption(trace, lesson.detail);
   lesson.formula = formula(trace, lesson.detail);
   const std::optional<TeamScores>& scores = lesson.detail.scores;
-  if (scores && scores->rule == Rule::score && !scores->ranking.empty())
-    lesson.gained = gain_objects(trace, *scores, scores->ranking[0]);
+  if (scores && !scores->ranking.empty()) show_gain(lesson, scores->ranking[0]);
 }
 
 void remember(LessonState& lesson) {
@@ -134,6 +140,7 @@ void begin_script(AppState& state, Script script) {
   LessonState& lesson = state.lesson;
   lesson.predict = script.lesson.predict;
   lesson.script = std::move(script);
+  lesson.script->depth = state.history.depth();
   find_stops(lesson);
   settle_position(lesson);
 }
@@ -203,6 +210,7 @@ void close_lesson(AppState& state) {
   lesson.trace.reset();
   lesson.script.reset();
   lesson.playing = false;
+  browser::drop_frame_after();
   lesson.marks.clear();
   lesson.visited.clear();
   publish(state, std::nullopt);
@@ -251,10 +259,11 @@ void set_playing(AppState& state, bool playing) {
   if (playing && !next_step(state, 1)) enter(state, step_of(state, 0));
   lesson.playing = playing;
   lesson.turn_at.reset();
+  if (!playing) browser::drop_frame_after();
 }
 
 void set_speed(AppState& state, double speed) {
-  state.lesson.speed = std::clamp(speed, slowest, fastest);
+  state.lesson.speed = std::clamp(speed, slowest_speed, fastest_speed);
   state.lesson.turn_at.reset();
 }
 
@@ -309,6 +318,13 @@ void ask_why(AppState& state, const Vec2& at) {
   browser::announce(lesson.why);
 }
 
+void measure(AppState& state, std::uint32_t candidate) {
+  LessonState& lesson = state.lesson;
+  if (lesson_is_open(state) && lesson.detail.scores &&
+      candidate < lesson.detail.scores->of_candidate.size())
+    show_gain(lesson, candidate);
+}
+
 void leave_script(AppState& state) {
   if (!state.lesson.script) return;
   state.lesson.script.reset();
@@ -351,7 +367,7 @@ std::optional<InputError> open_script(AppState& state, const std::string& text,
   const Result<Trace> trace = make_trace(*placement);
   if (!trace) return trace.error();
   if (const auto problem = check_lesson(*lesson, *trace)) return problem;
-  Script script{std::move(lesson).value(), {}, 0, document->vertices};
+  Script script{std::move(lesson).value(), {}, 0, document->vertices, 0};
   if (join) return join_script(state, std::move(script));
   document->settings.step = find_step(*trace, script.lesson.steps[0].address);
   Commands commands{OpenDocument{std::move(document).value()}};

@@ -31,10 +31,12 @@ void move_steps(AppState& state, int by);
 void move_chapters(AppState& state, int by);
 
 void set_playing(AppState& state, bool playing);
+inline constexpr double slowest_speed = 0.25, fastest_speed = 32;  // 1 is a comfortable pace
 void set_speed(AppState& state, double speed);
 void set_predict(AppState& state, bool on);
 void guess(AppState& state, std::uint32_t answer);
 void ask_why(AppState& state, const Vec2& at);
+void measure(AppState& state, std::uint32_t candidate);  // shows what the metric measures for it
 void leave_script(AppState& state);
 
 // While it plays: turns over when the time has come. `now` in seconds. Returns whether it did.

@@ -24,6 +24,7 @@ struct Script {
   std::vector<Stop> stops;   // those that the trace has, at least one
   std::size_t position = 0;  // the stop that is shown, or was last
   Points vertices;           // of the polygon that it was written for
+  std::size_t depth = 0;     // of the history when it was opened: undo beyond leaves it
 };
 
 // A choice that the learner is asked about before it is shown.
@@ -46,9 +47,10 @@ struct LessonState {
   std::uint32_t at = 0;        // its step; kept when it is closed
   StepDetail detail;
   Done known;
-  std::vector<Object> marks;   // what the step is about
-  std::vector<Object> gained;  // what the metric measures for the winner, in `scores` and `team`
-  Points base;                 // H as known
+  std::vector<Object> marks;              // what the step is about
+  std::optional<std::uint32_t> measured;  // the candidate whose gain is drawn, in `scores`
+  std::vector<Object> gained;             // what the metric measures for it
+  Points base;                            // H as known
   std::string caption, formula;
   std::vector<Visited> visited;  // the newest last
 

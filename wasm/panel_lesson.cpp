@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "actions.h"
+#include "browser.h"
 #include "format.h"
 #include "lesson.h"
 #include "panels.h"
@@ -12,6 +13,8 @@ namespace evenlift::view {
 namespace {
 
 constexpr std::size_t most_shown = 12;  // of the history
+constexpr float code_height = 210;
+constexpr std::size_t most_ranked = 10;  // candidates
 
 float full_width() { return ImGui::GetContentRegionAvail().x; }
 
@@ -73,25 +76,91 @@ void draw_answers(const Ui& ui) {
 
 }  // namespace
 
-void draw_lesson_step(const Ui& ui) {
-  const AppState& state = ui.state;
-  const LessonState& lesson = state.lesson;
-  const Timeline now = timeline(state);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 8));
-  if (lesson.script)
-    text_block(Face::strong_label, ui.theme.accent, lesson.script->lesson.title,
-               ui.layout.wide ? ui.control() : 0);
-  text_block(Face::verdict, ui.theme.text, std::string(title(lesson.detail.step.chapter)),
-             ui.layout.wide && !lesson.script ? ui.control() - 8 : 0);
-  text_line(Face::label, ui.theme.second_text,
-            "Step " + std::to_string(now.at + 1) + " of " + std::to_string(now.count));
-  if (const std::string words = words_of_stop(state); !words.empty())
+namespace {
+
+void draw_words(const Ui& ui) {
+  const LessonState& lesson = ui.state.lesson;
+  if (const std::string words = words_of_stop(ui.state); !words.empty())
     text_block(Face::text, ui.theme.text, words);
   text_block(Face::text, lesson.script ? ui.theme.second_text : ui.theme.text, lesson.caption);
+}
+
+std::string place_in_words(const AppState& state) {
+  const Timeline now = timeline(state);
+  return "tep " + std::to_string(now.at + 1) + " of " + std::to_string(now.count);
+}
+
+}  // namespace
+
+void draw_lesson_step(const Ui& ui) {
+  const LessonState& lesson = ui.state.lesson;
+  const float button = ui.layout.wide ? ui.control() : 0;  // in the corner
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 8));
+  if (lesson.script)
+    text_block(Face::strong_label, ui.theme.accent, lesson.script->lesson.title, button);
+  text_block(Face::verdict, ui.theme.text, std::string(title(lesson.detail.step.chapter)),
+             lesson.script ? 0 : button);
+  text_line(Face::label, ui.theme.second_text, "S" + place_in_words(ui.state));
+  draw_words(ui);
   if (!lesson.formula.empty()) draw_box(ui.theme.well, ui.theme.text, Face::label, lesson.formula);
   draw_answers(ui);
   draw_question(ui);
   ImGui::PopStyleVar();
+}
+
+// The same where there is little room: a closed sheet, an <iframe>.
+void draw_lesson_briefly(const Ui& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
+  text_line(
+      Face::strong_label, ui.theme.second_text,
+      std::string(title(ui.state.lesson.detail.step.chapter)) + " · s" + place_in_words(ui.state));
+  draw_words(ui);
+  draw_answers(ui);
+  draw_question(ui);
+  ImGui::PopStyleVar();
+}
+
+// Every candidate with its score, the best first; the one pointed at is measured in the drawing.
+void draw_lesson_ranking(const Ui& ui) {
+  const LessonState& lesson = ui.state.lesson;
+  const std::optional<TeamScores>& scores = lesson.detail.scores;
+  const char* what = scores->rule == Rule::score          ? "Candidates by score"
+                     : scores->rule == Rule::longest_even ? "Even candidates by length"
+                                                          : "Candidates by load ratio";
+  text_line(Face::strong_label, ui.theme.second_text, what);
+  const double best = std::max(scores->of_candidate[scores->ranking[0]].value, 1e-300);
+  const float width = full_width(), height = ui.control() > 40 ? 36.0f : 24.0f;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  for (std::size_t i = 0; i < scores->ranking.size() && i < most_ranked; ++i) {
+    const std::uint32_t c = scores->ranking[i];
+    const Score& score = scores->of_candidate[c];
+    if (!score.eligible) continue;
+    ImGui::PushID(static_cast<int>(c));
+    const ImVec2 at = ImGui::GetCursorScreenPos(), high(at.x + width, at.y + height);
+    const bool pressed = ImGui::InvisibleButton("ranked", ImVec2(width, height));
+    if (pressed || (ImGui::IsItemHovered() && lesson.measured != c)) ui.push(Measure{c});
+    ImGui::PopID();
+    if (lesson.measured == c) list.AddRectFilled(at, high, ui.theme.well.packed(), 6);
+    const std::string name = std::to_string(i + 1) + ".  Candidate " + std::to_string(c + 1);
+    const std::string value = (score.exact ? "" : "≤ ") + fixed(score.value, decimals_for(best));
+    const float share = static_cast<float>(std::clamp(score.value / best, 0.0, 1.0));
+    const float middle = (at.y + high.y) / 2, half = text_size(Face::label, name).y / 2;
+    const float from = at.x + width * 0.46f, room = width * 0.26f;
+    list.AddRectFilled(ImVec2(from, middle - 3), ImVec2(from + room, middle + 3),
+                       ui.theme.well.packed(), 3);
+    list.AddRectFilled(ImVec2(from, middle - 3), ImVec2(from + room * share, middle + 3),
+                       (i == 0 ? ui.theme.hull_outline : ui.theme.quiet).packed(), 3);
+    draw_text(list, i == 0 ? Face::strong_label : Face::label, ImVec2(at.x + 6, middle - half),
+              ui.theme.text, name);
+    draw_text(list, Face::label,
+              ImVec2(high.x - 6 - text_size(Face::label, value).x, middle - half),
+              i == 0 ? ui.theme.text : ui.theme.second_text, value);
+  }
+  ImGui::PopStyleVar();
+  if (scores->ranking.size() > most_ranked)
+    text_line(Face::label, ui.theme.second_text,
+              "and " + std::to_string(scores->ranking.size() - most_ranked) + " more");
 }
 
 void draw_lesson_code(const Ui& ui) {
@@ -99,9 +168,16 @@ void draw_lesson_code(const Ui& ui) {
   const auto lines = pseudo_code(settings(ui.state).metric);
   const std::uint32_t current = pseudo_line(*lesson.trace, lesson.detail);
   text_line(Face::strong_label, ui.theme.second_text, "The algorithm");
+  // In a box that scrolls to its line: the caption above stays where it is.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::BeginChild("lines", ImVec2(full_width(), code_height));
+  scroll_by_finger(ui);
+  ImGuiStorage& seen = *ImGui::GetStateStorage();
+  const ImGuiID line_id = ImGui::GetID("line");
+  const bool moved = seen.GetInt(line_id, -1) != static_cast<int>(current);
+  seen.SetInt(line_id, static_cast<int>(current));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float width = full_width();
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
     std::string_view line = lines[i];
     float indent = 8;
@@ -119,13 +195,17 @@ void draw_lesson_code(const Ui& ui) {
     draw_text(list, Face::label, ImVec2(at.x + indent, at.y + 3),
               i == current ? ui.theme.text : ui.theme.second_text, line, room);
     ImGui::Dummy(ImVec2(width, size.y + 6));
+    if (i == current && moved) {
+      ImGui::SetScrollHereY(0.4f);
+      browser::request_frame();
+    }
   }
+  ImGui::EndChild();
   ImGui::PopStyleVar();
 }
 
 void draw_lesson_history(const Ui& ui) {
   const std::vector<Visited>& visited = ui.state.lesson.visited;
-  if (visited.size() < 2) return;
   text_line(Face::strong_label, ui.theme.second_text, "Seen before");
   const float width = full_width();
   const std::size_t from = visited.size() - 1;

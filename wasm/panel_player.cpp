@@ -71,40 +71,51 @@ void draw_transport(const Ui& ui, float size, bool all) {
   button(ui, ActionId::last_step, size);
 }
 
+void draw_place_and_speed(const Ui& ui, float size, const std::string& place) {
+  const LessonState& lesson = ui.state.lesson;
+  ImGui::SameLine(0, 12);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, place);
+  draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + (size - text.y) / 2),
+            ui.theme.second_text, place);
+  ImGui::Dummy(ImVec2(text.x + 24, size));
+  ImGui::SameLine(0, 8);
+  const int by = stepper(ui, "speed", plain(lesson.speed) + "×", lesson.speed > slowest_speed,
+                         lesson.speed < fastest_speed, 3 * size + 8);
+  if (by != 0) ui.push(SetSpeed{lesson.speed * (by > 0 ? 2 : 0.5)});
+}
+
+void draw_switches(const Ui& ui) {
+  const LessonState& lesson = ui.state.lesson;
+  if (switch_chip(ui, "Predict first", lesson.predict)) ui.push(SetPredict{!lesson.predict});
+  if (!lesson.script) return;
+  ImGui::SameLine(0, 6);
+  if (switch_chip(ui, "All steps", false)) ui.push(LeaveScript{});
+}
+
 }  // namespace
 
 // Buttons, timeline and switches, in one row where there is room, else in two.
 void draw_player(const Ui& ui) {
-  const LessonState& lesson = ui.state.lesson;
   const float size = ui.control(), width = ImGui::GetContentRegionAvail().x;
   const Timeline now = timeline(ui.state);
   const std::string place = std::to_string(now.at + 1) + " of " + std::to_string(now.count);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 4));
   draw_timeline(ui, width);
-  const bool all = width >= 7 * size;
+  // A side panel has the button that leaves; nobody leaves the lesson of an <iframe>.
+  const bool leaves = !ui.layout.wide && !ui.state.screen.embed;
+  const bool all = width >= static_cast<float>(leaves ? 8 : 7) * size;
   draw_transport(ui, size, all);
-  const bool wide = width > 620;
-  if (wide) {
+  if (leaves && icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", size))
+    ui.push(CloseLesson{});
+  if (leaves) ImGui::SameLine(0, 0);
+  const float used = static_cast<float>((all ? 7 : 5) + (leaves ? 1 : 0)) * size;
+  if (width > 620) draw_place_and_speed(ui, size, "Step " + place);
+  const bool brief = !ui.layout.wide && ui.state.sheet == Sheet::closed;
+  if (width > used + 150)
     ImGui::SameLine(0, 12);
-    const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, place);
-    draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + (size - text.y) / 2),
-              ui.theme.second_text, "Step " + place);
-    ImGui::Dummy(ImVec2(text.x + 40, size));
-    ImGui::SameLine(0, 8);
-    const int by = stepper(ui, "speed", plain(lesson.speed) + "×", lesson.speed > 0.25,
-                           lesson.speed < 32, 3 * size + 8);
-    if (by != 0) ui.push(SetSpeed{lesson.speed * (by > 0 ? 2 : 0.5)});
-  } else {
+  else
     ImGui::NewLine();
-  }
-  if (wide) ImGui::SameLine(0, 12);
-  if (wide || width > 300) {
-    if (switch_chip(ui, "Predict first", lesson.predict)) ui.push(SetPredict{!lesson.predict});
-    if (lesson.script) {
-      ImGui::SameLine(0, 6);
-      if (switch_chip(ui, "All steps", false)) ui.push(LeaveScript{});
-    }
-  }
+  if (width > used + 150 || !brief) draw_switches(ui);
   ImGui::PopStyleVar();
 }
 

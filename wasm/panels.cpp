@@ -17,11 +17,17 @@ constexpr Panel side_panel[] = {
     {"overlays", draw_overlays, false}, {"teams", draw_teams, true},
     {"numbers", draw_numbers, true},    {"compare", draw_compare, true},
 };
+bool ranks(const AppState& s) {
+  const auto& scores = s.lesson.detail.scores;
+  return scores && !scores->ranking.empty();
+}
+bool has_history(const AppState& s) { return s.lesson.visited.size() > 1; }
 constexpr Panel lesson_panel[] = {
     {"step", draw_lesson_step, true},
+    {"ranking", draw_lesson_ranking, true, ranks},
     {"code", draw_lesson_code, true},
     {"settings", draw_settings, false},
-    {"history", draw_lesson_history, true},
+    {"history", draw_lesson_history, true, has_history},
 };
 
 std::span<const Panel> sections(const AppState& state) {
@@ -40,6 +46,7 @@ void dim(const Ui& ui, ImVec2 from) {
 void draw_sections(const Ui& ui, std::size_t first) {
   const std::span<const Panel> panels = sections(ui.state);
   for (std::size_t i = first; i < panels.size(); ++i) {
+    if (panels[i].shown && !panels[i].shown(ui.state)) continue;
     if (i > first) rule(ui);
     ImGui::PushID(panels[i].name);
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -115,7 +122,7 @@ void draw_sheet(const Ui& ui) {
   if (lesson_is_open(ui.state)) {
     draw_player(ui);
     if (ui.state.sheet == Sheet::closed)
-      text_block(Face::text, ui.theme.text, ui.state.lesson.caption);
+      draw_lesson_briefly(ui);
     else
       draw_lesson_step(ui);
   } else {
@@ -139,7 +146,7 @@ void draw_floating_player(const Ui& ui) {
   begin_card(ui, "player", ui.layout.player,
              {.fixed_height = true, .padding = 12, .scrolls = ui.state.screen.embed});
   draw_player(ui);
-  if (ui.state.screen.embed) draw_lesson_step(ui);
+  if (ui.state.screen.embed) draw_lesson_briefly(ui);
   end_card(ui);
 }
 

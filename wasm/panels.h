@@ -9,7 +9,8 @@ namespace evenlift::view {
 struct Panel {
   const char* name;
   void (*draw)(const Ui&);
-  bool of_result;  // shows the last good placement
+  bool of_result;                            // shows the last good placement
+  bool (*shown)(const AppState&) = nullptr;  // always, if there is none
 };
 
 void draw_panels(const AppState& state, Commands& commands);
@@ -29,6 +30,8 @@ double stepped(double value, int by);
 
 // Those of the lesson.
 void draw_lesson_step(const Ui& ui);
+void draw_lesson_briefly(const Ui& ui);
+void draw_lesson_ranking(const Ui& ui);
 void draw_lesson_code(const Ui& ui);
 void draw_lesson_history(const Ui& ui);
 void draw_player(const Ui& ui);

@@ -130,7 +130,12 @@ bool well_shown(const AppState& state) {
 void step_back(AppState& state, Document document) {
   const bool other_shape = document.vertices.size() != state.document.vertices.size();
   state.edit_open = false;
-  document.settings.step = state.document.settings.step;  // where a lesson stands is no edit
+  // Where a lesson stands is no edit; but a document from before a ready-made one stands where it
+  // stood then.
+  if (state.lesson.script && state.history.depth() < state.lesson.script->depth)
+    state.lesson.script.reset();
+  else
+    document.settings.step = state.document.settings.step;
   state.document = std::move(document);
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);
@@ -259,6 +264,7 @@ struct Applier {
     if (state.lesson.ask) state.lesson.ask->pointed = c.choice;
   }
   void operator()(const AskWhy& c) const { ask_why(state, c.at); }
+  void operator()(const Measure& c) const { measure(state, c.candidate); }
   void operator()(const HoverMark& c) const { state.lesson.hovered = c.mark; }
   void operator()(const LeaveScript&) const { leave_script(state); }
   void operator()(const SetDrawCursor& c) const { state.drawing.cursor = c.at; }

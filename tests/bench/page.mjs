@@ -1,19 +1,14 @@
 // node page.mjs: what the page weighs, how soon its first picture is there, and how long a frame takes while a polygon
 // of 1,000 vertices is dragged. The settings of tests/page/browser.mjs.
-import { readdirSync, readFileSync } from "node:fs";
-import path from "node:path";
-import { gzipSync } from "node:zlib";
-import { load, pageFolder, settled, startBrowser, state, toScreen } from "../page/browser.mjs";
+import { load, settled, startBrowser, state, toScreen } from "../page/browser.mjs";
+import { sizes } from "../page/sizes.mjs";
 
 const line = (name, value) => console.log(name.padEnd(62), value.padStart(16));
 
-let total = 0;
-for (const name of readdirSync(pageFolder)) {
-  const bytes = gzipSync(readFileSync(path.join(pageFolder, name)), { level: 9 }).length;
-  total += bytes;
-  line(name, `${bytes} bytes`);
-}
-line("everything, gzip -9", `${total} bytes`);
+const { files, start, all } = sizes();
+for (const { name, bytes } of files) line(name, `${bytes} bytes`);
+line("before the first picture, gzip -9", `${start} bytes`);
+line("with what is loaded when it is asked for", `${all} bytes`);
 
 const browser = await startBrowser();
 

@@ -7,6 +7,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/selection.h"
 #include "evenlift/stability.h"
+#include "evenlift/tolerance.h"
 #include "trace_text.h"
 
 namespace evenlift {
@@ -284,8 +285,6 @@ class Caption {
     for (std::size_t i = 0; i < order.size() && i < most; ++i) {
       const Score& score = scores.of_candidate[order[i]];
       if (i > 0 && !score.eligible) break;
-      const double before = i == 0 ? score.value : scores.of_candidate[order[i - 1]].value;
-      const double next = i == 0 && order.size() > 1 ? scores.of_candidate[order[1]].value : before;
       text += i == 0 ? "Candidate " : ", candidate ";
       text += written(counted_from_1(order[i]));
       text += i > 0                               ? " "
@@ -293,9 +292,17 @@ class Caption {
               : scores.rule == Rule::most_even    ? " has a load ratio of "
                                                   : " has ";
       if (!score.exact) text += "at most ";
-      text += written(score_text(trace_, scores.rule, score.value, next));
+      text += written(score_text(trace_, scores.rule, score.value, neighbour(scores, i)));
     }
     return text + (order.size() > most ? ", and so on." : ".");
+  }
+
+  // The nearest value before the i-th of a ranking that differs from it; of the first, the next.
+  static double neighbour(const TeamScores& scores, std::size_t i) {
+    const auto value = [&](std::size_t j) { return scores.of_candidate[scores.ranking[j]].value; };
+    for (std::size_t j = i; j-- > 0;)
+      if (!lengths_tie(value(j), value(i))) return value(j);
+    return i == 0 && scores.ranking.size() > 1 ? value(1) : value(i);
   }
 
   std::string first_scores(const TeamScores& scores) const {
@@ -431,10 +438,10 @@ class Caption {
   std::string contacts() const {
     const std::size_t number = trace_.contacts.size();
     return fill(
-        "Do the robots also hold the object in place? # make #: one inside an edge, two at an "
-        "inward corner, none at an outward one. Without contacts it turns about any point, "
-        "either way.",
-        {counted(2 * placement_.teams.size(), "robot"), counted(number, "contact")});
+        "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at "
+        "an inward corner two, at an outward one none: # for #. Before the first, the object turns "
+        "about any point, either way.",
+        {counted(number, "contact"), counted(2 * placement_.teams.size(), "robot")});
   }
 
   std::string cut(std::uint32_t item) const {

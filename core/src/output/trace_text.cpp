@@ -31,7 +31,8 @@ std::string rounded(double value, int decimals, double scale) {
 
 std::string number_written(double value, double other, double scale) {
   int decimals = decimals_shown(scale);
-  while (value != other && decimals < most_decimals &&
+  const bool differs = value != other && !lengths_tie(value, other);
+  while (differs && decimals < most_decimals &&
          rounded(value, decimals, scale) == rounded(other, decimals, scale))
     ++decimals;
   return rounded(value, decimals, scale);

@@ -47,7 +47,7 @@ Piece counted_from_1(std::size_t index);
 Piece counted(std::size_t number, std::string_view noun);
 
 // A number among those of size `scale`: about four significant digits of that; with more, up to
-// nine decimals, where it would look like `other` but is not.
+// nine decimals, where it would look like `other` but does not tie with it.
 Piece number(double value, double scale);
 Piece number_unlike(double value, double other, double scale);
 
