@@ -101,6 +101,9 @@ if(EVENLIFT_VIEW)
   target_compile_definitions(imgui PUBLIC "IMGUI_USER_CONFIG=\"${PROJECT_SOURCE_DIR}/wasm/imgui_config.h\"")
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
   if(EMSCRIPTEN)
+    target_compile_options(imgui PRIVATE -fno-inline-functions) # smaller, and it is no hot code
+  endif()
+  if(EMSCRIPTEN)
     # It reads its settings file with sscanf, which the page has not, and the version of OpenGL's language. A scanner of
     # numbers of all kinds would be 7 KB of the page after compression (wasm/left_out.cpp).
     target_compile_definitions(imgui PRIVATE sscanf=evenlift_scan)

@@ -30,8 +30,10 @@ void open_page();
 // Asks for page_resize() with the present measures.
 void measure_screen();
 
-// Asks for another frame, now or after so many seconds.
+// Asks for another frame, now or after so many seconds; of later ones only the last that was asked
+// for comes, if it is not dropped.
 void request_frame();
 void request_frame_after(double seconds);
+void drop_frame_after();
 
 }  // namespace evenlift::view::browser

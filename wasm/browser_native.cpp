@@ -12,5 +12,6 @@ void open_page() {}
 void measure_screen() {}
 void request_frame() {}
 void request_frame_after(double) {}
+void drop_frame_after() {}
 
 }  // namespace evenlift::view::browser

@@ -2,6 +2,7 @@
 // change.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -14,6 +15,8 @@ class History {
   // Remembers the document as it was before an edit; what had been undone is gone.
   void record(const Document& before);
 
+  // How many edits can be undone.
+  std::size_t depth() const { return past_.size(); }
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
 

@@ -140,6 +140,7 @@ void begin_script(AppState& state, Script script) {
   LessonState& lesson = state.lesson;
   lesson.predict = script.lesson.predict;
   lesson.script = std::move(script);
+  lesson.script->depth = state.history.depth();
   find_stops(lesson);
   settle_position(lesson);
 }
@@ -209,6 +210,7 @@ void close_lesson(AppState& state) {
   lesson.trace.reset();
   lesson.script.reset();
   lesson.playing = false;
+  browser::drop_frame_after();
   lesson.marks.clear();
   lesson.visited.clear();
   publish(state, std::nullopt);
@@ -257,6 +259,7 @@ void set_playing(AppState& state, bool playing) {
   if (playing && !next_step(state, 1)) enter(state, step_of(state, 0));
   lesson.playing = playing;
   lesson.turn_at.reset();
+  if (!playing) browser::drop_frame_after();
 }
 
 void set_speed(AppState& state, double speed) {
@@ -364,7 +367,7 @@ std::optional<InputError> open_script(AppState& state, const std::string& text,
   const Result<Trace> trace = make_trace(*placement);
   if (!trace) return trace.error();
   if (const auto problem = check_lesson(*lesson, *trace)) return problem;
-  Script script{std::move(lesson).value(), {}, 0, document->vertices};
+  Script script{std::move(lesson).value(), {}, 0, document->vertices, 0};
   if (join) return join_script(state, std::move(script));
   document->settings.step = find_step(*trace, script.lesson.steps[0].address);
   Commands commands{OpenDocument{std::move(document).value()}};

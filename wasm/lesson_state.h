@@ -24,6 +24,7 @@ struct Script {
   std::vector<Stop> stops;   // those that the trace has, at least one
   std::size_t position = 0;  // the stop that is shown, or was last
   Points vertices;           // of the polygon that it was written for
+  std::size_t depth = 0;     // of the history when it was opened: undo beyond leaves it
 };
 
 // A choice that the learner is asked about before it is shown.

@@ -35,6 +35,7 @@ struct Page {
   double fonts_for_ratio = 0;
   double last_frame_at = 0;  // seconds
   double frames = 0;
+  long frame_after = 0;  // the timer of request_frame_after()
   ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
 };
 Page page;
@@ -175,8 +176,11 @@ bool start() {
 
 void browser::request_frame() { ask_for_frames(2); }
 void browser::request_frame_after(double seconds) {
-  emscripten_set_timeout([](void*) { ask_for_frames(1); }, seconds * 1000 + 1, nullptr);
+  drop_frame_after();
+  page.frame_after =
+      emscripten_set_timeout([](void*) { ask_for_frames(1); }, seconds * 1000 + 1, nullptr);
 }
+void browser::drop_frame_after() { emscripten_clear_timeout(page.frame_after); }
 
 }  // namespace evenlift::view
 

@@ -130,7 +130,12 @@ bool well_shown(const AppState& state) {
 void step_back(AppState& state, Document document) {
   const bool other_shape = document.vertices.size() != state.document.vertices.size();
   state.edit_open = false;
-  document.settings.step = state.document.settings.step;  // where a lesson stands is no edit
+  // Where a lesson stands is no edit; but a document from before a ready-made one stands where it
+  // stood then.
+  if (state.lesson.script && state.history.depth() < state.lesson.script->depth)
+    state.lesson.script.reset();
+  else
+    document.settings.step = state.document.settings.step;
   state.document = std::move(document);
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);

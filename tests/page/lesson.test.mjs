@@ -25,6 +25,9 @@ const stone = JSON.parse(evenlift("trace", file("stone-slab"), "--json"));
 const find = (kind, item = 0) => stone.findIndex((s) => s.kind === kind && s.item === item);
 const ready = JSON.parse(readFileSync(path.join(pageFolder, "lessons.json"), "utf8"));
 
+// The stone at step 1000.
+const beyondTheLast = "1.8CqeqKY7TMGrHNZK-59rGPFxpBqDhRjFOEC700";
+
 // The player on a screen of 1280 by 800: its buttons, and its timeline from the first step to the last.
 const buttons = { first: 43, chapterBack: 76, back: 108, play: 141, on: 172, chapterOn: 204, last: 237 };
 const press = (page, name) => page.mouse.click(buttons[name], 760);
@@ -293,6 +296,25 @@ test("every ready-made lesson opens from the window, and every stop has its word
   }
   await page.keyboard.press("b");
   await page.waitForFunction(() => location.search === "");
+  await page.done();
+});
+
+test("undo leaves a ready-made lesson for what was open before it", async () => {
+  const page = await browser.open();
+  await load(page, asset("cross"));
+  const before = await link(page);
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: "A moved centre" }).click();
+  await spoken(page, /^Step 1 of 6/);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Control+z");
+  await settled(page);
+  assert.equal(await link(page), before);
+  await page.waitForFunction(() => location.search === "");
+  await spoken(page, /robots, each/);
+  await page.keyboard.press("Control+Shift+z");
+  await settled(page);
+  assert.equal((await state(page)).polygon.length, 8);
   await page.done();
 });
 
