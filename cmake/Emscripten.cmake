@@ -78,6 +78,16 @@ function(evenlift_page_program target)
     -sENVIRONMENT=web
     -sFILESYSTEM=0
     -sMALLOC=emmalloc
+    # Nothing for browsers without WebGL 2 or TextDecoder, nor for what the page does not ask for.
+    -sTEXTDECODER=2
+    -sMIN_CHROME_VERSION=85
+    -sMIN_FIREFOX_VERSION=79
+    -sMIN_EDGE_VERSION=85
+    -sMIN_SAFARI_VERSION=150000
+    -sGL_TRACK_ERRORS=0
+    -sGL_POOL_TEMP_BUFFERS=0
+    -sHTML5_SUPPORT_DEFERRING_USER_SENSITIVE_REQUESTS=0
+    -sSUPPORT_ERRNO=0
     # Once more through Binaryen, in the form in which it finds most: 1 % less.
     -sBINARYEN_EXTRA_PASSES=--flatten,--rereloop,-Oz,-Oz
     -sDYNAMIC_EXECUTION=0

@@ -89,7 +89,8 @@ void draw_switches(const Ui& ui) {
   if (switch_chip(ui, "Predict first", lesson.predict)) ui.push(SetPredict{!lesson.predict});
   if (!lesson.script) return;
   ImGui::SameLine(0, 6);
-  if (switch_chip(ui, "All steps", false)) ui.push(LeaveScript{});
+  const float width = text_size(Face::text, "All steps").x + 28;
+  if (flat_button(ui, "All steps", "All steps", width)) ui.push(LeaveScript{});
 }
 
 }  // namespace
