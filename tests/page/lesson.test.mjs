@@ -1,6 +1,6 @@
 // The lesson: the algorithm step by step, ready-made lessons, and how they are opened.
 import assert from "node:assert/strict";
-import { readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { asset, drag, evenlift, fragment, link, load, pageFolder, published, root, set, settled, startBrowser, state, thrown, toScreen } from "./browser.mjs";
@@ -397,13 +397,14 @@ test("a lesson with a link of another polygon: the link is opened, and the page 
   await page.done();
 });
 
-test("a teacher's file beside the page opens by its name; other addresses do not", async () => {
+test("a teacher's file beside the page opens by its name; other addresses do not", async (t) => {
   const place = path.join(pageFolder, "lesson-of-a-test.txt");
   const broken = path.join(pageFolder, "broken-lesson-of-a-test.txt");
   const long = path.join(pageFolder, "long-lesson-of-a-test.txt");
   writeFileSync(place, "title: Mine\npolygon: square\n\n[centre]\nLook here.\n\n[end]\nAnd there.\n");
   writeFileSync(broken, "title: Mine\npolygon: square\ncolour: red\n");
   writeFileSync(long, `title: Mine\n${"#".repeat(70000)}\n`);
+  t.after(() => [place, broken, long].forEach((file) => rmSync(file)));
   const page = await browser.open({ address: "?lesson=lesson-of-a-test.txt" });
   await spoken(page, /^Step 1 of 2, .*Look here\./);
   await published(page);
