@@ -139,7 +139,7 @@ void draw_robots_of_lesson(const Painter& painter, const CanvasView& view) {
   for (std::size_t i = known.teams; i-- > 0;) {
     const Team& team = placement.teams[i];
     for (std::size_t end = 0; end < 2; ++end) {
-      const double share = i < known.shares ? team.loads[end] / placement.loads->max : 0;
+      const double share = i < known.shares ? team.loads[end] / placement.loads->max : 1;
       draw_robot(painter, view.theme, size,
                  end == 0 ? team.chord.r1.position : team.chord.r2.position, i, share, false);
     }

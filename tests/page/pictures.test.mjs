@@ -55,6 +55,24 @@ test("two methods side by side, and what tips", async () => {
   await check(page, "compare-dark");
 });
 
+test("a step of the lesson", async () => {
+  const page = await browser.open();
+  await load(page, asset("arrow"));
+  await page.keyboard.press("b");
+  await set(page, { step: 30 });
+  await check(page, "lesson");
+});
+
+test("phone: a question of the lesson, dark", async () => {
+  const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme: "dark" });
+  await load(page, asset("arrow"));
+  await page.keyboard.press("b");
+  await set(page, { step: 29 });
+  await page.keyboard.press("q");
+  await page.keyboard.press("ArrowRight");
+  await check(page, "lesson-phone-dark");
+});
+
 test("the whole in its frame", async () => {
   const page = await browser.open();
   await load(page, asset("horseshoe"));
