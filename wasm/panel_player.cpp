@@ -71,14 +71,18 @@ void draw_transport(const Ui& ui, float size, bool all) {
   button(ui, ActionId::last_step, size);
 }
 
-void draw_place_and_speed(const Ui& ui, float size, const std::string& place) {
-  const LessonState& lesson = ui.state.lesson;
-  ImGui::SameLine(0, 12);
+void draw_place(const Ui& ui, float size) {
+  const Timeline now = timeline(ui.state);
+  const std::string place =
+      "Step " + std::to_string(now.at + 1) + " of " + std::to_string(now.count);
   const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, place);
   draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + (size - text.y) / 2),
             ui.theme.second_text, place);
   ImGui::Dummy(ImVec2(text.x + 24, size));
-  ImGui::SameLine(0, 8);
+}
+
+void draw_speed(const Ui& ui, float size) {
+  const LessonState& lesson = ui.state.lesson;
   const int by = stepper(ui, "speed", plain(lesson.speed) + "×", lesson.speed > slowest_speed,
                          lesson.speed < fastest_speed, 3 * size + 8);
   if (by != 0) ui.push(SetSpeed{lesson.speed * (by > 0 ? 2 : 0.5)});
@@ -95,28 +99,36 @@ void draw_switches(const Ui& ui) {
 
 }  // namespace
 
-// Buttons, timeline and switches, in one row where there is room, else in two.
+// Timeline, buttons and switches. On a wide player the switches are beside the buttons; on a narrow
+// one below, and left out while the sheet is closed.
 void draw_player(const Ui& ui) {
-  const float size = ui.control(), width = ImGui::GetContentRegionAvail().x;
-  const Timeline now = timeline(ui.state);
-  const std::string place = std::to_string(now.at + 1) + " of " + std::to_string(now.count);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 4));
-  draw_timeline(ui, width);
+  const float width = ImGui::GetContentRegionAvail().x;
   // A side panel has the button that leaves; nobody leaves the lesson of an <iframe>.
   const bool leaves = !ui.layout.wide && !ui.state.screen.embed;
-  const bool all = width >= static_cast<float>(leaves ? 8 : 7) * size;
-  draw_transport(ui, size, all);
+  const int buttons = leaves ? 8 : 7;
+  const float size = ui.control() <= 40
+                         ? ui.control()
+                         : std::clamp(width / static_cast<float>(buttons), 40.0f, ui.control());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 4));
+  draw_timeline(ui, width);
+  draw_transport(ui, size, width >= static_cast<float>(buttons) * size);
   if (leaves && icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", size))
     ui.push(CloseLesson{});
-  if (leaves) ImGui::SameLine(0, 0);
-  const float used = static_cast<float>((all ? 7 : 5) + (leaves ? 1 : 0)) * size;
-  if (width > 620) draw_place_and_speed(ui, size, "Step " + place);
-  const bool brief = !ui.layout.wide && ui.state.sheet == Sheet::closed;
-  if (width > used + 150)
+  if (width > 620) {
     ImGui::SameLine(0, 12);
-  else
+    draw_place(ui, size);
+    ImGui::SameLine(0, 8);
+    draw_speed(ui, size);
+    ImGui::SameLine(0, 12);
+    draw_switches(ui);
+  } else if (ui.state.screen.embed || ui.state.sheet != Sheet::closed) {
+    if (!leaves) ImGui::NewLine();
+    draw_speed(ui, size);
+    ImGui::SameLine(0, 8);
+    draw_switches(ui);
+  } else if (!leaves) {
     ImGui::NewLine();
-  if (width > used + 150 || !brief) draw_switches(ui);
+  }
   ImGui::PopStyleVar();
 }
 
