@@ -103,11 +103,11 @@ test("the link is copied, and the button says so", async () => {
   const window = await openWindow(page, "save");
   const address = `${browser.server.url}#${await link(page)}`;
   assert.equal(await window.locator("#link").inputValue(), address);
-  assert.match(await window.getByRole("status").textContent(), new RegExp(`${address.length} characters`));
-  assert.doesNotMatch(await window.getByRole("status").textContent(), /some programs/);
+  assert.match(await window.getByRole("status").first().textContent(), new RegExp(`${address.length} characters`));
+  assert.doesNotMatch(await window.getByRole("status").first().textContent(), /some programs/);
   await page.keyboard.press("Enter");  // the focus is on Copy
   await window.getByRole("button", { name: "Copied" }).waitFor();
-  assert.match(await window.getByRole("status").textContent(), /^The link is copied\./);
+  assert.match(await window.getByRole("status").first().textContent(), /^The link is copied\./);
   assert.equal(await page.evaluate(() => navigator.clipboard.readText()), address);
   await window.getByRole("button", { name: "Copy", exact: true }).waitFor();
   await page.done();
@@ -123,7 +123,7 @@ test("the length of the link is told wherever it is copied; a long one is not pr
   await page.keyboard.press("Control+c");
   assert.match(await noticed(page, /copied.*,/), /^The link is copied\. It has [\d,]+ characters: some programs cut links from 2,000 on\. A file holds the same: see Save\.$/);
   const window = await openWindow(page, "save");
-  assert.match(await window.getByRole("status").textContent(), /some programs cut links from 2,000 on/);
+  assert.match(await window.getByRole("status").first().textContent(), /some programs cut links from 2,000 on/);
   await window.getByRole("button", { name: "QR code" }).click();
   await window.getByText("The link is too long for a QR code").waitFor();
   await page.done();
