@@ -51,18 +51,6 @@ std::string as_typed(const std::string& setting) {
 
 }  // namespace
 
-std::optional<std::uint64_t> read_whole(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  std::uint64_t value = 0;
-  for (const char c : text) {
-    if (c < '0' || c > '9') return std::nullopt;
-    const auto digit = static_cast<std::uint64_t>(c - '0');
-    if (value > (~std::uint64_t{0} - digit) / 10) return std::nullopt;
-    value = 10 * value + digit;
-  }
-  return value;
-}
-
 void SettingOptions::declare(CommandLine& line) {
   line.value(teams, "--teams", "N", "teams asked for, or max: every candidate (default 3)");
   line.value(metric, "--metric", "NAME", "area (default), circle, distance, distributed or random");

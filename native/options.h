@@ -26,7 +26,4 @@ struct SettingOptions {
   Failure failure(const std::string& source, const InputError& error) const;
 };
 
-// Digits only, up to 2^64 - 1.
-std::optional<std::uint64_t> read_whole(const std::string& text);
-
 }  // namespace evenlift::native

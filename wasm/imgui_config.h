@@ -16,7 +16,7 @@
 // Files are the browser's business, and a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 
-// Without the font that it falls back to: 10 KB of the page after compression, and wasm/fonts.cpp
+// Without the font that it falls back to: 12 KB of text that hardly compresses, and wasm/fonts.cpp
 // always gives others. Versions before 1.92 have no switch for it. Where they declare and define
 // the function that adds it, this gives it another name; where they call it, without arguments,
 // they get the one below, and the linker finds the font unused.

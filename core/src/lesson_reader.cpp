@@ -14,19 +14,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// A whole number of at most 2^64 - 1, digits only.
-std::optional<std::uint64_t> read_whole(std::string_view text) {
-  if (text.empty()) return std::nullopt;
-  std::uint64_t value = 0;
-  for (const char c : text) {
-    if (c < '0' || c > '9') return std::nullopt;
-    const auto digit = static_cast<std::uint64_t>(c - '0');
-    if (value > (~std::uint64_t{0} - digit) / 10) return std::nullopt;
-    value = 10 * value + digit;
-  }
-  return value;
-}
-
 // Whether a line is UTF-8 without control characters other than tabs.
 bool is_readable(std::string_view line) {
   for (std::size_t i = 0; i < line.size();) {

@@ -1,6 +1,6 @@
 // Sorting by index, by one function for all orders. Each order of its own would be another copy of
-// a standard sort, which is 5 KB of the page; where the sort is most of the time (candidates, the
-// selector) it is worth a copy.
+// a standard sort, of which six were 9 KB of the page after compression; where the sort is most of
+// the time (candidates, the selector) it is worth a copy.
 #pragma once
 
 #include <cstddef>

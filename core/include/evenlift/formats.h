@@ -2,6 +2,7 @@
 // nearest double and written with the fewest digits that read back to the same double.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,5 +38,8 @@ std::string shortest(double value);
 // optional sign, point and exponent, no spaces; none for anything else, infinity, NaN, hexadecimal,
 // or what overflows. O(bytes).
 std::optional<double> read_number(std::string_view text);
+
+// The whole number of at most 2^64 - 1 that the text is: digits only. O(bytes).
+std::optional<std::uint64_t> read_whole(std::string_view text);
 
 }  // namespace evenlift
