@@ -14,11 +14,9 @@ async function openText(page, text, how = "page_load") {
   if (!text.trim()) return "It is empty";
   if (text.includes("\0")) return "It is not a text";
   if (how === "page_load" && isLesson(text)) return openLessonText(page, text);
-  try {
-    return page.program.text(how, /^\s*</.test(text) ? svgToText(text) : text);
-  } catch (error) {
-    return error.message;
-  }
+  if (!/^\s*</.test(text)) return page.program.text(how, text);
+  const svg = svgToText(text);
+  return svg.problem ?? page.program.text(how, svg.text);
 }
 
 async function openFile(page, file) {

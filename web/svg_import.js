@@ -1,11 +1,11 @@
-// An SVG picture of one polygon as text in the thesis's format. What cannot be understood is refused with a sentence: an
-// Error whose message names the place.
-import { readXml } from "./xml.js";
+// An SVG picture of one polygon as text in the thesis's format. What cannot be understood is refused with a sentence.
+// Numbers are read here and not by the browser, whose lists of points and transforms have 32-bit numbers.
+import { Refusal, parseSvg } from "./svg_document.js";
 
 const numberAt = /[\s,]*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)/iy;
 
-// The numbers of a list, as SVG separates them.
-function numbers(text, where) {
+// The numbers of a list, as SVG separates them. The list begins after `before` characters of what is named.
+function numbers(text, what, before = 0) {
   const found = [];
   numberAt.lastIndex = 0;
   for (let end = 0; ; end = numberAt.lastIndex) {
@@ -16,32 +16,33 @@ function numbers(text, where) {
     }
     const wrong = text.slice(end).search(/[^\s,]/);
     if (wrong < 0) return found;
-    throw new Error(`${where}, character ${end + wrong + 1}: not a number`);
+    throw new Refusal(`${what}, character ${before + end + wrong + 1}: not a number`);
   }
 }
 
 function ofPolygon(shape) {
-  const all = numbers(shape.attributes.points ?? "", "The SVG's polygon");
-  if (all.length % 2) throw new Error("The SVG's polygon: the last point has no y");
+  const all = numbers(shape.getAttribute("points") ?? "", "The SVG's polygon");
+  if (all.length % 2) throw new Refusal("The SVG's polygon: the last point has no y");
   return Array.from({ length: all.length / 2 }, (_, i) => [all[2 * i], all[2 * i + 1]]);
 }
 
+// How many numbers each command of a path takes.
 const takes = { M: 2, L: 2, H: 1, V: 1, Z: 0 };
 
 function ofPath(shape) {
-  const text = shape.attributes.d ?? "";
+  const text = shape.getAttribute("d") ?? "";
   const points = [];
   let x = 0, y = 0, closed = false;
   for (const { 0: part, 1: letter, index } of text.matchAll(/([a-df-z])[^a-df-z]*|[^\s,]+?/gi)) {
     const where = `The SVG's path, character ${index + 1}`;
     const command = letter?.toUpperCase();
-    if (/[CSQTA]/.test(command)) throw new Error(`${where}: it is curved there (${letter}), and evenlift takes straight edges only`);
-    if (!(command in takes) || (points.length === 0 && command !== "M")) throw new Error(`${where}: no command that belongs there`);
-    if (command !== "Z" && (closed || (command === "M" && points.length > 0))) throw new Error(`${where}: a second outline begins, and evenlift takes one without holes`);
+    if (/[CSQTA]/.test(command)) throw new Refusal(`${where}: it is curved there (${letter}), and evenlift takes straight edges only`);
+    if (!(command in takes) || (points.length === 0 && command !== "M")) throw new Refusal(`${where}: no command that belongs there`);
+    if (command !== "Z" && (closed || (command === "M" && points.length > 0))) throw new Refusal(`${where}: a second outline begins, and evenlift takes one without holes`);
     closed = command === "Z";
-    const all = numbers(part.slice(1), where);
+    const all = numbers(part.slice(1), "The SVG's path", index + 1);
     const each = takes[command];
-    if (each ? all.length === 0 || all.length % each : all.length > 0) throw new Error(`${where}: ${letter} does not take ${all.length} numbers`);
+    if (each ? all.length === 0 || all.length % each : all.length > 0) throw new Refusal(`${where}: ${letter} does not take ${all.length} numbers`);
     const relative = letter !== command;
     for (let i = 0; i < all.length; i += each) {
       if (command !== "V") x = (relative ? x : 0) + all[i];
@@ -52,68 +53,72 @@ function ofPath(shape) {
   return points;
 }
 
-// The six numbers of a matrix; a point (x, y) goes to (a x + c y + e, b x + d y + f).
-function matrixOf(name, v) {
-  const radians = (degrees) => (degrees * Math.PI) / 180;
-  const counts = { matrix: [6], translate: [1, 2], scale: [1, 2], rotate: [1, 3], skewX: [1], skewY: [1] };
-  if (!counts[name]?.includes(v.length)) throw new Error(`The SVG's transform ${name}(${v.join(" ")}) is not understood`);
-  switch (name) {
-    case "matrix": return v;
-    case "translate": return [1, 0, 0, 1, v[0], v[1] ?? 0];
-    case "scale": return [v[0], 0, 0, v[1] ?? v[0], 0, 0];
-    case "skewX": return [1, 0, Math.tan(radians(v[0])), 1, 0, 0];
-    case "skewY": return [1, Math.tan(radians(v[0])), 0, 1, 0, 0];
-    default: {
-      // Quarter turns are exact.
-      const [cos, sin] = v[0] % 90 ? [Math.cos(radians(v[0])), Math.sin(radians(v[0]))]
-        : [[1, 0], [0, 1], [-1, 0], [0, -1]][(((v[0] / 90) % 4) + 4) % 4];
-      const [x, y] = [v[1] ?? 0, v[2] ?? 0];
-      return [cos, sin, -sin, cos, x - cos * x + sin * y, y - sin * x - cos * y];
-    }
+// The functions of a transform: how many numbers each takes, and what it does to a matrix.
+const functions = new Map([
+  ["matrix", { counts: [6], apply: (matrix, ...values) => matrix.multiplySelf(new DOMMatrix(values)) }],
+  ["translate", { counts: [1, 2], apply: (matrix, x, y = 0) => matrix.translateSelf(x, y) }],
+  ["scale", { counts: [1, 2], apply: (matrix, x, y = x) => matrix.scaleSelf(x, y) }],
+  ["rotate", { counts: [1, 3], apply: (matrix, degrees, x = 0, y = 0) => matrix.translateSelf(x, y).rotateSelf(degrees).translateSelf(-x, -y) }],
+  ["skewX", { counts: [1], apply: (matrix, degrees) => matrix.skewXSelf(degrees) }],
+  ["skewY", { counts: [1], apply: (matrix, degrees) => matrix.skewYSelf(degrees) }],
+]);
+
+// Multiplies the matrix with what an element's `transform` does to all that is inside the element.
+function applyTransform(matrix, element) {
+  if (/transform|translate|scale|rotate/.test(element.getAttribute("style"))) throw new Refusal("The SVG moves its shape by a style, which is not understood; a transform attribute would be");
+  const text = (element.getAttribute("transform") ?? "").trimEnd();
+  const call = /[\s,]*([a-z]+)\s*\(([^)]*)\)/iy;
+  for (let at = 0; at < text.length; at = call.lastIndex) {
+    call.lastIndex = at;
+    const [whole, name, list] = call.exec(text) ?? [text.slice(at)];
+    const { counts, apply } = functions.get(name) ?? { counts: [] };
+    const values = counts.length ? numbers(list, "The SVG's transform", at + whole.indexOf("(") + 1) : [];
+    if (!counts.includes(values.length)) throw new Refusal(`The SVG's transform ${whole.trim().slice(0, 60)} is not understood`);
+    apply(matrix, ...values);
   }
 }
 
-// What the `transform` of an element does to the points inside it.
-function transformed(points, element) {
-  const text = element.attributes.transform ?? "";
-  if (/transform|translate|scale|rotate/.test(element.attributes.style)) throw new Error("The SVG moves its shape by a style, which is not understood; a transform attribute would be");
-  const parts = [...text.matchAll(/([a-z]+)\s*\(([^)]*)\)/gi)];
-  const rest = text.replace(/([a-z]+)\s*\(([^)]*)\)/gi, "");
-  if (/[^\s,]/.test(rest)) throw new Error(`The SVG's transform “${text.slice(0, 60)}” is not understood`);
-  return parts.reduceRight((moved, [, name, list]) => {
-    const [a, b, c, d, e, f] = matrixOf(name, numbers(list, "The SVG's transform"));
-    return moved.map(([x, y]) => [a * x + c * y + e, b * x + d * y + f]);
-  }, points);
-}
-
+// What is inside one of these is not drawn where it stands.
 const unseen = new Set(["defs", "clipPath", "mask", "pattern", "marker", "symbol"]);
 
-// An element and all that it is in.
-function ancestors(element) {
-  const all = [];
-  for (; element; element = element.parent) all.push(element);
-  return all;
+function onlyShape(root) {
+  const seen = (element) => unseen.has(element.localName) ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT;
+  const walker = document.createTreeWalker(root, NodeFilter.SHOW_ELEMENT, seen);
+  let shape;
+  for (let element; (element = walker.nextNode());) {
+    if (element.localName !== "polygon" && element.localName !== "path") continue;
+    if (shape) throw new Refusal("The SVG has more than one shape, and evenlift takes one polygon");
+    shape = element;
+  }
+  return shape;
 }
 
-export function svgToText(text) {
-  const shapes = [];
-  readXml(text, (element, content) => {
-    if (element.name === "polygon" || element.name === "path") {
-      if (!ancestors(element.parent).some(({ name }) => unseen.has(name))) shapes.push(element);
-      if (shapes.length > 1) throw new Error("The SVG has more than one shape, and evenlift takes one polygon");
-    } else if (element.name === "style" && /transform|translate:|scale:|rotate:/.test(content())) {
-      throw new Error("The SVG's style sheet moves shapes, which is not understood; a transform attribute would be");
-    }
-  });
-  const [shape] = shapes;
-  if (!shape) throw new Error("The SVG has no <polygon> and no <path> to read");
-  let points = shape.name === "path" ? ofPath(shape) : ofPolygon(shape);
-  for (const element of ancestors(shape)) {
-    if (element.parent) points = transformed(points, element);
-    if (element.parent && element.name === "svg") throw new Error("The SVG's shape is in an <svg> of its own inside it, which is not understood");
+function polygonOf(root) {
+  for (const style of root.querySelectorAll("style")) {
+    if (/transform|translate:|scale:|rotate:/.test(style.textContent)) throw new Refusal("The SVG's style sheet moves shapes, which is not understood; a transform attribute would be");
   }
+  const shape = onlyShape(root);
+  if (!shape) throw new Refusal("The SVG has no <polygon> and no <path> to read");
+  if (shape.parentElement.closest("svg") !== root) throw new Refusal("The SVG's shape is in an <svg> of its own inside it, which is not understood");
+  const points = shape.localName === "path" ? ofPath(shape) : ofPolygon(shape);
   const last = points.at(-1);
   if (points.length > 1 && last[0] === points[0][0] && last[1] === points[0][1]) points.pop();
+
+  const matrix = new DOMMatrix();
+  const outside = [];
+  for (let element = shape; element !== root; element = element.parentElement) outside.unshift(element);
+  for (const element of outside) applyTransform(matrix, element);
+  const { a, b, c, d, e, f } = matrix;
   // y is down in a picture and up here.
-  return points.map(([x, y]) => `(${x},${0 - y})\n`).join("");
+  return points.map(([x, y]) => [a * x + c * y + e, 0 - (b * x + d * y + f)]);
+}
+
+// Gives { text } or, for a person, the { problem }.
+export function svgToText(svg) {
+  try {
+    return { text: polygonOf(parseSvg(svg)).map(([x, y]) => `(${x},${y})\n`).join("") };
+  } catch (error) {
+    if (error instanceof Refusal) return { problem: error.message };
+    throw error;
+  }
 }
