@@ -95,9 +95,12 @@ std::vector<std::uint32_t> greedy(const Shape& s, Metric metric, std::size_t tea
 }  // namespace
 
 TEST_CASE("lazy selection takes what comparing all scores takes", "[selection]") {
-  std::size_t rounds = 0;
+  std::size_t rounds = 0, none_even = 0;
   for (std::uint64_t number = 0; number < 2000; ++number) {
     const Shape s = small_shape(number);
+    none_even += !s.candidates.empty() &&
+                 std::all_of(s.candidates.begin(), s.candidates.end(),
+                             [](const Candidate& c) { return c.chord.ratio < 1 - tie; });
     const Metric metric = greedy_metrics[number / 9 % 3];
     const std::size_t teams = std::min<std::size_t>(s.candidates.size(), 12);
     const auto lazy = select_teams(s.polygon, s.centre, s.candidates, metric, teams);
@@ -109,6 +112,7 @@ TEST_CASE("lazy selection takes what comparing all scores takes", "[selection]")
     CHECK(lazy == expected);
   }
   CHECK(rounds > 8000);
+  CHECK(none_even > 50);  // the rule for the first team has two halves
 }
 
 TEST_CASE("lazy selection takes all candidates of larger polygons in the right order",
@@ -198,16 +202,56 @@ TEST_CASE("area counts what belongs to the polygon, circle the whole triangle", 
   CHECK(circle[upright] == Approx(2 * pi * radius * radius).epsilon(1e-13));
 }
 
-TEST_CASE("the first team is the longest even one, or else the most even", "[selection]") {
-  const Shape even = shape({{-4, -2}, {4, -2}, {4, 2}, {-4, 2}}, {}, 0.5);
-  const auto first = select_teams(even.polygon, even.centre, even.candidates, Metric::area, 1);
-  CHECK(even.candidates[first.at(0)].length == Approx(8));
-  // No even one: C far to the left of a long, thin trapezium.
-  const Shape uneven = shape({{-4, -2}, {9, -1}, {9, 1}, {-4, 2}}, Vec2(-3.9, 1.5), 0.0);
-  double most = 0;
-  for (const Candidate& c : uneven.candidates) most = std::max(most, c.chord.ratio);
-  const auto best = select_teams(uneven.polygon, uneven.centre, uneven.candidates, Metric::area, 1);
-  CHECK(uneven.candidates[best.at(0)].chord.ratio >= std::min(most, 1 - tie) - tie);
+namespace {
+
+double length_between(const Vec2& p, const Vec2& q) { return (p - q).norm(); }
+
+// Whether the chord runs between the points, either way round.
+bool runs_between(const Chord& chord, const Vec2& p, const Vec2& q) {
+  const Vec2 &r1 = chord.r1.position, &r2 = chord.r2.position;
+  return std::min(std::max(length_between(r1, p), length_between(r2, q)),
+                  std::max(length_between(r1, q), length_between(r2, p))) < 1e-12;
+}
+
+}  // namespace
+
+TEST_CASE("the first team is the longest even one, though a longer chord is uneven",
+          "[selection]") {
+  const Shape s = shape({{0, 0}, {12, 0}, {12, 2}, {4, 2}, {4, 8}, {0, 8}}, Vec2(3, 1.5), 0);
+  int shorter_even = 0, longer_uneven = 0;
+  const double longest_even = std::sqrt(45.0);
+  for (const Candidate& c : s.candidates) {
+    const bool even = c.chord.ratio >= 1 - tie;
+    shorter_even += even && c.length < longest_even - 0.1;
+    longer_uneven += !even && c.length > longest_even + 0.1;
+  }
+  REQUIRE(shorter_even >= 2);
+  REQUIRE(longer_uneven >= 2);
+  for (const Metric metric : greedy_metrics) {
+    const auto first = select_teams(s.polygon, s.centre, s.candidates, metric, 1);
+    REQUIRE(first.size() == 1);
+    CHECK(runs_between(s.candidates[first[0]].chord, {0, 3}, {6, 0}));
+  }
+}
+
+TEST_CASE("with no even candidate the first team is the most even, though another is longer",
+          "[selection]") {
+  // C lies in the hollow of an arrowhead, nearer to its left arm, so that no chord is even. (Of a
+  // convex polygon some chord always is.)
+  const Shape s = shape({{-3, 4}, {0, -2}, {3, 4}, {0, 1}}, Vec2(-1, 3.5), 0);
+  const double best = 5.0 / 7;
+  int less_even_and_longer = 0;
+  for (const Candidate& c : s.candidates) {
+    CHECK(c.chord.ratio < best + 1e-12);
+    less_even_and_longer += c.chord.ratio < best - 0.1 && c.length > 5;
+  }
+  REQUIRE(less_even_and_longer >= 1);
+  for (const Metric metric : greedy_metrics) {
+    const auto first = select_teams(s.polygon, s.centre, s.candidates, metric, 1);
+    REQUIRE(first.size() == 1);
+    CHECK(s.candidates[first[0]].chord.ratio == Approx(best).epsilon(1e-13));
+    CHECK(runs_between(s.candidates[first[0]].chord, {-3, 4}, {1.8, 2.8}));
+  }
 }
 
 TEST_CASE("distributed teams stand at equal angles around a convex polygon", "[selection]") {
