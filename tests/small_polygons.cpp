@@ -321,26 +321,24 @@ static_assert(std::size(makers) == std::size(families));
 
 }  // namespace
 
-Case make_case(std::uint64_t number) {
-  for (std::uint64_t attempt = 0;; ++attempt) {
-    Draw draw(number * 1000 + attempt);
-    const std::size_t family = number % std::size(families);
-    Case c{families[family], {}};
-    oracle::Problem& problem = c.problem;
-    problem.vertices = makers[family](draw);
-    if (draw.chance(20)) add_straight_vertices(problem.vertices, draw);
-    problem.centre_of_mass = choose_centre(problem.vertices, draw, c.name);
-    c.name += transform(problem.vertices, problem.centre_of_mass, draw);
-    if (draw.chance(30)) {
-      std::reverse(problem.vertices.begin(), problem.vertices.end());
-      c.name += " reversed";
-    }
-    problem.min_ratio = draw.one_of({0.0, 0.5, 0.8, 0.8, 1.0});
-    problem.teams = draw.one_of({1, 2, 3, 3, 4, 5, 8});
-    problem.metric =
-        draw.one_of({oracle::Metric::area, oracle::Metric::circle, oracle::Metric::distance});
-    if (oracle::refusal(problem) == oracle::Refusal::none) return c;
+Case attempt_case(std::uint64_t number, std::uint64_t attempt) {
+  Draw draw(number * 1000 + attempt);
+  const std::size_t family = number % std::size(families);
+  Case c{families[family], {}};
+  oracle::Problem& problem = c.problem;
+  problem.vertices = makers[family](draw);
+  if (draw.chance(20)) add_straight_vertices(problem.vertices, draw);
+  problem.centre_of_mass = choose_centre(problem.vertices, draw, c.name);
+  c.name += transform(problem.vertices, problem.centre_of_mass, draw);
+  if (draw.chance(30)) {
+    std::reverse(problem.vertices.begin(), problem.vertices.end());
+    c.name += " reversed";
   }
+  problem.min_ratio = draw.one_of({0.0, 0.5, 0.8, 0.8, 1.0});
+  problem.teams = draw.one_of({1, 2, 3, 3, 4, 5, 8});
+  problem.metric =
+      draw.one_of({oracle::Metric::area, oracle::Metric::circle, oracle::Metric::distance});
+  return c;
 }
 
 Case make_careless_case(std::uint64_t number) {

@@ -20,7 +20,10 @@ struct Case {
 inline constexpr const char* families[] = {"regular", "convex", "star",      "comb",     "spiral",
                                            "random",  "grid",   "staircase", "symmetric"};
 
-/// The case of that number, of family number % 9; always valid.
+/// One attempt at the case of that number, of family number % 9. Most are valid.
+Case attempt_case(std::uint64_t number, std::uint64_t attempt);
+
+/// The first of the attempts that the oracle accepts.
 Case make_case(std::uint64_t number);
 
 /// Points joined in any order, on a grid so small that they often touch: seldom valid.
