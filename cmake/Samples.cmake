@@ -1,5 +1,5 @@
-# The samples of assets/polygons/index.txt for the page: as a script (cmake -DPOLYGONS=FOLDER -DJSON=FILE
-# -DOPENING=FILE -P Samples.cmake) it writes all of them as JSON and the first as a C++ string literal.
+# The polygons of FOLDER/index.txt for the page: as a script (cmake -DPOLYGONS=FOLDER -DJSON=FILE [-DOPENING=FILE]
+# -P Samples.cmake) it writes all of them as JSON and the first as a C++ string literal.
 cmake_minimum_required(VERSION 3.24)
 
 include("${CMAKE_CURRENT_LIST_DIR}/JsonString.cmake")
@@ -30,4 +30,6 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 file(WRITE "${JSON}" "[\n${entries}\n]\n")
-file(WRITE "${OPENING}" "R\"polygon(${opening})polygon\"\n")
+if(DEFINED OPENING)
+  file(WRITE "${OPENING}" "R\"polygon(${opening})polygon\"\n")
+endif()

@@ -82,15 +82,16 @@ std::string write_results(std::vector<Part> parts, const ExperimentFolder& folde
     rows += part.result.measurements.size();
     results.push_back(std::move(part.result));
   }
-  const Outputs outputs = make_outputs(results);
+  const std::vector<ResultSet> sets = group_by_set(std::move(results));
+  const Outputs outputs = make_outputs(sets);
   write_file(folder.file("measurements.csv"), outputs.measurements_csv);
   write_file(folder.file("aggregates.csv"), outputs.aggregates_csv);
   write_file(folder.file("polygons.csv"), outputs.polygons_csv);
   write_file(folder.file("times.csv"), times);
   write_file(folder.file("thesis.md"), claims_markdown(outputs.claims));
   write_file(folder.file("report.html"),
-             report_html(results, outputs.figures, outputs.claims, settings));
-  return counted(results.size(), "polygon") + ", " + counted(rows, "measurement") + ": " +
+             report_html(sets, outputs.figures, outputs.claims, settings));
+  return counted(parts.size(), "polygon") + ", " + counted(rows, "measurement") + ": " +
          folder.file("report.html") + "\n";
 }
 
@@ -153,10 +154,12 @@ void cmd_experiment(const Arguments& arguments) {
       "evenlift experiment",
       "Measures every method with every number of teams on many polygons, as chapter 5 of the\n"
       "thesis does, and writes tables and a report with its figures.",
-      "PATH is a polygon's file, or a folder of them. What is measured stays in DIR/parts: a run\n"
+      "PATH is a polygon's file, or a folder of them; each folder is a set with averages of its\n"
+      "own. What is measured stays in DIR/parts: a run\n"
       "that was interrupted goes on where it was.\n\n"
       "Examples:\n"
       "  evenlift experiment assets/polygons --out report\n"
+      "  evenlift experiment assets/polygons assets/thesis-like --out report     (two sets)\n"
       "  evenlift experiment assets/polygons --out report --shard 2/8   (each of 8 machines its "
       "own)\n"
       "  evenlift experiment --merge --out report                       (when all 8 are done)\n");

@@ -34,8 +34,9 @@ std::string file_name(const std::string& polygon) {
 
 std::string parts(const std::string& folder) { return folder + "/parts"; }
 
-std::string part_path(const std::string& folder, const std::string& polygon) {
-  return parts(folder) + "/polygon-" + file_name(polygon);
+std::string part_path(const std::string& folder, const std::string& set,
+                      const std::string& polygon) {
+  return parts(folder) + "/polygon-" + file_name(set + "/" + polygon);
 }
 
 std::string shard_name(const Shard& shard) {
@@ -76,19 +77,18 @@ ExperimentFolder ExperimentFolder::open(const std::string& path) {
   return ExperimentFolder(path);
 }
 
-std::optional<Part> ExperimentFolder::find(const std::string& polygon,
-                                           const std::string& fingerprint,
+std::optional<Part> ExperimentFolder::find(const ShardList::Entry& entry,
                                            const ExperimentSettings& settings) const {
-  const std::optional<std::string> text = read_file(part_path(path_, polygon));
+  const std::optional<std::string> text = read_file(part_path(path_, entry.set, entry.polygon));
   std::optional<Part> part = text ? read_part(*text) : std::nullopt;
-  if (!part || part->result.polygon != polygon || part->fingerprint != fingerprint ||
-      part->settings != settings)
+  if (!part || part->result.set != entry.set || part->result.polygon != entry.polygon ||
+      part->fingerprint != entry.fingerprint || part->settings != settings)
     return std::nullopt;
   return part;
 }
 
 void ExperimentFolder::keep(const Part& part) const {
-  write_file(part_path(path_, part.result.polygon), write_part(part));
+  write_file(part_path(path_, part.result.set, part.result.polygon), write_part(part));
 }
 
 void ExperimentFolder::finish(const ShardList& list) const {
@@ -129,18 +129,18 @@ std::vector<Part> collect(const std::vector<ExperimentFolder>& folders) {
   if (shards.empty()) refuse(folders.front().path(), "no shard is finished here");
 
   const std::uint32_t n = shards.begin()->second.list.shard.n;
-  std::map<std::string, Part> all;
+  std::map<std::pair<std::string, std::string>, Part> all;  // by set and polygon
   for (std::uint32_t i = 1; i <= n; ++i) {
     const auto shard = shards.find(i);
     if (shard == shards.end())
       refuse("shard " + std::to_string(i) + "/" + std::to_string(n), "missing or not finished");
     const auto& [folder, list] = shard->second;
     for (const ShardList::Entry& entry : list.entries) {
-      std::optional<Part> part = folder->find(entry.polygon, entry.fingerprint, list.settings);
+      std::optional<Part> part = folder->find(entry, list.settings);
       if (!part)
         refuse(folder->path(), "the measurements of " + entry.polygon +
                                    " are missing or damaged; run its shard again");
-      if (!all.emplace(entry.polygon, *std::move(part)).second)
+      if (!all.emplace(std::pair(entry.set, entry.polygon), *std::move(part)).second)
         refuse(folder->path(), entry.polygon + " was measured in another shard, too");
     }
   }

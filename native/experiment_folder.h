@@ -22,8 +22,7 @@ class ExperimentFolder {
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
   // The part of a polygon, if it is there, whole, and of this fingerprint and these settings.
-  std::optional<Part> find(const std::string& polygon, const std::string& fingerprint,
-                           const ExperimentSettings& settings) const;
+  std::optional<Part> find(const ShardList::Entry& entry, const ExperimentSettings& settings) const;
   // Whole or not at all. Safe for several threads and programs at once.
   void keep(const Part& part) const;
 
@@ -37,7 +36,7 @@ class ExperimentFolder {
   std::string path_;
 };
 
-// All parts of a finished run, by the polygons' names, from one folder or from those of its shards.
+// All parts of a finished run, by set and polygon, from one folder or from those of its shards.
 // Throws Failure if a shard is missing or not finished, or shards do not belong together.
 std::vector<Part> collect(const std::vector<ExperimentFolder>& folders);
 

@@ -24,10 +24,10 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Part measured(const std::string& name, const Subject& subject, const ExperimentSettings& settings) {
+Part measured(const PolygonFile& file, const Subject& subject, const ExperimentSettings& settings) {
   Part part;
   part.settings = settings;
-  part.result = describe(name, subject);
+  part.result = describe(file.set, file.name, subject);
   for (const Metric method : all_metrics) {
     const Clock::time_point start = Clock::now();
     for (Measurement& m : measure(subject, method, settings))
@@ -49,13 +49,14 @@ Work refuse(const PolygonFile& file, const Failure& failure, const ExperimentSet
   Part part;
   part.settings = settings;
   part.fingerprint = refused_fingerprint;
+  part.result.set = file.set;
   part.result.polygon = file.name;
   // Without the path, which is another on the next machine.
   const std::size_t path = failure.where.rfind(file.path, 0) == 0 ? file.path.size() : 0;
   const std::string place = failure.where.substr(std::min(path + 2, failure.where.size()));
   part.result.problem = (path == 0 || place.empty() ? "" : place + ": ") + failure.what;
   folder.keep(part);
-  return {{file.name, part.fingerprint}, false, failure};
+  return {{file.set, file.name, part.fingerprint}, false, failure};
 }
 
 Work work_on(const PolygonFile& file, const ExperimentSettings& settings,
@@ -63,16 +64,17 @@ Work work_on(const PolygonFile& file, const ExperimentSettings& settings,
   try {
     const Input input = read_input(file.path);
     const std::string id = fingerprint(input.document, settings);
-    if (folder.find(file.name, id, settings)) return {{file.name, id}, true, {}};
+    const ShardList::Entry entry{file.set, file.name, id};
+    if (folder.find(entry, settings)) return {entry, true, {}};
     const Clock::time_point start = Clock::now();
     const Result<Subject> subject = prepare(input.document, settings.min_ratio);
     const double seconds = seconds_since(start);
     if (!subject) return refuse(file, bad_input(file.path, subject.error()), settings, folder);
-    Part part = measured(file.name, *subject, settings);
+    Part part = measured(file, *subject, settings);
     part.fingerprint = id;
     part.times.insert(part.times.begin(), {"candidates", seconds});
     folder.keep(part);
-    return {{file.name, id}, false, {}};
+    return {entry, false, {}};
   } catch (const Failure& failure) {
     if (failure.status != bad_input_status) throw;
     return refuse(file, failure, settings, folder);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 
 #include "failure.h"
 
@@ -27,8 +28,18 @@ bool hidden(const fs::path& path) {
   throw Failure{bad_input_status, path, system_message(error)};
 }
 
+// The last part of a folder's path, however it is written: "a/b/" and "a/b/." are b.
+std::string folder_name(const std::string& folder) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(folder, error).lexically_normal();
+  if (error) unreadable(folder, error);
+  const fs::path last = whole.filename().empty() ? whole.parent_path() : whole;
+  return last.filename().empty() ? last.generic_string() : last.filename().generic_string();
+}
+
 void add_folder(const std::string& folder, std::vector<PolygonFile>& files) {
   const std::size_t before = files.size();
+  const std::string set = folder_name(folder);
   std::error_code error;
   fs::recursive_directory_iterator at(folder, error), end;
   for (; !error && at != end; at.increment(error)) {
@@ -37,7 +48,8 @@ void add_folder(const std::string& folder, std::vector<PolygonFile>& files) {
     if (hidden(path)) {
       if (is_folder) at.disable_recursion_pending();
     } else if (!is_folder && is_polygon_file(path)) {
-      files.push_back({without_extension(path.lexically_relative(folder)), path.generic_string()});
+      files.push_back(
+          {set, without_extension(path.lexically_relative(folder)), path.generic_string()});
     }
   }
   if (error) unreadable(folder, error);
@@ -46,26 +58,45 @@ void add_folder(const std::string& folder, std::vector<PolygonFile>& files) {
                   "no polygon in this folder: no file that ends in .txt, .wkt, .json or .geojson"};
 }
 
+// A folder's name tells its set from the others.
+void check_set_names(const std::vector<std::string>& folders, bool with_files) {
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const std::string set = folder_name(folders[i]);
+    if (with_files && set == single_files)
+      throw Failure{bad_input_status, folders[i],
+                    "would be a set of the same name, files, as the files given by themselves; "
+                    "rename the folder"};
+    for (std::size_t j = 0; j < i; ++j)
+      if (folder_name(folders[j]) == set)
+        throw Failure{bad_input_status, folders[i],
+                      "would be a set of the same name, " + set + ", as " + folders[j] +
+                          "; rename one, or give a folder that holds both"};
+  }
+}
+
 }  // namespace
 
 std::vector<PolygonFile> find_polygon_files(const std::vector<std::string>& paths) {
   std::vector<PolygonFile> files;
+  std::vector<std::string> folders;
   for (const std::string& path : paths) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status))
       unreadable(path, error ? error : std::make_error_code(std::errc::no_such_file_or_directory));
     if (fs::is_directory(status)) {
+      folders.push_back(path);
       add_folder(path, files);
     } else {
-      files.push_back({without_extension(fs::path(path).filename()), path});
+      files.push_back({single_files, without_extension(fs::path(path).filename()), path});
     }
   }
+  check_set_names(folders, folders.size() < paths.size());
   std::sort(files.begin(), files.end(), [](const PolygonFile& a, const PolygonFile& b) {
-    return a.name != b.name ? a.name < b.name : a.path < b.path;
+    return std::tie(a.set, a.name, a.path) < std::tie(b.set, b.name, b.path);
   });
   for (std::size_t i = 1; i < files.size(); ++i)
-    if (files[i].name == files[i - 1].name)
+    if (files[i].set == files[i - 1].set && files[i].name == files[i - 1].name)
       throw Failure{bad_input_status, files[i].path,
                     "would have the same name, " + files[i].name + ", as " + files[i - 1].path +
                         "; rename one, or give a folder that holds both"};

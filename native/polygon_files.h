@@ -7,14 +7,18 @@
 namespace evenlift::native {
 
 struct PolygonFile {
-  std::string name;  // its path within the folder given, or its file name; without the extension
+  std::string set;   // the name of the folder given; single_files of a file given by itself
+  std::string name;  // its path within that folder, or its file name; without the extension
   std::string path;
 };
 
+inline constexpr const char* single_files = "files";
+
 // The files named, and of the folders named, with their sub-folders, all files that end in .txt,
-// .wkt, .json or .geojson, but for index.txt, a folder's list of contents, and hidden ones. By
-// name, and each name once. Throws Failure for a path that is not there, a folder without polygons,
-// and two files of one name.
+// .wkt, .json or .geojson, but for index.txt, a folder's list of contents, and hidden ones. Each
+// folder named is a set, and the files named are another. By set and name. Throws Failure for a
+// path that is not there, a folder without polygons, two folders of one name, and two files of one
+// name in a set.
 std::vector<PolygonFile> find_polygon_files(const std::vector<std::string>& paths);
 
 }  // namespace evenlift::native

@@ -58,7 +58,7 @@ std::string count(std::size_t n, const std::string& of) {
   return std::to_string(n) + " " + of + (n == 1 ? "" : "s");
 }
 
-std::string summary(const std::vector<PolygonResult>& results, const ExperimentSettings& settings) {
+std::string summary(const std::vector<PolygonResult>& results) {
   std::size_t measured = 0, convex = 0, without = 0, rows = 0;
   for (const PolygonResult& r : results) {
     if (!r.problem.empty()) continue;
@@ -68,33 +68,54 @@ std::string summary(const std::vector<PolygonResult>& results, const ExperimentS
     rows += r.measurements.size();
   }
   std::string text = count(measured, "polygon") + " (" + std::to_string(convex) + " convex), " +
-                     count(rows, "measurement") + ". Minimum load ratio " +
-                     shortest(settings.min_ratio) + ", object of " + shortest(experiment_weight) +
-                     " kg, " + count(settings.samples, "random placement") + " averaged.";
+                     count(rows, "measurement") + ".";
   if (without > 0)
     text += " On " + std::to_string(without) +
             " of the polygons the algorithm can place no team, so no method was measured there.";
   return text;
 }
 
-std::string problems(const std::vector<PolygonResult>& results) {
+// What was measured: of several sets a line each.
+std::string summaries(const std::vector<ResultSet>& sets, const ExperimentSettings& settings) {
+  std::string text;
+  for (const ResultSet& set : sets)
+    text += (sets.size() > 1 ? "<strong>" + escaped(set.name) + "</strong>: " : std::string()) +
+            summary(set.results) + (sets.size() > 1 ? "<br>" : " ");
+  return text + "Minimum load ratio " + shortest(settings.min_ratio) + ", object of " +
+         shortest(settings.weight) + " kg, " + count(settings.samples, "random placement") +
+         " averaged.";
+}
+
+std::string problems(const std::vector<ResultSet>& sets) {
   std::string items;
-  for (const PolygonResult& r : results)
-    if (!r.problem.empty())
-      items += "<li>" + escaped(r.polygon) + ": " + escaped(r.problem) + "</li>";
+  for (const ResultSet& set : sets)
+    for (const PolygonResult& r : set.results)
+      if (!r.problem.empty())
+        items += "<li>" + escaped(r.polygon) + ": " + escaped(r.problem) + "</li>";
   if (items.empty()) return "";
   return "<div class=\"problem\">Left out, since they could not be read:<ul>" + items +
          "</ul></div>";
 }
 
-std::string shown(const std::vector<Figure>& figures) {
+std::uint32_t most_robots(const std::vector<Figure>& figures, const std::string& set) {
   std::uint32_t most = 0;
   for (const Figure& figure : figures)
-    for (const FigureSeries& series : figure.series)
-      for (const FigurePoint& point : series.points) most = std::max(most, point.robots);
-  if (most == 0) return "";
-  return "The charts end at " + std::to_string(most) +
-         " robots, which at least a fifth of the polygons take; the files go on.";
+    if (figure.set == set)
+      for (const FigureSeries& series : figure.series)
+        for (const FigurePoint& point : series.points) most = std::max(most, point.robots);
+  return most;
+}
+
+std::string shown(const std::vector<ResultSet>& sets, const std::vector<Figure>& figures) {
+  std::string ends;
+  for (const ResultSet& set : sets)
+    if (const std::uint32_t most = most_robots(figures, set.name); most > 0)
+      ends += (ends.empty() ? "" : ", ") +
+              (sets.size() > 1 ? "of " + escaped(set.name) + " " : std::string()) + "at " +
+              std::to_string(most) + " robots";
+  if (ends.empty()) return "";
+  return "The charts end " + ends +
+         ", which at least a fifth of the polygons take; the files go on.";
 }
 
 std::string value_text(const Figure& figure, double value) {
@@ -125,37 +146,51 @@ std::string data_table(const Figure& figure) {
          "</tr></thead><tbody>\n" + body + "</tbody></table></div>";
 }
 
-std::string figure_html(const Figure& figure) {
-  return "<figure data-figure=\"" + figure.id + "\"><h3>" + escaped(figure.title) +
+std::string figure_html(const Figure& figure, bool named) {
+  return "<figure data-figure=\"" + figure.id + "\" data-set=\"" + escaped(figure.set) + "\"><h3>" +
+         (named ? escaped(figure.set) + ": " : std::string()) + escaped(figure.title) +
          " <span>(figure " + figure.id + ", " + figure.unit +
          ")</span></h3><div class=\"plot\"></div>" + "<figcaption>" + escaped(figure.sentence) +
          "</figcaption><details" + (have_charts() ? "" : " open") + "><summary>Numbers</summary>" +
          data_table(figure) + "</details></figure>\n";
 }
 
-std::string figures_html(const std::vector<Figure>& figures,
+std::string figures_html(const std::vector<Figure>& figures, bool named,
                          std::initializer_list<std::string_view> ids) {
   std::string html = "<div class=\"figures\">\n";
   for (const Figure& figure : figures)
-    if (std::find(ids.begin(), ids.end(), figure.id) != ids.end()) html += figure_html(figure);
+    if (std::find(ids.begin(), ids.end(), figure.id) != ids.end())
+      html += figure_html(figure, named);
   return html + "</div>";
 }
 
-std::string claim_rows(const std::vector<Claim>& claims) {
+std::string claim_heads(const std::vector<SetClaims>& sets) {
   std::string html;
-  for (const Claim& c : claims)
-    html += "<tr><td>" + escaped(c.section) + "</td><th scope=\"row\">" + escaped(c.what) +
-            "</th><td>" + escaped(c.thesis) + "</td><td>" + escaped(c.ours) + "</td></tr>\n";
+  for (const SetClaims& set : sets) html += "<th scope=\"col\">" + escaped(set.set) + "</th>";
   return html;
 }
 
-std::string polygon_rows(const std::vector<PolygonResult>& results) {
+std::string claim_rows(const std::vector<SetClaims>& sets) {
   std::string html;
-  for (const PolygonResult& r : results)
-    if (r.problem.empty())
-      html += "<tr><th scope=\"row\">" + escaped(r.polygon) + "</th><td>" +
-              std::to_string(r.vertices) + "</td><td>" + (r.convex ? "yes" : "no") + "</td><td>" +
-              std::to_string(r.candidates) + "</td></tr>\n";
+  for (std::size_t i = 0; !sets.empty() && i < sets.front().claims.size(); ++i) {
+    const Claim& c = sets.front().claims[i];
+    html += "<tr><td>" + escaped(c.section) + "</td><th scope=\"row\">" + escaped(c.what) +
+            "</th><td>" + escaped(c.thesis) + "</td>";
+    for (const SetClaims& set : sets) html += "<td>" + escaped(set.claims[i].ours) + "</td>";
+    html += "</tr>\n";
+  }
+  return html;
+}
+
+std::string polygon_rows(const std::vector<ResultSet>& sets) {
+  std::string html;
+  for (const ResultSet& set : sets)
+    for (const PolygonResult& r : set.results)
+      if (r.problem.empty())
+        html += "<tr><th scope=\"row\">" + escaped(set.name) + "</th><th scope=\"row\">" +
+                escaped(r.polygon) + "</th><td>" + std::to_string(r.vertices) + "</td><td>" +
+                (r.convex ? "yes" : "no") + "</td><td>" + std::to_string(r.candidates) +
+                "</td></tr>\n";
   return html;
 }
 
@@ -189,11 +224,14 @@ std::string filled(const std::string& form, const std::vector<Blank>& blanks) {
 
 }  // namespace
 
-std::string report_html(const std::vector<PolygonResult>& results,
-                        const std::vector<Figure>& figures, const std::vector<Claim>& claims,
-                        const ExperimentSettings& settings) {
-  const auto measured = static_cast<std::size_t>(std::count_if(
-      results.begin(), results.end(), [](const PolygonResult& r) { return r.problem.empty(); }));
+std::string report_html(const std::vector<ResultSet>& sets, const std::vector<Figure>& figures,
+                        const std::vector<SetClaims>& claims, const ExperimentSettings& settings) {
+  std::size_t measured = 0;
+  for (const ResultSet& set : sets)
+    measured += static_cast<std::size_t>(
+        std::count_if(set.results.begin(), set.results.end(),
+                      [](const PolygonResult& r) { return r.problem.empty(); }));
+  const bool named = sets.size() > 1;
   const std::string no_charts =
       have_charts() ? ""
                     : "<p class=\"problem\">The charts are missing: this program was built without "
@@ -201,16 +239,17 @@ std::string report_html(const std::vector<PolygonResult>& results,
                       "Their numbers are below.</p>";
   return filled(text_of(template_bytes),
                 {{"@STYLE@", text_of(report_style) + text_of(charts_style)},
-                 {"@SUMMARY@", summary(results, settings)},
-                 {"@PROBLEMS@", problems(results)},
-                 {"@SHOWN@", shown(figures)},
+                 {"@SUMMARY@", summaries(sets, settings)},
+                 {"@PROBLEMS@", problems(sets)},
+                 {"@SHOWN@", shown(sets, figures)},
                  {"@NO_CHARTS@", no_charts},
-                 {"@FIGURES_5.3@", figures_html(figures, {"5.3", "5.4", "5.5", "5.6"})},
-                 {"@FIGURES_5.4@", figures_html(figures, {"5.7", "5.8"})},
-                 {"@FIGURES_5.5@", figures_html(figures, {"5.11"})},
+                 {"@FIGURES_5.3@", figures_html(figures, named, {"5.3", "5.4", "5.5", "5.6"})},
+                 {"@FIGURES_5.4@", figures_html(figures, named, {"5.7", "5.8"})},
+                 {"@FIGURES_5.5@", figures_html(figures, named, {"5.11"})},
+                 {"@CLAIM_SETS@", claim_heads(claims)},
                  {"@CLAIMS@", claim_rows(claims)},
                  {"@POLYGON_COUNT@", count(measured, "polygon")},
-                 {"@POLYGONS@", polygon_rows(results)},
+                 {"@POLYGONS@", polygon_rows(sets)},
                  {"@VERSION@", EVENLIFT_VERSION},
                  {"@DATA@", inside_script(figures_json(figures))},
                  {"@SCRIPT@", have_charts() ? text_of(script_bytes) : ""}});

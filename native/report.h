@@ -12,8 +12,7 @@ namespace evenlift::native {
 
 // The same bytes for the same data. Where the program was built without what draws charts, the
 // report says so and has their numbers as tables.
-std::string report_html(const std::vector<PolygonResult>& results,
-                        const std::vector<Figure>& figures, const std::vector<Claim>& claims,
-                        const ExperimentSettings& settings);
+std::string report_html(const std::vector<ResultSet>& sets, const std::vector<Figure>& figures,
+                        const std::vector<SetClaims>& claims, const ExperimentSettings& settings);
 
 }  // namespace evenlift::native

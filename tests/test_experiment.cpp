@@ -43,11 +43,11 @@ Subject subject_of(const Document& document, double min_ratio = 0.8) {
 
 Part some_part() {
   Part part;
-  part.settings = {0.75, 3, 50};
+  part.settings = {0.75, 3, 50, 480};
   const Document document = corpus::polygon("thesis-sample-centroid");
   part.fingerprint = fingerprint(document, part.settings);
   const Subject subject = subject_of(document, part.settings.min_ratio);
-  part.result = describe("a name, with \"quotes\"\nand two lines", subject);
+  part.result = describe("a set", "a name, with \"quotes\"\nand two lines", subject);
   for (const Metric method : all_metrics)
     for (const Measurement& m : measure(subject, method, part.settings))
       part.result.measurements.push_back(m);
@@ -176,6 +176,7 @@ TEST_CASE("what is not a polygon is refused as place does", "[experiment]") {
   CHECK(check_settings(ExperimentSettings{.min_ratio = 1.1})->place.option == "min_ratio");
   CHECK(check_settings(ExperimentSettings{.samples = 0})->place.option == "samples");
   CHECK(check_settings(ExperimentSettings{.most_teams = 0})->place.option == "max_teams");
+  CHECK(check_settings(ExperimentSettings{.weight = 0})->place.option == "weight");
 }
 
 TEST_CASE("a part reads back exactly, and only whole", "[experiment]") {
@@ -193,7 +194,8 @@ TEST_CASE("a part reads back exactly, and only whole", "[experiment]") {
   refused.result.problem = "line 3: expected ','";
   CHECK(*read_part(write_part(refused)) == refused);
 
-  const ShardList list{{2, 3}, part.settings, {{"a, b", "0123"}, {"c", refused_fingerprint}}};
+  const ShardList list{
+      {2, 3}, part.settings, {{"x", "a, b", "0123"}, {"y, z", "c", refused_fingerprint}}};
   const std::string listed = write_shard_list(list);
   CHECK(write_shard_list(*read_shard_list(listed)) == listed);
   for (std::size_t length = 0; length < listed.size(); ++length)
@@ -211,7 +213,8 @@ TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
                                   fingerprint(longer, {}),
                                   fingerprint(document, {.min_ratio = 0.7}),
                                   fingerprint(document, {.samples = 100}),
-                                  fingerprint(document, {.most_teams = 5})};
+                                  fingerprint(document, {.most_teams = 5}),
+                                  fingerprint(document, {.weight = 480})};
   CHECK(fingerprint(document, {}) == all[0]);
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());

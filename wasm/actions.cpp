@@ -236,7 +236,7 @@ const std::vector<Action> table = {
      [](const AppState& s, Commands& out) { set_teams(s, out, std::int64_t{teams_now(s)} - 1); }},
     {ActionId::next_method, Icon::none, "Next method", "M", {{"m"}}, editing, next_method},
     {ActionId::compare, Icon::compare, "Compare with another method", "K", {{"k"}}, editing, next_compared},
-    {ActionId::experiment, Icon::none, "Compare methods over many polygons", "Shift+K", {{"K"}}, editing,
+    {ActionId::experiment, Icon::none, "Compare all methods in charts", "Shift+K", {{"K"}}, editing,
      show<browser::Dialog::experiment>},
     {ActionId::higher_ratio, Icon::none, "Raise the minimum load ratio", ".", {{"."}}, editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, 1); }},

@@ -24,7 +24,8 @@ void document_changed() { evenlift_document_changed(); }
 void preferences_changed() { evenlift_preferences_changed(); }
 void copy_address(std::string_view link) { evenlift_copy_address(std::string(link).c_str()); }
 void open_dialog(Dialog dialog) {
-  constexpr const char* names[] = {"samples", "open", "save", "table", "lessons", "experiment"};
+  constexpr const char* names[] = {"samples", "open",       "save",  "table",
+                                   "lessons", "experiment", "curves"};
   evenlift_open_dialog(names[static_cast<std::size_t>(dialog)]);
 }
 void announce(std::string_view text) { evenlift_announce(std::string(text).c_str()); }

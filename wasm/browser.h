@@ -18,7 +18,7 @@ void preferences_changed();
 void copy_address(std::string_view link);
 
 // A window of the page itself, of HTML: text is typed there, files are chosen, lists are read out.
-enum class Dialog : std::uint8_t { samples, open, save, table, lessons, experiment };
+enum class Dialog : std::uint8_t { samples, open, save, table, lessons, experiment, curves };
 void open_dialog(Dialog dialog);
 
 // Says a notice to those who cannot see it; nothing takes it back.

@@ -157,6 +157,10 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const
 
 EMSCRIPTEN_KEEPALIVE void page_release_centre() { carry_out({ReleaseCentre{}}); }
 
+// The settings with which the polygon on the screen is placed, for the window of experiments.
+EMSCRIPTEN_KEEPALIVE double page_min_ratio() { return app().state.placed.settings.min_ratio; }
+EMSCRIPTEN_KEEPALIVE double page_weight() { return app().state.placed.settings.weight; }
+
 // In the middle of the edge that begins at this vertex.
 EMSCRIPTEN_KEEPALIVE void page_insert_vertex(int after) {
   const evenlift::Points& vertices = app().state.document.vertices;

@@ -2,6 +2,8 @@
 // knows the core, and nothing of the view.
 #include <emscripten/emscripten.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,10 +21,16 @@ const char* hand_over(std::string text) {
   return kept.c_str();
 }
 
-// What the results are made of, until they are.
+// Results collected so far.
 std::vector<PolygonResult>& collected() {
   static std::vector<PolygonResult> results;
   return results;
+}
+
+// The settings of the experiment, once experiment_begin has checked them.
+ExperimentSettings& settings() {
+  static ExperimentSettings given;
+  return given;
 }
 
 std::string problem_of(const InputError& error) {
@@ -30,26 +38,60 @@ std::string problem_of(const InputError& error) {
   return place.empty() ? error.message : place + ": " + error.message;
 }
 
-// A polygon's result, or why there is none.
-PolygonResult measured(const std::string& name, const char* text,
-                       const ExperimentSettings& settings) {
-  PolygonResult refused;
-  refused.polygon = name;
-  const Result<Document> document = read_polygon(text);
-  if (!document) {
-    refused.problem = problem_of(document.error());
-    return refused;
-  }
-  const Result<Subject> subject = prepare(*document, settings.min_ratio);
-  if (!subject) {
-    refused.problem = problem_of(subject.error());
-    return refused;
-  }
-  PolygonResult result = describe(name, *subject);
-  for (const Metric method : all_metrics)
-    for (Measurement& m : measure(*subject, method, settings))
-      result.measurements.push_back(std::move(m));
+PolygonResult refused(const std::string& set, const std::string& name, const std::string& why) {
+  PolygonResult result;
+  result.set = set;
+  result.polygon = name;
+  result.problem = why;
   return result;
+}
+
+// A polygon's result, or why there is none; with a method, only of that one.
+PolygonResult measured(const std::string& set, const std::string& name, const char* text,
+                       std::optional<Metric> only) {
+  const Result<Document> document = read_polygon(text);
+  if (!document) return refused(set, name, problem_of(document.error()));
+  const Result<Subject> subject = prepare(*document, settings().min_ratio);
+  if (!subject) return refused(set, name, problem_of(subject.error()));
+  PolygonResult result = describe(set, name, *subject);
+  for (const Metric method : all_metrics) {
+    if (only && *only != method) continue;
+    for (Measurement& m : measure(*subject, method, settings()))
+      result.measurements.push_back(std::move(m));
+  }
+  return result;
+}
+
+std::string part_of(PolygonResult result) {
+  Part part;
+  part.settings = settings();
+  part.result = std::move(result);
+  return write_part(part);
+}
+
+std::uint32_t whole_or_none(double value, std::uint32_t most) {
+  return value >= 1 && value <= most ? static_cast<std::uint32_t>(value) : 0;
+}
+
+// The results by set and polygon, each polygon once: what was measured of it method by method is
+// put together.
+std::vector<PolygonResult> take_collected() {
+  std::vector<PolygonResult> parts = std::exchange(collected(), {}), whole;
+  sort_results(parts);
+  for (PolygonResult& part : parts) {
+    if (whole.empty() || whole.back().set != part.set || whole.back().polygon != part.polygon) {
+      whole.push_back(std::move(part));
+      continue;
+    }
+    std::vector<Measurement>& rows = whole.back().measurements;
+    rows.insert(rows.end(), part.measurements.begin(), part.measurements.end());
+  }
+  for (PolygonResult& result : whole)
+    std::sort(result.measurements.begin(), result.measurements.end(),
+              [](const Measurement& a, const Measurement& b) {
+                return std::pair(a.method, a.teams) < std::pair(b.method, b.teams);
+              });
+  return whole;
 }
 
 }  // namespace
@@ -57,34 +99,29 @@ PolygonResult measured(const std::string& name, const char* text,
 
 extern "C" {
 
-// A polygon's part, as text (evenlift/experiment/results.h); settings as checked by
-// experiment_problem.
-EMSCRIPTEN_KEEPALIVE const char* experiment_measure(const char* name, const char* text,
-                                                    double min_ratio, double samples) {
+// Settles how is measured from now on; the reason why not if settings are out of range, else empty.
+EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
+                                                  double most_teams) {
   using namespace evenlift;
-  Part part;
-  part.settings.min_ratio = min_ratio;
-  part.settings.samples = static_cast<std::uint32_t>(samples);
-  part.result = measured(name, text, part.settings);
-  return hand_over(write_part(part));
+  const ExperimentSettings given{min_ratio, whole_or_none(samples, max_samples),
+                                 whole_or_none(most_teams, max_experiment_teams), weight};
+  const std::optional<InputError> error = check_settings(given);
+  if (!error) settings() = given;
+  return hand_over(error ? error->message : "");
+}
+
+// A polygon's part, as text (evenlift/experiment/results.h), with every method or the one named.
+EMSCRIPTEN_KEEPALIVE const char* experiment_measure(const char* set, const char* name,
+                                                    const char* text, const char* method) {
+  using namespace evenlift;
+  return hand_over(part_of(measured(set, name, text, metric_from_name(method))));
 }
 
 // The part of what could not be read at all.
-EMSCRIPTEN_KEEPALIVE const char* experiment_refuse(const char* name, const char* problem) {
-  evenlift::Part part;
-  part.result.polygon = name;
-  part.result.problem = problem;
-  return evenlift::hand_over(evenlift::write_part(part));
-}
-
-// Why settings are out of range; empty if they are not.
-EMSCRIPTEN_KEEPALIVE const char* experiment_problem(double min_ratio, double samples) {
+EMSCRIPTEN_KEEPALIVE const char* experiment_refuse(const char* set, const char* name,
+                                                   const char* problem) {
   using namespace evenlift;
-  ExperimentSettings settings{.min_ratio = min_ratio};
-  settings.samples =
-      samples >= 1 && samples <= max_samples ? static_cast<std::uint32_t>(samples) : 0;
-  const std::optional<InputError> error = check_settings(settings);
-  return hand_over(error ? error->message : "");
+  return hand_over(part_of(refused(set, name, problem)));
 }
 
 // Takes a part to the results; 0 if it is none.
@@ -94,12 +131,14 @@ EMSCRIPTEN_KEEPALIVE int experiment_add(const char* text) {
   return part ? 1 : 0;
 }
 
-// The results of the parts that were taken, as JSON (outputs_json); begins anew after it.
-EMSCRIPTEN_KEEPALIVE const char* experiment_results() {
+// The results of the parts that were taken, as JSON (outputs_json), of a set's averages or of one
+// polygon by itself; begins anew after it.
+EMSCRIPTEN_KEEPALIVE const char* experiment_results(int one_polygon) {
   using namespace evenlift;
-  std::vector<PolygonResult> results = std::exchange(collected(), {});
-  sort_results(results);
-  return hand_over(outputs_json(make_outputs(results)));
+  std::vector<PolygonResult> results = take_collected();
+  if (one_polygon && !results.empty())
+    return hand_over(outputs_json(make_polygon_outputs(results.front(), settings())));
+  return hand_over(outputs_json(make_outputs(group_by_set(std::move(results)))));
 }
 
 }  // extern "C"

@@ -62,6 +62,8 @@ void draw_compare(const Ui& ui) {
           choice(ui, m.label, m.about, compared == m.metric))
         ui.push(Compare{m.metric});
     }
+    if (choice(ui, "All methods …", "in charts, by the number of teams", false))
+      ui.push(OpenDialog{browser::Dialog::curves});
     end_choices(ui);
   }
   if (!ui.state.other || !ui.state.placement) return;

@@ -38,29 +38,32 @@ class Hand {
 // One processor is left to the page. Each worker has a memory of its own, so there are not many.
 const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
 
-// Measures polygons [{name, read: () => text, which may fail}] and gives the results (evenlift/experiment/outputs.h).
-// `progress(done, name)` is told of each. Ended by `signal`, it fails with the signal's reason.
-export async function runExperiment(polygons, { minRatio, samples, signal, progress }) {
-  const crew = Array.from({ length: Math.min(most(), Math.max(1, polygons.length)) }, () => new Hand());
+// Has all tasks done and gives the results (evenlift/experiment/outputs.h). A task is {set, name, title, read, method}: a
+// polygon, whose text `read()` gives or fails to give, to be measured with one method, or with all if none is named. With
+// `onePolygon` the results are those of one polygon by itself, and one worker is enough. `progress(done, title)` is told
+// of each finished task. Ended by `signal`, it fails with the signal's reason.
+export async function runExperiment(tasks, { settings, onePolygon, signal, progress }) {
+  const hands = onePolygon ? 1 : Math.min(most(), Math.max(1, tasks.length));
+  const crew = Array.from({ length: hands }, () => new Hand());
   const stop = (why) => crew.forEach((hand) => hand.end(why));
   signal.addEventListener("abort", () => stop(signal.reason), { once: true });
   const parts = [];
   let next = 0;
   try {
     signal.throwIfAborted();
-    const problem = await crew[0].ask("check", { minRatio, samples });
-    if (problem) throw new Error(problem);
     await Promise.all(crew.map(async (hand) => {
-      while (next < polygons.length) {
-        const { name, read } = polygons[next++];
+      const problem = await hand.ask("begin", settings);
+      if (problem) throw new Error(problem);
+      while (next < tasks.length) {
+        const { set, name, title, read, method = "" } = tasks[next++];
         const text = await read().then((content) => ({ content }), (error) => ({ problem: error.message }));
         signal.throwIfAborted();
-        parts.push(await (text.problem === undefined ? hand.ask("measure", { name, text: text.content, minRatio, samples })
-          : hand.ask("refuse", { name, problem: text.problem })));
-        progress(parts.length, name);
+        parts.push(await (text.problem === undefined ? hand.ask("measure", { set, name, text: text.content, method })
+          : hand.ask("refuse", { set, name, problem: text.problem })));
+        progress(parts.length, title);
       }
     }));
-    return await crew[0].ask("results", { parts });
+    return await crew[0].ask("results", { parts, onePolygon });
   } finally {
     stop(new Error("ended"));
   }

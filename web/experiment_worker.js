@@ -5,12 +5,12 @@ import { Program } from "./program.js";
 const started = createModule().then((module) => new Program(module));
 
 const tasks = {
-  measure: (program, { name, text, minRatio, samples }) => program.text("experiment_measure", name, text, minRatio, samples),
-  refuse: (program, { name, problem }) => program.text("experiment_refuse", name, problem),
-  check: (program, { minRatio, samples }) => program.text("experiment_problem", minRatio, samples),
-  results(program, { parts }) {
+  begin: (program, { minRatio, samples, weight, mostTeams }) => program.text("experiment_begin", minRatio, samples, weight, mostTeams),
+  measure: (program, { set, name, text, method }) => program.text("experiment_measure", set, name, text, method),
+  refuse: (program, { set, name, problem }) => program.text("experiment_refuse", set, name, problem),
+  results(program, { parts, onePolygon }) {
     for (const part of parts) if (!program.number("experiment_add", part)) throw new Error("a part cannot be read");
-    return JSON.parse(program.text("experiment_results"));
+    return JSON.parse(program.text("experiment_results", onePolygon ? 1 : 0));
   },
 };
 

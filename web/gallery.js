@@ -51,7 +51,7 @@ export async function show(page) {
   const typing = matchMedia("(pointer: fine)").matches;
   const footer = el("footer", {}, button("Compare methods over many polygons …", { onclick: () => {
     root.close();
-    showExperiment(page);
+    showExperiment(page, { source: "samples" });
   } }));
   const root = await openWindow({ name: "samples", title: "Samples", tools: [filter], body: [list, count, footer], focus: typing ? filter : undefined });
   if (!root) return;

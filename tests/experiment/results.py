@@ -23,9 +23,12 @@ def table(folder, name):
         return list(csv.DictReader(file))
 
 
-def measurements(folder):
+def measurements(folder, of):
+    """The rows of one set."""
     rows = []
     for row in table(folder, "measurements.csv"):
+        if row["set"] != of:
+            continue
         for name in ("teams", "robots", "samples"):
             row[name] = int(row[name])
         for name in ("coverage", "form_closure", "no_area", "load_min", "load_mean", "load_max", "spread", "max_share"):
@@ -34,15 +37,17 @@ def measurements(folder):
     return rows
 
 
-def figures(folder):
+def figures(folder, of):
     html = (pathlib.Path(folder) / "report.html").read_text(encoding="utf-8")
-    return json.loads(re.search(r'<script type="application/json" id="figures">(.*?)</script>', html, re.S).group(1))
+    made = json.loads(re.search(r'<script type="application/json" id="figures">(.*?)</script>', html, re.S).group(1))
+    return [figure for figure in made if figure["set"] == of]
 
 
-def claims(folder):
-    """What, the thesis's number and ours, by the table in thesis.md."""
-    lines = (pathlib.Path(folder) / "thesis.md").read_text(encoding="utf-8").splitlines()[2:]
-    return {cells[2]: (cells[3], cells[4]) for cells in ([c.strip() for c in line.split("|")] for line in lines)}
+def claims(folder, of):
+    """Our number of a set by what it is, from the table in thesis.md."""
+    head, _, *lines = [[cell.strip() for cell in line.strip("|").split("|")]
+                       for line in (pathlib.Path(folder) / "thesis.md").read_text(encoding="utf-8").splitlines()]
+    return {cells[1]: cells[head.index(of)] for cells in lines}
 
 
 class Recomputed:
@@ -90,7 +95,7 @@ class Recomputed:
         ratios = []
         for teams in range(1, self.shown_teams() + 1):
             ours = self.algorithm("spread_mean", teams)
-            if ours > 0:
+            if ours > 1e-9 * 100 / (2 * teams):  # else even but for rounding
                 ratios.append(self.aggregate(method, teams)["spread_mean"] / ours)
         return min(ratios), max(ratios)
 

@@ -28,19 +28,34 @@ def numbers(text):
     return [float(n) for n in re.findall(r"\d+(?:\.\d+)?", text)]
 
 
-class Numbers(unittest.TestCase):
+SETS = ["polygons", "thesis-like"]
+
+
+def setUpModule():
+    """Both sets are measured once, for all tests."""
+    global FOLDER
+    FOLDER = pathlib.Path(tempfile.mkdtemp(prefix="evenlift-numbers-"))
+    unittest.addModuleCleanup(shutil.rmtree, FOLDER, True)
+    done = subprocess.run([PROGRAM, "experiment", *[str(ROOT / "assets" / name) for name in SETS], "--out", str(FOLDER)],
+                          capture_output=True, text=True, timeout=1200)
+    assert done.returncode == 0, done.stderr
+
+
+class Numbers:
+    """What holds for each set."""
     maxDiff = 4000
+    of = ""
 
     @classmethod
     def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="evenlift-numbers-"))
-        cls.addClassCleanup(shutil.rmtree, cls.folder, True)
-        done = subprocess.run([PROGRAM, "experiment", str(ROOT / "assets/polygons"), "--out", str(cls.folder)],
-                              capture_output=True, text=True, timeout=1200)
-        assert done.returncode == 0, done.stderr
-        cls.rows = results.measurements(cls.folder)
+        cls.folder = FOLDER
+        cls.polygons = [row for row in results.table(cls.folder, "polygons.csv") if row["set"] == cls.of]
+        cls.rows = results.measurements(cls.folder, cls.of)
         cls.made = results.Recomputed(cls.rows)
-        cls.claims = results.claims(cls.folder)
+        cls.claims = results.claims(cls.folder, cls.of)
+
+    def aggregates(self):
+        return [row for row in results.table(self.folder, "aggregates.csv") if row["set"] == self.of]
 
     def near(self, text, *expected, places):
         """Numbers in a text are what was worked out, to the places that the text shows."""
@@ -49,31 +64,13 @@ class Numbers(unittest.TestCase):
         for shown, value in zip(given, expected):
             self.assertLessEqual(abs(shown - value), 0.5 * 10 ** -places + 1e-9, f"{text}: {value}")
 
-    def test_the_set_is_the_one_of_the_issue(self):
-        polygons = results.table(self.folder, "polygons.csv")
-        self.assertGreaterEqual(len(polygons), 80)
-        self.assertGreaterEqual(sum(row["polygon"].endswith("-moved") for row in polygons), 30)
-        self.assertTrue(all(row["problem"] == "" for row in polygons))
-
-    def test_the_classes_are_filled_as_the_manual_says(self):
-        text = (ROOT / "assets" / "README.md").read_text(encoding="utf-8")
-        stated = {name: [int(n) for n in re.findall(r"\d+", rest)][:4]
-                  for name, rest in re.findall(r"^\| ((?:non-)?convex[^|]*) \| (.*)$", text, re.M)}
-        regular = re.findall(r"`([\w-]+)`", re.search(r"^\| convex regular .*$", text, re.M).group(0))
-        found = {name: [] for name in stated}
-        for row in results.table(self.folder, "polygons.csv"):
-            outline = row["polygon"].removesuffix("-moved")
-            kind = ("convex regular" if outline in regular else "convex irregular" if row["convex"] == "1"
-                    else "non-convex, simple" if int(row["vertices"]) < 40 else "non-convex, complex")
-            found[kind].append(row)
-            self.assertIn(f"| `{outline.removesuffix('-centroid')}` |", text)
-        for kind, rows in found.items():
-            vertices = [int(row["vertices"]) for row in rows]
-            moved = sum(row["polygon"].endswith("-moved") for row in rows)
-            self.assertEqual(stated[kind], [len(rows), moved, min(vertices), max(vertices)], kind)
+    def test_every_polygon_can_be_read(self):
+        files = {path.stem for path in (ROOT / "assets" / self.of).glob("*.txt")} - {"index"}
+        self.assertEqual({row["polygon"] for row in self.polygons}, files)
+        self.assertTrue(all(row["problem"] == "" for row in self.polygons))
 
     def test_every_polygon_method_and_number_of_teams_has_its_row(self):
-        candidates = {row["polygon"]: int(row["candidates"]) for row in results.table(self.folder, "polygons.csv")}
+        candidates = {row["polygon"]: int(row["candidates"]) for row in self.polygons}
         expected = [(p, m, t) for p in sorted(candidates) for m in results.METHODS for t in range(1, candidates[p] + 1)]
         self.assertEqual([(r["polygon"], r["method"], r["teams"]) for r in self.rows], expected)
 
@@ -92,7 +89,7 @@ class Numbers(unittest.TestCase):
 
     def test_aggregates_are_those_of_the_rows(self):
         seen = set()
-        for row in results.table(self.folder, "aggregates.csv"):
+        for row in self.aggregates():
             key = row["method"], int(row["teams"])
             seen.add(key)
             self.assertEqual(int(row["robots"]), 2 * key[1])
@@ -104,11 +101,11 @@ class Numbers(unittest.TestCase):
         self.assertEqual(seen, set(self.made.by))
 
     def test_figures_draw_the_aggregates(self):
-        aggregates = {(row["method"], int(row["robots"])): row for row in results.table(self.folder, "aggregates.csv")}
-        figures = results.figures(self.folder)
+        aggregates = {(row["method"], int(row["robots"])): row for row in self.aggregates()}
+        figures = results.figures(self.folder, self.of)
         self.assertEqual([figure["id"] for figure in figures], list(FIGURES))
         shown = 2 * self.made.shown_teams()
-        self.assertGreaterEqual(shown, 30)
+        self.assertGreaterEqual(shown, 20)
         for figure in figures:
             column = FIGURES[figure["id"]]
             self.assertEqual(figure["column"], column)
@@ -123,7 +120,7 @@ class Numbers(unittest.TestCase):
                     self.assertEqual(polygons, int(aggregates[series["method"], robots][counts]))
 
     def test_sentences_say_what_the_figures_show(self):
-        sentences = {figure["id"]: figure["sentence"].replace("\u00a0", " ") for figure in results.figures(self.folder)}
+        sentences = {figure["id"]: figure["sentence"].replace("\u00a0", " ") for figure in results.figures(self.folder, self.of)}
         for figure, teams, column, places in [("5.3", 2, "spread_mean", 2), ("5.5", 10, "max_share_mean", 1),
                                               ("5.7", 6, "coverage_mean", 1), ("5.11", 4, "form_closure_mean", 1)]:
             scale = 1 if figure == "5.3" else 100
@@ -141,57 +138,131 @@ class Numbers(unittest.TestCase):
         for robots, teams in ((4, 2), (30, 15)):
             for method in results.METHODS:
                 made = self.made.aggregate(method, teams)
-                _, ours = self.claims[f"Difference of loads with {robots} robots, {method}"]
+                ours = self.claims[f"Difference of loads with {robots} robots, {method}"]
                 self.near(ours, made["spread_mean"], made["spread_sd"], places=2)
         for method in results.METHODS:
             made = self.made.aggregate(method, 10)
-            _, ours = self.claims[f"Shares of their team’s load with 10 teams, {method}"]
+            ours = self.claims[f"Shares of their team’s load with 10 teams, {method}"]
             self.near(ours, 100 - 100 * made["max_share_mean"], 100 * made["max_share_mean"], 100 * made["max_share_sd"], places=1)
-            _, ours = self.claims[f"Fewest robots whose greatest load is at most 5 kg of 100 kg, averaged over the polygons, {method}"]
+            ours = self.claims[f"Fewest robots whose greatest load is at most 5 kg of 100 kg, averaged over the polygons, {method}"]
             self.assertEqual(numbers(ours)[0], self.made.robots_needed(method))
         for method in ("distributed", "random"):
-            _, ours = self.claims[f"How many times more evenly than {method} the algorithm shares the weight, over the numbers of robots shown"]
+            ours = self.claims[f"How many times more evenly than {method} the algorithm shares the weight, over the numbers of robots shown"]
             self.near(ours, *self.made.times_more_even(method), places=1)
 
     def test_claims_about_choices_and_coverage(self):
         same, of = self.made.same_second()
-        self.assertIn(f"({len(same)} of {len(of)})", self.claims["All three metrics choose the same second team"][1])
+        self.assertIn(f"({len(same)} of {len(of)})", self.claims["All three metrics choose the same second team"])
         same, of = self.made.same_third()
-        self.assertIn(f"({len(same)} of {len(of)})", self.claims["Of these, all three choose the same third team"][1])
+        self.assertIn(f"({len(same)} of {len(of)})", self.claims["Of these, all three choose the same third team"])
+        small = {row["polygon"] for row in self.polygons if int(row["vertices"]) <= 12}
+        for what, (same, of) in [("The same second team", self.made.same_second()), ("Of these the same third team", self.made.same_third())]:
+            self.assertIn(f"({len(small.intersection(same))} of {len(small.intersection(of))})", self.claims[f"{what}, polygons with at most 12 vertices"])
+        self.near(self.claims["Coverage by the algorithm: with 36 robots"], 100 * self.made.algorithm("coverage_mean", 18), places=1)
+        rows = [100 * row["coverage"] for row in self.rows if row["method"] in results.ALGORITHM and row["teams"] >= 2]
+        self.near(self.claims["Coverage by the algorithm: mean over all its measurements from 4 robots on"], statistics.fmean(rows), statistics.stdev(rows), places=1)
         covered = [self.made.algorithm("coverage_mean", teams) for teams in range(2, self.made.shown_teams() + 1)]
-        self.near(self.claims["Coverage by the algorithm: mean of figure 5.7 from 4 robots on"][1], 100 * statistics.fmean(covered), places=1)
+        self.near(self.claims["Coverage by the algorithm: mean of figure 5.7 from 4 robots on"], 100 * statistics.fmean(covered), places=1)
         for what, method, sign in [("Coverage of distributed less that of the algorithm, mean over a polygon’s numbers of teams", "distributed", 1),
                                    ("Coverage of the algorithm less that of random, likewise", "random", -1)]:
             made = self.made.coverage_difference(method)
-            ours = self.claims[what][1]
+            ours = self.claims[what]
             self.near(ours, abs(sign * 100 * statistics.fmean(made)), 100 * statistics.stdev(made), places=1)
             self.assertEqual(ours.startswith("-"), sign * statistics.fmean(made) < 0)
 
     def test_claims_about_closure(self):
         for test, how in (("form_closure", ""), ("no_area", ", by the thesis’s test that no region has an area")):
             possible = self.made.possible[test]
-            self.assertEqual(self.claims[f"Polygons that no method closes{how}"][1],
+            self.assertEqual(self.claims[f"Polygons that no method closes{how}"],
                              f"{len(self.made.polygons) - len(possible)} of {len(self.made.polygons)}")
             for robots, teams in ((4, 2), (8, 4)):
                 for method in results.METHODS:
                     made = self.made.aggregate(method, teams)
                     count = made["closable" if test == "form_closure" else "no_area_possible"]
-                    self.near(self.claims[f"Closed with {robots} robots, {method}{how}"][1], 100 * made[f"{test}_mean"], count, places=0)
+                    self.near(self.claims[f"Closed with {robots} robots, {method}{how}"], 100 * made[f"{test}_mean"], count, places=0)
+            small = [row for row in self.rows if row["method"] == "distance" and row["teams"] == 4 and row["polygon"] in possible
+                     and next(int(p["vertices"]) for p in self.polygons if p["polygon"] == row["polygon"]) <= 12]
+            self.assertIn(f"({sum(row[test] > 0 for row in small)} of {len(small)})", self.claims[f"Closed with 8 robots, distance, polygons with at most 12 vertices{how}"])
             for method in results.ALGORITHM:
                 lost, steps = self.made.lost(method, test)
                 self.assertEqual(lost, [], method)
-                self.assertEqual(self.claims[f"Closure lost by adding a team, {method}{how}"][1], f"never (in {len(steps)} steps)")
+                self.assertEqual(self.claims[f"Closure lost by adding a team, {method}{how}"], f"never (in {len(steps)} steps)")
             lost, steps = self.made.lost("distributed", test)
-            ours = self.claims[f"Closure lost by adding a team, distributed{how}"][1]
+            ours = self.claims[f"Closure lost by adding a team, distributed{how}"]
             self.assertEqual(numbers(ours), [len(lost), len(steps), *sorted({row["robots"] for row in lost})])
             closed = self.made.closed_by_algorithm(test) & possible
             self.assertIn(f"({len(closed)} of {len(possible)})",
-                          self.claims[f"Of the polygons that any method closes, the algorithm does{how}"][1])
+                          self.claims[f"Of the polygons that any method closes, the algorithm does{how}"])
 
-    def test_the_manual_holds_this_table(self):
+
+
+class Samples(Numbers, unittest.TestCase):
+    of = "polygons"
+
+
+class ThesisLike(Numbers, unittest.TestCase):
+    of = "thesis-like"
+
+
+# The classes of a set, by a polygon's outline and row in polygons.csv.
+def class_of_sample(outline, row, regular):
+    if outline in regular:
+        return "convex regular"
+    if row["convex"] == "1":
+        return "convex irregular"
+    return "non-convex, simple" if int(row["vertices"]) < 40 else "non-convex, complex"
+
+
+def class_of_thesis_like(outline, row, regular):
+    return {"regular": "convex regular", "convex": "convex irregular", "notched": "non-convex, notched", "star": "non-convex, star-shaped"}[outline.split("-")[0]]
+
+
+class Manual(unittest.TestCase):
+    """What the manual says of the sets is so."""
+    maxDiff = 4000
+
+    def section(self, heading):
+        text = (ROOT / "assets" / "README.md").read_text(encoding="utf-8")
+        return re.search(rf"^#+ {re.escape(heading)}$(.*?)(?=^#|\Z)", text, re.M | re.S).group(1)
+
+    def check_classes(self, of, heading, class_of):
+        text = self.section(heading)
+        stated = {name: [int(n) for n in re.findall(r"\d+", rest)][:4]
+                  for name, rest in re.findall(r"^\| ((?:non-)?convex[^|]*) \| (.*)$", text, re.M)}
+        regular = re.findall(r"`([\w-]+)`", re.search(r"^\| convex regular .*$", text, re.M).group(0))
+        found = {name: [] for name in stated}
+        for row in results.table(FOLDER, "polygons.csv"):
+            if row["set"] == of:
+                found[class_of(re.sub(r"-moved(-\d)?$", "", row["polygon"]), row, regular)].append(row)
+        for kind, rows in found.items():
+            vertices = [int(row["vertices"]) for row in rows]
+            moved = sum("-moved" in row["polygon"] for row in rows)
+            self.assertEqual(stated[kind], [len(rows), moved, min(vertices), max(vertices)], kind)
+
+    def test_the_classes_of_the_samples_are_filled_as_it_says(self):
+        self.check_classes("polygons", "As a set for experiments", class_of_sample)
+
+    def test_the_classes_of_the_generated_set_are_filled_as_it_says(self):
+        self.check_classes("thesis-like", "`thesis-like/`", class_of_thesis_like)
+
+    def test_every_outline_of_the_samples_is_described(self):
+        text = self.section("`polygons/`")
+        for row in results.table(FOLDER, "polygons.csv"):
+            if row["set"] == "polygons":
+                self.assertIn(f"| `{row['polygon'].removesuffix('-moved').removesuffix('-centroid')}` |", text)
+
+    def test_it_holds_the_table_that_the_program_makes(self):
         manual = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
-        self.assertIn((self.folder / "thesis.md").read_text(encoding="utf-8"), manual,
-                      "docs/experiments.md is not what the program makes of assets/polygons now")
+        self.assertIn((FOLDER / "thesis.md").read_text(encoding="utf-8"), manual,
+                      "docs/experiments.md is not what the program makes of both sets now; "
+                      "tests/experiment/update_manual.py writes its table anew")
+
+    def test_the_generator_makes_the_files_that_are_kept(self):
+        kept = ROOT / "assets" / "thesis-like"
+        with tempfile.TemporaryDirectory() as made:
+            subprocess.run([sys.executable, str(kept / "generate.py"), "--program", PROGRAM, "--out", made], check=True, capture_output=True)
+            files = {path.name: path.read_bytes() for path in pathlib.Path(made).iterdir()}
+            self.assertEqual(files, {path.name: path.read_bytes() for path in kept.glob("*.txt")})
 
 
 if __name__ == "__main__":

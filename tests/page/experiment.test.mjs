@@ -1,12 +1,12 @@
-// The window that compares the methods over many polygons.
+// The window that compares the methods, on the polygon on the screen or over many.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { asset, evenlift, gallery, phone, root, startBrowser } from "./browser.mjs";
+import { asset, evenlift, load, phone, root, set, startBrowser, state } from "./browser.mjs";
 import { allClosed, drop, openWindow } from "./windows.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -22,19 +22,30 @@ after(() => {
   return browser.close();
 });
 
-// What the program makes of polygons: its files by name.
-function program(names, { samples, extra = {} }) {
-  const inputs = mkdtempSync(path.join(folder, "inputs-"));
-  const out = path.join(inputs, "out");
-  mkdirSync(out);
-  for (const name of names) copyFileSync(path.join(root, "assets/polygons", `${name}.txt`), path.join(inputs, `${name}.txt`));
-  for (const [name, text] of Object.entries(extra)) writeFileSync(path.join(inputs, name), text);
+// What the program makes of paths: its files by name.
+function program(paths, { samples }) {
+  const out = mkdtempSync(path.join(folder, "out-"));
   try {
-    evenlift("experiment", inputs, "--out", out, "--samples", String(samples));
+    evenlift("experiment", ...paths, "--out", out, "--samples", String(samples));
   } catch (error) {
-    assert.equal(error.status, 1);
+    assert.equal(error.status, 1);  // some were refused
   }
   return (name) => readFileSync(path.join(out, name), "utf8");
+}
+
+const pathsOf = (names) => names.map((name) => path.join(root, "assets/polygons", `${name}.txt`));
+
+// A file with this text, for the program.
+function fileWith(name, text) {
+  const file = path.join(mkdtempSync(path.join(folder, "file-")), name);
+  writeFileSync(file, text);
+  return file;
+}
+
+// The rows of a CSV by the names of its columns.
+function rowsOf(csv) {
+  const [head, ...lines] = csv.trim().split("\n").map((line) => line.split(","));
+  return lines.map((cells) => Object.fromEntries(head.map((name, at) => [name, cells[at]])));
 }
 
 const filesOf = (names) => names.map((name) => ({ name: `${name}.txt`, mimeType: "text/plain", buffer: Buffer.from(asset(name)) }));
@@ -50,12 +61,20 @@ async function ended(page) {
   assert.equal(page.workers().length, 0);
 }
 
-async function runOver(page, window, files, samples) {
-  if (files) await window.locator("input[type=file]").setInputFiles(files);
+async function finished(window) {
+  await window.locator(".results figure").first().waitFor({ timeout: 300000 });
+  await window.getByText(/^Done/).waitFor();
+}
+
+async function compare(window, samples) {
   await window.getByLabel("Random placements").fill(String(samples));
   await window.getByRole("button", { name: "Compare", exact: true }).click();
-  await window.locator(".results figure").first().waitFor({ timeout: 300000 });
-  await window.getByText(/^Done: /).waitFor({ state: "attached" });
+  await finished(window);
+}
+
+async function runOver(window, files, samples) {
+  await window.locator("input[type=file]").setInputFiles(files);
+  await compare(window, samples);
 }
 
 test("it costs nothing until it is opened, and computes nothing until it is told to", async () => {
@@ -68,14 +87,15 @@ test("it costs nothing until it is opened, and computes nothing until it is told
   await page.done();
 });
 
-test("over the samples it writes what the program writes, byte for byte", async () => {
-  const page = await browser.open();
-  const samples = await openWindow(page, "samples");
-  await samples.getByRole("button", { name: "Compare methods over many polygons" }).click();
-  const window = page.locator("#experiment");
-  await window.waitFor();
-  await runOver(page, window, undefined, 3);
-  const expected = program(gallery(), { samples: 3 });
+async function checkWhole(page, window, of, titles) {
+  await window.locator(".running p").evaluate((line) => {
+    globalThis.told = new Set();
+    new MutationObserver(() => globalThis.told.add(line.textContent.replace(/^.*?: /, ""))).observe(line, { childList: true });
+  });
+  await compare(window, 2);
+  const told = await page.evaluate(() => [...globalThis.told]);
+  for (const title of titles) assert.ok(told.includes(title), title);
+  const expected = program([path.join(root, "assets", of)], { samples: 2 });
   assert.equal(await saved(page, "Measurements"), expected("measurements.csv"));
   assert.equal(await saved(page, "Averages"), expected("aggregates.csv"));
   await window.getByText("Against the thesis").click();
@@ -83,15 +103,83 @@ test("over the samples it writes what the program writes, byte for byte", async 
   const table = expected("thesis.md").trim().split("\n").slice(2).map((line) => line.slice(2, -2).split(" | "));
   assert.deepEqual(rows, table);
   await page.done();
+}
+
+test("over all samples, moved ones too, it writes what the program writes, byte for byte", async () => {
+  const page = await browser.open();
+  const samples = await openWindow(page, "samples");
+  await samples.getByRole("button", { name: "Compare methods over many polygons" }).click();
+  const window = page.locator("#experiment");
+  await window.waitFor();
+  assert.ok(await window.getByLabel("All samples").isChecked());
+  await checkWhole(page, window, "polygons", ["Grand piano", "Jigsaw piece, centre of mass moved"]);
+});
+
+test("over the set like the thesis's it writes what the program writes, byte for byte", async () => {
+  const page = await browser.open();
+  const window = await openWindow(page, "experiment");
+  await window.getByLabel("A set like the thesis’s").check();
+  await checkWhole(page, window, "thesis-like", ["Regular, 40 sides"]);
+});
+
+test("the polygon on the screen is measured with its own centre of mass, ratio and weight", async () => {
+  const page = await browser.open();
+  await load(page, asset("letter-e-moved"));
+  await set(page, { min_ratio: 0.7, weight: 480 });
+  const window = await openWindow(page, "experiment");
+  assert.ok(await window.getByLabel("This polygon").isChecked());
+  assert.ok(await window.getByText("minimum load ratio 0.7 and weight 480 kg").isVisible());
+  await compare(window, 4);
+  assert.deepEqual(await window.locator("h3").allTextContents(), ["Greatest load of a robot (kg)", "Difference between the greatest and the least load of a robot (kg)",
+    "Coverage: part of the object inside the lifting base (%)", "Form closure (%)"]);
+  const rows = rowsOf(await saved(page, "Measurements"));
+  const file = fileWith("shape.txt", asset("letter-e-moved"));
+  const candidates = JSON.parse(evenlift("place", file, "--min-ratio", "0.7", "--json", "--candidates")).candidates.length;
+  assert.ok(candidates > 5);
+  for (const method of ["area", "circle", "distance", "distributed", "random"]) {
+    const measured = rows.filter((row) => row.method === method);
+    assert.deepEqual(measured.map(({ teams }) => Number(teams)), Array.from({ length: candidates }, (_, at) => at + 1), method);
+    if (method === "random") continue;
+    for (const row of measured) {
+      const placed = JSON.parse(evenlift("place", file, "--min-ratio", "0.7", "--weight", "480", "--metric", method, "--teams", row.teams, "--json"));
+      const expected = [placed.loads.max, placed.loads.spread, placed.coverage, placed.closure.form_closure ? 1 : 0];
+      assert.deepEqual(["load_max", "spread", "coverage", "form_closure"].map((name) => Number(row[name])), expected, `${method} ${row.teams}`);
+    }
+  }
+  // Its curves are these rows.
+  const drawn = await window.locator(".plot svg").nth(2).locator(".dots-area > *").evaluateAll((all) => all.map((sign) => sign.getAttribute("aria-label")));
+  assert.deepEqual(drawn, rows.filter(({ method }) => method === "area").map(({ robots, coverage }) => `area: ${(100 * coverage).toFixed(1)} % with ${robots} robots`));
+  // They are there again when it is opened again, until the polygon is another one.
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+  await openWindow(page, "experiment");
+  await window.locator(".plot svg").nth(3).waitFor();
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+  await set(page, { weight: 100 });
+  await openWindow(page, "experiment");
+  assert.equal(await window.locator("figure").count(), 0);
+  await page.done();
+});
+
+test("where no team can be placed it says so", async () => {
+  const page = await browser.open();
+  await load(page, "CoM:(100,300)\n(0,0)\n(400,0)\n(400,100)\n(100,100)\n(100,400)\n(0,400)\n");
+  await set(page, { min_ratio: 1 });
+  assert.equal((await state(page)).teams.length, 0);
+  const window = await openWindow(page, "experiment");
+  await window.getByRole("button", { name: "Compare", exact: true }).click();
+  await window.getByText("No chord through the centre of mass has this load ratio").waitFor();
+  assert.equal(await window.locator("figure").count(), 0);
+  await page.done();
 });
 
 test("what the charts draw is what the CSV holds", async () => {
   const page = await browser.open();
   const window = await openWindow(page, "experiment");
-  await runOver(page, window, filesOf(some), 5);
+  await runOver(window, filesOf(some), 5);
   await window.locator(".plot svg").nth(6).waitFor();
-  const [head, ...lines] = (await saved(page, "Averages")).trim().split("\n").map((line) => line.split(","));
-  const rows = lines.map((cells) => Object.fromEntries(head.map((name, at) => [name, cells[at]])));
+  const rows = rowsOf(await saved(page, "Averages"));
   const columns = { "5.3": "spread_mean", "5.4": "spread_sd", "5.5": "max_share_mean", "5.6": "max_share_sd", "5.7": "coverage_mean", "5.8": "coverage_sd", "5.11": "form_closure_mean" };
   for (const [id, column] of Object.entries(columns)) {
     const drawn = await window.locator(`[data-figure="${id}"]`).evaluate((plot) => Object.fromEntries(["area", "circle", "distance", "distributed", "random"].map((method) =>
@@ -119,8 +207,8 @@ test("the visitor's own files, one of them broken", async () => {
   const page = await browser.open();
   const window = await openWindow(page, "experiment");
   const broken = "(0,0)\n(4,0)\n(4 4)\n";
-  await runOver(page, window, [...filesOf(some), { name: "broken.txt", mimeType: "text/plain", buffer: Buffer.from(broken) }], 4);
-  const expected = program(some, { samples: 4, extra: { "broken.txt": broken } });
+  await runOver(window, [...filesOf(some), { name: "broken.txt", mimeType: "text/plain", buffer: Buffer.from(broken) }], 4);
+  const expected = program([...pathsOf(some), fileWith("broken.txt", broken)], { samples: 4 });
   assert.equal(await saved(page, "Measurements"), expected("measurements.csv"));
   assert.match(await window.locator(".results .problem").textContent(), /1 polygon could not be read and was left out:broken: line 3, column 4: expected ','/);
   // Dropped on the window, they are this window's.
@@ -128,7 +216,7 @@ test("the visitor's own files, one of them broken", async () => {
   await window.getByText("My files (2)").waitFor();
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await page.waitForFunction(() => document.querySelector(".results .problem") === null);
-  const names = new Set((await saved(page, "Measurements")).trim().split("\n").slice(1).map((line) => line.split(",")[0]));
+  const names = new Set((await saved(page, "Measurements")).trim().split("\n").slice(1).map((line) => line.split(",")[1]));
   assert.deepEqual([...names], ["a", "b"]);
   await page.done();
 });
@@ -137,19 +225,21 @@ test("it says what is wrong with files and settings", async () => {
   const page = await browser.open();
   const window = await openWindow(page, "experiment");
   const problem = window.locator("> .scroll > .problem");
-  const compare = async () => window.getByRole("button", { name: "Compare", exact: true }).click();
+  const press = async () => window.getByRole("button", { name: "Compare", exact: true }).click();
   await window.getByLabel("My files").check();
-  await compare();
+  await press();
   await window.getByText("Choose files first, or drop them here.").waitFor();
   await window.locator("input[type=file]").setInputFiles([...filesOf(["star"]), { name: "star.wkt", mimeType: "text/plain", buffer: Buffer.from("x") }]);
-  await compare();
+  await press();
   await window.getByText("Two files have the name “star”.").waitFor();
   await window.locator("input[type=file]").setInputFiles(filesOf(["star"]));
-  for (const [label, value, message] of [["Minimum load ratio", "1.2", "The minimum load ratio is a number from 0 to 1."], ["Random placements", "0", "The number of random samples is from 1 to 100000."], ["Random placements", "", "The number of random samples is from 1 to 100000."]]) {
-    await window.getByLabel("Minimum load ratio").fill("0.8");
+  for (const [label, value, message] of [["Minimum load ratio", "1.2", "The minimum load ratio is a number from 0 to 1."], ["Random placements", "0", "The number of random samples is from 1 to 100000."], ["Random placements", "", "The number of random samples is from 1 to 100000."], ["Most teams", "0", "The greatest number of teams is from 1 to 10000."]]) {
+    const ofOne = label === "Most teams";
+    await window.getByLabel(ofOne ? "This polygon" : "My files").check();
+    if (!ofOne) await window.getByLabel("Minimum load ratio").fill("0.8");
     await window.getByLabel("Random placements").fill("5");
     await window.getByLabel(label).fill(value);
-    await compare();
+    await press();
     await window.getByText(message).waitFor();
     assert.equal(await problem.textContent(), message);
   }
@@ -165,7 +255,7 @@ test("the page stays smooth while it computes; it shows how far it is, and stops
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   const bar = window.getByRole("progressbar");
   await page.waitForFunction(() => document.querySelector("#experiment progress").value > 0, undefined, { timeout: 120000 });
-  assert.match(await window.locator(".running p").textContent(), /^\d+ of \d+: /);
+  assert.match(await window.locator(".running p").textContent(), /^\d of 3 polygons: (square|kite)$/);
   assert.ok(page.workers().length >= 1);
   // The page's own thread is never held up: timers keep coming.
   const longest = await page.evaluate(() => new Promise((done) => {
@@ -180,7 +270,7 @@ test("the page stays smooth while it computes; it shows how far it is, and stops
   assert.ok(longest < 200, `${longest} ms`);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Cancel");
   await page.keyboard.press("Enter");
-  await window.getByText("Cancelled.").waitFor({ state: "attached" });
+  await window.getByText("Cancelled; nothing of this comparison is kept.").waitFor();
   assert.ok(await bar.isHidden());
   assert.equal(await window.locator("figure").count(), 0);
   await page.waitForFunction(() => document.activeElement.textContent === "Compare");
@@ -197,7 +287,7 @@ test("the page stays smooth while it computes; it shows how far it is, and stops
 test("results are there again when the window is opened again", async () => {
   const page = await browser.open();
   let window = await openWindow(page, "experiment");
-  await runOver(page, window, filesOf(["square", "kite"]), 2);
+  await runOver(window, filesOf(["square", "kite"]), 2);
   const before = await saved(page, "Measurements");
   await page.keyboard.press("Escape");
   await allClosed(page);
@@ -210,11 +300,12 @@ test("results are there again when the window is opened again", async () => {
 test("when the module cannot be fetched it says so, and tries again", async () => {
   const page = await browser.open({ quiet: false });
   const window = await openWindow(page, "experiment");
-  await page.route("**/samples.json", (route) => route.abort());
+  await page.route("**/polygons.json", (route) => route.abort());
+  await window.getByLabel("All samples").check();
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await window.getByText("The samples cannot be fetched: the server cannot be reached.").waitFor();
-  await page.unroute("**/samples.json");
-  await runOver(page, window, filesOf(["square"]), 2);
+  await page.unroute("**/polygons.json");
+  await runOver(window, filesOf(["square"]), 2);
   await page.done();
 });
 
@@ -222,7 +313,7 @@ for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], 
   test(`with results it has no fault that axe finds and fits, ${how}`, async () => {
     const page = await browser.open({ ...options, reducedMotion: "reduce" });
     const window = await openWindow(page, "experiment");
-    await runOver(page, window, filesOf(some), 3);
+    await runOver(window, filesOf(some), 3);
     await window.locator(".plot svg").nth(6).waitFor();
     for (const summary of await window.locator("summary").all()) await summary.click();
     await page.evaluate(axe);
@@ -236,19 +327,18 @@ for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], 
 test("the program's report has the same charts, and needs nothing else", async () => {
   const out = path.join(folder, "report");
   execFileSync("mkdir", ["-p", out]);
-  const inputs = some.map((name) => path.join(root, "assets/polygons", `${name}.txt`));
-  evenlift("experiment", ...inputs, "--out", out, "--samples", "5");
+  evenlift("experiment", ...pathsOf(some), path.join(root, "assets/thesis-like"), "--out", out, "--samples", "2");
   const page = await browser.browser.newPage({ viewport: { width: 360, height: 700 } });
   const complaints = [];
   page.on("console", (message) => complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("request", (request) => request.url().startsWith("file:") || complaints.push(request.url()));
   await page.goto(`file://${path.join(out, "report.html")}`);
-  await page.locator(".plot svg").nth(6).waitFor();
+  await page.locator(".plot svg").nth(13).waitFor();
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   const figures = await page.evaluate(() => JSON.parse(document.getElementById("figures").textContent));
   for (const figure of figures) {
-    const drawn = await page.locator(`[data-figure="${figure.id}"] .plot svg`).evaluate((svg) => [...svg.querySelectorAll("[class^=dots-] > *")].map((sign) => sign.getAttribute("aria-label")));
+    const drawn = await page.locator(`[data-figure="${figure.id}"][data-set="${figure.set}"] .plot svg`).evaluate((svg) => [...svg.querySelectorAll("[class^=dots-] > *")].map((sign) => sign.getAttribute("aria-label")));
     assert.equal(drawn.length, figure.series.flatMap(({ points }) => points).length, figure.id);
     const [first] = figure.series[0].points;
     const value = figure.unit === "%" ? (100 * first[1]).toFixed(1) : first[1].toFixed(2);

@@ -13,7 +13,9 @@ const shown = ({ unit }, value) => (unit === "%" ? 100 * value : value);
 const digits = ({ unit }) => (unit === "%" ? 1 : 2);
 
 export function inWords(figure, method, [robots, value, polygons]) {
-  return `${names[method]}: ${shown(figure, value).toFixed(digits(figure))} ${figure.unit} with ${robots} robots, ${polygons === 1 ? "1 polygon" : `${polygons} polygons`}`;
+  const words = `${names[method]}: ${shown(figure, value).toFixed(digits(figure))} ${figure.unit} with ${robots} robots`;
+  if (!figure.set) return words;  // of a single polygon
+  return `${words}, ${polygons === 1 ? "1 polygon" : `${polygons} polygons`}`;
 }
 
 // The chart of a figure {id, title, unit, series: [{method, points: [[robots, value, polygons], …]}]}, `width` pixels wide.
@@ -57,7 +59,7 @@ function span(figure, rows) {
   if (values.length === 0) return [0, 1];
   const most = Math.max(...values);
   if (figure.column === "max_share_mean") return [50, Math.max(most, 51)];
-  if (figure.column === "coverage_mean" || figure.column === "form_closure_mean") return [0, 100];
+  if (/^(coverage|form_closure)(_mean)?$/.test(figure.column)) return [0, 100];
   return [0, most > 0 ? most : 1];
 }
 

@@ -20,6 +20,20 @@ std::string optional_number(const std::optional<double>& value) {
   return value ? shortest(*value) : "";
 }
 
+csv::Row aggregate_row(const std::string& set, const Aggregate& a) {
+  csv::Row row = {set, std::string(name(a.method)), std::to_string(a.teams),
+                  std::to_string(2 * std::uint64_t{a.teams}), std::to_string(a.polygons)};
+  for (const Statistics& s : {a.spread, a.load_max, a.max_share, a.coverage}) {
+    row.push_back(shortest(s.mean));
+    row.push_back(optional_number(s.deviation));
+  }
+  row.push_back(std::to_string(a.closable));
+  row.push_back(optional_number(a.form_closure));
+  row.push_back(std::to_string(a.no_area_possible));
+  row.push_back(optional_number(a.no_area));
+  return row;
+}
+
 }  // namespace
 
 Statistics statistics(const std::vector<double>& values) {
@@ -77,24 +91,13 @@ std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results) {
   return aggregates;
 }
 
-std::string aggregates_csv(const std::vector<Aggregate>& aggregates) {
-  std::string text = csv::line({"method", "teams", "robots", "polygons", "spread_mean", "spread_sd",
-                                "load_max_mean", "load_max_sd", "max_share_mean", "max_share_sd",
-                                "coverage_mean", "coverage_sd", "closable", "form_closure_mean",
-                                "no_area_possible", "no_area_mean"});
-  for (const Aggregate& a : aggregates) {
-    csv::Row row = {std::string(name(a.method)), std::to_string(a.teams),
-                    std::to_string(2 * std::uint64_t{a.teams}), std::to_string(a.polygons)};
-    for (const Statistics& s : {a.spread, a.load_max, a.max_share, a.coverage}) {
-      row.push_back(shortest(s.mean));
-      row.push_back(optional_number(s.deviation));
-    }
-    row.push_back(std::to_string(a.closable));
-    row.push_back(optional_number(a.form_closure));
-    row.push_back(std::to_string(a.no_area_possible));
-    row.push_back(optional_number(a.no_area));
-    text += csv::line(row);
-  }
+std::string aggregates_csv(const std::vector<SetAggregates>& sets) {
+  std::string text = csv::line({"set", "method", "teams", "robots", "polygons", "spread_mean",
+                                "spread_sd", "load_max_mean", "load_max_sd", "max_share_mean",
+                                "max_share_sd", "coverage_mean", "coverage_sd", "closable",
+                                "form_closure_mean", "no_area_possible", "no_area_mean"});
+  for (const SetAggregates& set : sets)
+    for (const Aggregate& a : set.aggregates) text += csv::line(aggregate_row(set.set, a));
   return text;
 }
 

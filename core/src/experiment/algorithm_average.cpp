@@ -2,7 +2,18 @@
 
 #include <algorithm>
 
+#include "evenlift/tolerance.h"
+
 namespace evenlift {
+namespace {
+
+// Whether a spread is none but for rounding: loads of 100 kg that differ by less than τ of their
+// mean.
+bool is_even(double spread, std::uint32_t teams) {
+  return spread <= tau * experiment_weight / (2.0 * teams);
+}
+
+}  // namespace
 
 std::optional<double> pick_spread(const Aggregate& a) { return a.spread.mean; }
 std::optional<double> pick_share(const Aggregate& a) { return a.max_share.mean; }
@@ -21,17 +32,23 @@ std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates
   return sum / 3;
 }
 
+std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Metric method,
+                                   std::uint32_t teams) {
+  const std::optional<double> ours = algorithm_average(aggregates, teams, pick_spread);
+  const Aggregate* other = find(aggregates, method, teams);
+  if (!ours || !other || is_even(*ours, teams)) return std::nullopt;
+  return other->spread.mean / *ours;
+}
+
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Metric method,
                                   std::uint32_t most_teams) {
   std::optional<Range> range;
   for (std::uint32_t teams = 1; teams <= most_teams; ++teams) {
-    const std::optional<double> ours = algorithm_average(aggregates, teams, pick_spread);
-    const Aggregate* other = find(aggregates, method, teams);
-    if (!ours || !other || *ours <= 0) continue;
-    const double ratio = other->spread.mean / *ours;
-    if (!range) range = {ratio, ratio};
-    range->least = std::min(range->least, ratio);
-    range->most = std::max(range->most, ratio);
+    const std::optional<double> times = spread_times(aggregates, method, teams);
+    if (!times) continue;
+    if (!range) range = {*times, *times};
+    range->least = std::min(range->least, *times);
+    range->most = std::max(range->most, *times);
   }
   return range;
 }

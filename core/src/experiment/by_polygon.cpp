@@ -55,10 +55,10 @@ const Measurement* find(const PolygonResult& result, Metric method, std::uint32_
 }
 
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
-                  std::uint32_t most_candidates) {
+                  std::uint32_t most_vertices) {
   Count count;
   for (const PolygonResult& result : results) {
-    if (result.candidates > most_candidates) continue;
+    if (result.vertices > most_vertices) continue;
     const auto chosen = choices(result, teams);
     if (!chosen) continue;
     if (teams > 2 && !all_same(*choices(result, teams - 1))) continue;
@@ -108,18 +108,30 @@ std::vector<double> final_coverages(const std::vector<PolygonResult>& results) {
   return coverages;
 }
 
+std::vector<double> all_coverages(const std::vector<PolygonResult>& results) {
+  std::vector<double> coverages;
+  for (const PolygonResult& result : results)
+    for (const Measurement& m : result.measurements)
+      if (m.teams >= 2 &&
+          std::find(std::begin(metrics), std::end(metrics), m.method) != std::end(metrics))
+        coverages.push_back(m.coverage);
+  return coverages;
+}
+
 std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t teams) {
   std::optional<Loss> greatest;
-  for (const PolygonResult& result : results) {
-    const auto moved = std::find_if(
+  for (const PolygonResult& moved : results) {
+    const std::size_t name = moved.polygon.rfind("-moved");
+    if (name == std::string::npos) continue;
+    const auto outline = std::find_if(
         results.begin(), results.end(),
-        [&](const PolygonResult& other) { return other.polygon == result.polygon + "-moved"; });
-    if (moved == results.end()) continue;
-    const Measurement *before = find(result, Metric::area, teams),
-                      *after = find(*moved, Metric::area, teams);
+        [&](const PolygonResult& other) { return other.polygon == moved.polygon.substr(0, name); });
+    if (outline == results.end()) continue;
+    const Measurement *before = find(*outline, Metric::area, teams),
+                      *after = find(moved, Metric::area, teams);
     if (!before || !after) continue;
     if (!greatest || before->coverage - after->coverage > greatest->before - greatest->after)
-      greatest = {result.polygon, before->coverage, after->coverage};
+      greatest = {moved.polygon, before->coverage, after->coverage};
   }
   return greatest;
 }
@@ -140,11 +152,11 @@ Count closed(const std::vector<PolygonResult>& results, Closed closed) {
 }
 
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Metric method,
-                  std::uint32_t teams, std::uint32_t most_candidates) {
+                  std::uint32_t teams, std::uint32_t most_vertices) {
   Count count;
   for (const PolygonResult& result : results) {
     const Measurement* m = find(result, method, teams);
-    if (!m || result.candidates > most_candidates) continue;
+    if (!m || result.vertices > most_vertices) continue;
     const bool possible = std::any_of(result.measurements.begin(), result.measurements.end(),
                                       [&](const Measurement& other) { return other.*closed > 0; });
     count.of += possible;

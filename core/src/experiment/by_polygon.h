@@ -20,10 +20,10 @@ const Measurement* find(const PolygonResult& result, Metric method, std::uint32_
 
 // Polygons with candidates for `teams` on which area, circle and distance choose the same last
 // team; with more than two teams, of those on which they chose the same one before, too (5.4).
-// Only polygons with up to `most_candidates`.
+// Only polygons with up to `most_vertices`.
 inline constexpr std::uint32_t any_number = ~std::uint32_t{0};
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
-                  std::uint32_t most_candidates = any_number);
+                  std::uint32_t most_vertices = any_number);
 
 // Of the polygons where they do not all choose the same second team, those where their coverages
 // then differ by less than `difference` of the polygon.
@@ -36,8 +36,12 @@ std::vector<double> coverage_differences(const std::vector<PolygonResult>& resul
 // For each polygon with candidates the algorithm's coverage with the most teams.
 std::vector<double> final_coverages(const std::vector<PolygonResult>& results);
 
-// The greatest loss of coverage (method area) with `teams` teams from a polygon NAME to NAME-moved,
-// and the name; none without such a couple.
+// The algorithm's coverage in every measurement with two teams or more (one covers nothing): of
+// each polygon, metric, and number of teams.
+std::vector<double> all_coverages(const std::vector<PolygonResult>& results);
+
+// The greatest loss of coverage (method area) with `teams` teams from a polygon NAME to NAME-moved
+// or NAME-moved-1, NAME-moved-2 ..., and the name of the latter; none without such a couple.
 struct Loss {
   std::string polygon;
   double before = 0, after = 0;
@@ -51,10 +55,10 @@ using Closed = double Measurement::*;
 // closes, too. (With all candidates placed the three are one.)
 Count closed(const std::vector<PolygonResult>& results, Closed closed);
 
-// Polygons with up to `most_candidates` that can be closed and on which the method can place
+// Polygons with up to `most_vertices` that can be closed and on which the method can place
 // `teams`, and those that it closes with them.
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Metric method,
-                  std::uint32_t teams, std::uint32_t most_candidates);
+                  std::uint32_t teams, std::uint32_t most_vertices);
 
 // Steps from one number of teams to the next at which a polygon in form closure loses it; and the
 // numbers of robots after the step at which that happens, each once, rising.

@@ -47,22 +47,35 @@ std::vector<Claim> make_claims(const std::vector<PolygonResult>& results,
   return all;
 }
 
-std::string claims_markdown(const std::vector<Claim>& claims) {
-  std::string text = "| section | what | the thesis | here |\n| --- | --- | --- | --- |\n";
-  for (const Claim& c : claims)
-    text +=
-        "| " + c.section + " | " + cell(c.what) + " | " + c.thesis + " | " + cell(c.ours) + " |\n";
+std::string claims_markdown(const std::vector<SetClaims>& sets) {
+  std::string head = "| section | what | the thesis |", rule = "| --- | --- | --- |";
+  for (const SetClaims& set : sets) {
+    head += " " + cell(set.set) + " |";
+    rule += " --- |";
+  }
+  std::string text = head + "\n" + rule + "\n";
+  for (std::size_t i = 0; !sets.empty() && i < sets.front().claims.size(); ++i) {
+    const Claim& c = sets.front().claims[i];
+    text += "| " + c.section + " | " + cell(c.what) + " | " + c.thesis + " |";
+    for (const SetClaims& set : sets) text += " " + cell(set.claims[i].ours) + " |";
+    text += "\n";
+  }
   return text;
 }
 
-std::string claims_json(const std::vector<Claim>& claims) {
-  std::vector<std::string> items;
-  for (const Claim& c : claims)
-    items.push_back(json::object({{"section", json::text(c.section)},
-                                  {"what", json::text(c.what)},
-                                  {"thesis", json::text(c.thesis)},
-                                  {"ours", json::text(c.ours)}}));
-  return json::long_array(items, 0) + "\n";
+std::string claims_json(const std::vector<SetClaims>& sets) {
+  std::vector<std::string> names, rows;
+  for (const SetClaims& set : sets) names.push_back(json::text(set.set));
+  for (std::size_t i = 0; !sets.empty() && i < sets.front().claims.size(); ++i) {
+    const Claim& c = sets.front().claims[i];
+    std::vector<std::string> ours;
+    for (const SetClaims& set : sets) ours.push_back(json::text(set.claims[i].ours));
+    rows.push_back(json::object({{"section", json::text(c.section)},
+                                 {"what", json::text(c.what)},
+                                 {"thesis", json::text(c.thesis)},
+                                 {"ours", json::array(ours)}}));
+  }
+  return json::object({{"sets", json::array(names)}, {"rows", json::long_array(rows, 0)}}) + "\n";
 }
 
 }  // namespace evenlift

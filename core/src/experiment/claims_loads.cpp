@@ -110,9 +110,8 @@ void add_times(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_
     return range ? fixed(range->least, 1) + "–" + fixed(range->most, 1) : none;
   });
   add("with 4 robots", none, [&](Metric method) -> std::string {
-    const auto ours = algorithm_average(rows, 2, pick_spread);
-    const Aggregate* other = find(rows, method, 2);
-    return ours && other && *ours > 0 ? fixed(other->spread.mean / *ours, 1) : none;
+    const auto times = spread_times(rows, method, 2);
+    return times ? fixed(*times, 1) : none;
   });
 }
 

@@ -1,10 +1,12 @@
-// Reads the fields of a row one after another.
+// Reads the fields of a row one after another; and settings as fields, which parts and shard lists
+// hold.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
 #include "csv.h"
+#include "evenlift/experiment/measure.h"
 #include "evenlift/formats.h"
 
 namespace evenlift::csv {
@@ -37,5 +39,19 @@ class Fields {
   std::size_t at_;
   bool good_ = true;
 };
+
+inline Row settings_fields(const ExperimentSettings& settings) {
+  return {shortest(settings.min_ratio), std::to_string(settings.samples),
+          std::to_string(settings.most_teams), shortest(settings.weight)};
+}
+
+inline ExperimentSettings read_settings(Fields& fields) {
+  ExperimentSettings settings;
+  settings.min_ratio = fields.number();
+  settings.samples = fields.whole();
+  settings.most_teams = fields.whole();
+  settings.weight = fields.number();
+  return settings;
+}
 
 }  // namespace evenlift::csv

@@ -34,11 +34,11 @@ constexpr Plan plans[] = {
     {"5.11", "Polygons in form closure", "%", "form_closure_mean", pick_closure, closure_sentence},
 };
 
-Figure make_figure(const Plan& plan, const std::vector<Aggregate>& aggregates,
-                   std::uint32_t most_teams) {
-  Figure figure{plan.id, plan.title, plan.unit, plan.column, plan.sentence(aggregates, most_teams),
+Figure make_figure(const Plan& plan, const SetAggregates& set, std::uint32_t most_teams) {
+  Figure figure{set.set,   plan.id,     plan.title,
+                plan.unit, plan.column, plan.sentence(set.aggregates, most_teams),
                 {}};
-  for (const Aggregate& a : aggregates) {
+  for (const Aggregate& a : set.aggregates) {
     const std::optional<double> value = plan.pick(a);
     if (a.teams > most_teams || !value) continue;
     if (figure.series.empty() || figure.series.back().method != a.method)
@@ -69,10 +69,10 @@ std::uint32_t most_teams_shown(const std::vector<Aggregate>& aggregates) {
   return most;
 }
 
-std::vector<Figure> make_figures(const std::vector<Aggregate>& aggregates) {
-  const std::uint32_t most_teams = most_teams_shown(aggregates);
+std::vector<Figure> make_figures(const SetAggregates& set) {
+  const std::uint32_t most_teams = most_teams_shown(set.aggregates);
   std::vector<Figure> figures;
-  for (const Plan& plan : plans) figures.push_back(make_figure(plan, aggregates, most_teams));
+  for (const Plan& plan : plans) figures.push_back(make_figure(plan, set, most_teams));
   return figures;
 }
 
@@ -81,7 +81,8 @@ std::string figures_json(const std::vector<Figure>& figures) {
   for (const Figure& figure : figures) {
     std::vector<std::string> series;
     for (const FigureSeries& s : figure.series) series.push_back(series_json(s));
-    items.push_back(json::long_object({{"id", json::text(figure.id)},
+    items.push_back(json::long_object({{"set", json::text(figure.set)},
+                                       {"id", json::text(figure.id)},
                                        {"title", json::text(figure.title)},
                                        {"unit", json::text(figure.unit)},
                                        {"column", json::text(figure.column)},

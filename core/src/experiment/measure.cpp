@@ -1,6 +1,7 @@
 #include "evenlift/experiment/measure.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "../normal_size.h"
 #include "evenlift/closure.h"
@@ -16,8 +17,8 @@ namespace {
 // Follows a placement while teams are added to it one by one.
 class Growing {
  public:
-  explicit Growing(const Subject& subject)
-      : subject_(subject), near_(near_distance(subject.polygon.diagonal())) {}
+  Growing(const Subject& subject, double weight)
+      : subject_(subject), weight_(weight), near_(near_distance(subject.polygon.diagonal())) {}
 
   void add(const Chord& chord) {
     for (const LiftingPoint& end : {chord.r1, chord.r2}) points_.push_back(end);
@@ -36,7 +37,7 @@ class Growing {
     m.teams = static_cast<std::uint32_t>(chords_.size());
     if (!coverage_) coverage_ = coverage(subject_.polygon, hull_);
     m.coverage = *coverage_;
-    const LoadSummary loads = *summarize_loads(distribute_weight(chords_, experiment_weight));
+    const LoadSummary loads = *summarize_loads(distribute_weight(chords_, weight_));
     m.load_min = loads.min;
     m.load_mean = loads.mean;
     m.load_max = loads.max;
@@ -56,6 +57,7 @@ class Growing {
   }
 
   const Subject& subject_;
+  double weight_;
   double near_;
   std::vector<Chord> chords_;
   std::vector<LiftingPoint> points_;
@@ -70,12 +72,16 @@ void test_closure(const Subject& subject, const std::vector<LiftingPoint>& point
   m.no_area = no_region_has_area(subject.polygon, subject.centre, points) ? 1 : 0;
 }
 
+std::size_t most_teams(const Subject& subject, const ExperimentSettings& settings) {
+  return std::min<std::size_t>(subject.candidates.size(), settings.most_teams);
+}
+
 std::vector<Measurement> measure_selected(const Subject& subject, Metric method,
-                                          std::size_t most_teams) {
+                                          const ExperimentSettings& settings) {
   std::vector<Measurement> rows;
-  Growing placement(subject);
-  for (const std::uint32_t i :
-       select_teams(subject.polygon, subject.centre, subject.candidates, method, most_teams)) {
+  Growing placement(subject, settings.weight);
+  for (const std::uint32_t i : select_teams(subject.polygon, subject.centre, subject.candidates,
+                                            method, most_teams(subject, settings))) {
     placement.add(subject.candidates[i].chord);
     Measurement m = placement.measured();
     m.method = method;
@@ -87,12 +93,13 @@ std::vector<Measurement> measure_selected(const Subject& subject, Metric method,
 }
 
 // Equal angles: every number of teams is a placement of its own.
-std::vector<Measurement> measure_distributed(const Subject& subject, std::size_t most_teams) {
+std::vector<Measurement> measure_distributed(const Subject& subject,
+                                             const ExperimentSettings& settings) {
   std::vector<Measurement> rows;
-  for (std::size_t teams = 1; teams <= most_teams; ++teams) {
+  for (std::size_t teams = 1; teams <= most_teams(subject, settings); ++teams) {
     const std::vector<Chord> chords = distributed_teams(subject.polygon, subject.centre, teams);
     if (chords.size() < teams) break;
-    Growing placement(subject);
+    Growing placement(subject, settings.weight);
     for (const Chord& chord : chords) placement.add(chord);
     Measurement m = placement.measured();
     m.method = Metric::distributed;
@@ -118,9 +125,9 @@ std::size_t first_passing(const Subject& subject, const std::vector<LiftingPoint
   return passes;
 }
 
-void add_sample(const Subject& subject, const std::vector<Chord>& chords,
+void add_sample(const Subject& subject, double weight, const std::vector<Chord>& chords,
                 std::vector<Measurement>& sums) {
-  Growing placement(subject);
+  Growing placement(subject, weight);
   for (std::size_t t = 0; t < chords.size(); ++t) {
     placement.add(chords[t]);
     const Measurement m = placement.measured();
@@ -139,15 +146,17 @@ void add_sample(const Subject& subject, const std::vector<Chord>& chords,
   for (std::size_t t = no_area; t <= chords.size(); ++t) sums[t - 1].no_area += 1;
 }
 
-std::vector<Measurement> measure_random(const Subject& subject, std::size_t teams,
-                                        std::uint32_t samples) {
+std::vector<Measurement> measure_random(const Subject& subject,
+                                        const ExperimentSettings& settings) {
+  const std::size_t teams = most_teams(subject, settings);
   Measurement none;
   none.method = Metric::random;
   none.samples = 0;
   none.max_share = 0;
   std::vector<Measurement> sums(teams, none);
-  for (std::uint32_t seed = 1; seed <= samples; ++seed)
-    add_sample(subject, random_teams(subject.polygon, subject.centre, teams, seed), sums);
+  for (std::uint32_t seed = 1; seed <= settings.samples; ++seed)
+    add_sample(subject, settings.weight, random_teams(subject.polygon, subject.centre, teams, seed),
+               sums);
   for (std::size_t t = 0; t < teams; ++t) {
     Measurement& m = sums[t];
     m.teams = static_cast<std::uint32_t>(t + 1);
@@ -172,6 +181,8 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings) {
     return bad_option("samples", "the number of random samples is from 1 to 100000");
   if (settings.most_teams < 1 || settings.most_teams > max_experiment_teams)
     return bad_option("max_teams", "the greatest number of teams is from 1 to 10000");
+  if (!(settings.weight > 0) || !std::isfinite(settings.weight))
+    return bad_option("weight", "the weight is a finite number greater than 0");
   return std::nullopt;
 }
 
@@ -188,14 +199,13 @@ Result<Subject> prepare(const Document& given, double min_ratio) {
 
 std::vector<Measurement> measure(const Subject& subject, Metric method,
                                  const ExperimentSettings& settings) {
-  const std::size_t teams = std::min<std::size_t>(subject.candidates.size(), settings.most_teams);
   switch (method) {
     case Metric::distributed:
-      return measure_distributed(subject, teams);
+      return measure_distributed(subject, settings);
     case Metric::random:
-      return measure_random(subject, teams, settings.samples);
+      return measure_random(subject, settings);
     default:
-      return measure_selected(subject, method, teams);
+      return measure_selected(subject, method, settings);
   }
 }
 

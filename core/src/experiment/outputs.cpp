@@ -1,24 +1,50 @@
 #include "evenlift/experiment/outputs.h"
 
-#include <algorithm>
-
 #include "../output/json_text.h"
 
 namespace evenlift {
 
-Outputs make_outputs(const std::vector<PolygonResult>& results) {
-  const std::vector<Aggregate> aggregates = aggregate(results);
-  Outputs outputs{measurements_csv(results), aggregates_csv(aggregates),
-                  polygons_csv(results),     {},
-                  make_figures(aggregates),  make_claims(results, aggregates)};
-  for (const PolygonResult& result : results)
-    if (!result.problem.empty()) outputs.refused.emplace_back(result.polygon, result.problem);
+namespace {
+
+// Sets one after another become figures one after another, each with all its sets.
+std::vector<Figure> by_figure(std::vector<std::vector<Figure>> sets) {
+  std::vector<Figure> figures;
+  for (std::size_t i = 0; !sets.empty() && i < sets.front().size(); ++i)
+    for (std::vector<Figure>& set : sets) figures.push_back(std::move(set[i]));
+  return figures;
+}
+
+void add_refused(const PolygonResult& result, Outputs& outputs) {
+  if (!result.problem.empty()) outputs.refused.emplace_back(result.polygon, result.problem);
+}
+
+}  // namespace
+
+Outputs make_outputs(const std::vector<ResultSet>& sets) {
+  std::vector<SetAggregates> aggregates;
+  std::vector<std::vector<Figure>> figures;
+  Outputs outputs;
+  for (const ResultSet& set : sets) {
+    aggregates.push_back({set.name, aggregate(set.results)});
+    figures.push_back(make_figures(aggregates.back()));
+    outputs.claims.push_back({set.name, make_claims(set.results, aggregates.back().aggregates)});
+    for (const PolygonResult& result : set.results) add_refused(result, outputs);
+  }
+  outputs.measurements_csv = measurements_csv(sets);
+  outputs.aggregates_csv = aggregates_csv(aggregates);
+  outputs.polygons_csv = polygons_csv(sets);
+  outputs.figures = by_figure(std::move(figures));
   return outputs;
 }
 
-void sort_results(std::vector<PolygonResult>& results) {
-  std::sort(results.begin(), results.end(),
-            [](const PolygonResult& a, const PolygonResult& b) { return a.polygon < b.polygon; });
+Outputs make_polygon_outputs(const PolygonResult& result, const ExperimentSettings& settings) {
+  const std::vector<ResultSet> alone = {{result.set, {result}}};
+  Outputs outputs;
+  outputs.measurements_csv = measurements_csv(alone);
+  outputs.polygons_csv = polygons_csv(alone);
+  outputs.figures = make_polygon_figures(result, settings);
+  add_refused(result, outputs);
+  return outputs;
 }
 
 std::string outputs_json(const Outputs& outputs) {

@@ -1,5 +1,8 @@
 #include "evenlift/experiment/results.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "fields.h"
 
 namespace evenlift {
@@ -7,14 +10,16 @@ namespace {
 
 // Changes whenever the same polygon gives other rows, or rows look different: older parts are then
 // measured anew.
-constexpr const char* part_format = "evenlift experiment 1";
+constexpr const char* part_format = "evenlift experiment 2";
 
-const csv::Row measurement_columns = {
-    "polygon", "method",   "teams",     "robots",   "samples", "coverage",  "form_closure",
-    "no_area", "load_min", "load_mean", "load_max", "spread",  "max_share", "chosen"};
+const csv::Row measurement_columns = {"set",     "polygon",   "method",    "teams",
+                                      "robots",  "samples",   "coverage",  "form_closure",
+                                      "no_area", "load_min",  "load_mean", "load_max",
+                                      "spread",  "max_share", "chosen"};
 
-csv::Row measurement_row(const std::string& polygon, const Measurement& m) {
-  return {polygon,
+csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
+  return {of.set,
+          of.polygon,
           std::string(name(m.method)),
           std::to_string(m.teams),
           std::to_string(2 * std::uint64_t{m.teams}),
@@ -31,26 +36,29 @@ csv::Row measurement_row(const std::string& polygon, const Measurement& m) {
 }
 
 csv::Row polygon_row(const PolygonResult& r) {
-  if (!r.problem.empty()) return {r.polygon, "", "", "", r.problem};
-  return {r.polygon, std::to_string(r.vertices), r.convex ? "1" : "0", std::to_string(r.candidates),
+  if (!r.problem.empty()) return {r.set, r.polygon, "", "", "", r.problem};
+  return {r.set,
+          r.polygon,
+          std::to_string(r.vertices),
+          r.convex ? "1" : "0",
+          std::to_string(r.candidates),
           ""};
 }
 
-bool read_settings(const csv::Row& row, Part& part) {
+bool read_heading(const csv::Row& row, Part& part) {
   csv::Fields fields(row, 1);
-  part.settings.min_ratio = fields.number();
-  part.settings.samples = fields.whole();
-  part.settings.most_teams = fields.whole();
+  part.settings = csv::read_settings(fields);
   part.fingerprint = fields.text();
   return fields.done() && row[0] == part_format;
 }
 
 bool read_polygon_row(const csv::Row& row, PolygonResult& result) {
-  if (row.size() != 6 || row[0] != "polygon") return false;
-  result.polygon = row[1];
-  result.problem = row[5];
-  if (!result.problem.empty()) return row[2].empty() && row[3].empty() && row[4].empty();
-  csv::Fields fields(row, 2);
+  if (row.size() != 7 || row[0] != "polygon") return false;
+  result.set = row[1];
+  result.polygon = row[2];
+  result.problem = row[6];
+  if (!result.problem.empty()) return row[3].empty() && row[4].empty() && row[5].empty();
+  csv::Fields fields(row, 3);
   result.vertices = fields.whole();
   result.convex = fields.whole() == 1;
   result.candidates = fields.whole();
@@ -58,12 +66,14 @@ bool read_polygon_row(const csv::Row& row, PolygonResult& result) {
 }
 
 bool read_measurement(const csv::Row& row, PolygonResult& result) {
-  if (row.size() != measurement_columns.size() + 1 || row[1] != result.polygon) return false;
-  const std::optional<Metric> method = metric_from_name(row[2]);
+  if (row.size() != measurement_columns.size() + 1 || row[1] != result.set ||
+      row[2] != result.polygon)
+    return false;
+  const std::optional<Metric> method = metric_from_name(row[3]);
   if (!method) return false;
   Measurement m;
   m.method = *method;
-  csv::Fields fields(row, 3);
+  csv::Fields fields(row, 4);
   m.teams = fields.whole();
   if (fields.whole() != 2 * m.teams) return false;
   m.samples = fields.whole();
@@ -105,26 +115,42 @@ std::string fingerprint(std::string_view bytes) {
 }
 
 std::string fingerprint(const Document& document, const ExperimentSettings& settings) {
-  return fingerprint(shortest(settings.min_ratio) + "," + std::to_string(settings.samples) + "," +
-                     std::to_string(settings.most_teams) + "\n" + write_thesis(document));
+  return fingerprint(csv::line(csv::settings_fields(settings)) + write_thesis(document));
 }
 
-PolygonResult describe(const std::string& name, const Subject& subject) {
+PolygonResult describe(const std::string& set, const std::string& polygon, const Subject& subject) {
   PolygonResult result;
-  result.polygon = name;
+  result.set = set;
+  result.polygon = polygon;
   result.vertices = static_cast<std::uint32_t>(subject.polygon.size());
   result.convex = subject.polygon.convex();
   result.candidates = static_cast<std::uint32_t>(subject.candidates.size());
   return result;
 }
 
+void sort_results(std::vector<PolygonResult>& results) {
+  std::sort(results.begin(), results.end(), [](const PolygonResult& a, const PolygonResult& b) {
+    return std::tie(a.set, a.polygon) < std::tie(b.set, b.polygon);
+  });
+}
+
+std::vector<ResultSet> group_by_set(std::vector<PolygonResult> results) {
+  std::vector<ResultSet> sets;
+  for (PolygonResult& result : results) {
+    if (sets.empty() || sets.back().name != result.set) sets.push_back({result.set, {}});
+    sets.back().results.push_back(std::move(result));
+  }
+  return sets;
+}
+
 std::string write_part(const Part& part) {
-  std::string text = csv::line({part_format, shortest(part.settings.min_ratio),
-                                std::to_string(part.settings.samples),
-                                std::to_string(part.settings.most_teams), part.fingerprint});
+  csv::Row heading = csv::settings_fields(part.settings);
+  heading.insert(heading.begin(), part_format);
+  heading.push_back(part.fingerprint);
+  std::string text = csv::line(heading);
   text += csv::line(tagged("polygon", polygon_row(part.result)));
   for (const Measurement& m : part.result.measurements)
-    text += csv::line(tagged("measured", measurement_row(part.result.polygon, m)));
+    text += csv::line(tagged("measured", measurement_row(part.result, m)));
   for (const auto& [stage, seconds] : part.times)
     text += csv::line({"time", stage, shortest(seconds)});
   return text + "end\n";
@@ -134,7 +160,7 @@ std::optional<Part> read_part(std::string_view text) {
   const auto rows = csv::read(text);
   if (!rows || rows->size() < 3 || rows->back() != csv::Row{"end"}) return std::nullopt;
   Part part;
-  if (!read_settings((*rows)[0], part) || !read_polygon_row((*rows)[1], part.result))
+  if (!read_heading((*rows)[0], part) || !read_polygon_row((*rows)[1], part.result))
     return std::nullopt;
   for (std::size_t i = 2; i + 1 < rows->size(); ++i) {
     const csv::Row& row = (*rows)[i];
@@ -146,25 +172,27 @@ std::optional<Part> read_part(std::string_view text) {
   return part;
 }
 
-std::string measurements_csv(const std::vector<PolygonResult>& results) {
+std::string measurements_csv(const std::vector<ResultSet>& sets) {
   std::string text = csv::line(measurement_columns);
-  for (const PolygonResult& result : results)
-    for (const Measurement& m : result.measurements)
-      text += csv::line(measurement_row(result.polygon, m));
+  for (const ResultSet& set : sets)
+    for (const PolygonResult& result : set.results)
+      for (const Measurement& m : result.measurements)
+        text += csv::line(measurement_row(result, m));
   return text;
 }
 
 std::string times_csv(const std::vector<Part>& parts) {
-  std::string text = csv::line({"polygon", "stage", "seconds"});
+  std::string text = csv::line({"set", "polygon", "stage", "seconds"});
   for (const Part& part : parts)
     for (const auto& [stage, seconds] : part.times)
-      text += csv::line({part.result.polygon, stage, shortest(seconds)});
+      text += csv::line({part.result.set, part.result.polygon, stage, shortest(seconds)});
   return text;
 }
 
-std::string polygons_csv(const std::vector<PolygonResult>& results) {
-  std::string text = csv::line({"polygon", "vertices", "convex", "candidates", "problem"});
-  for (const PolygonResult& result : results) text += csv::line(polygon_row(result));
+std::string polygons_csv(const std::vector<ResultSet>& sets) {
+  std::string text = csv::line({"set", "polygon", "vertices", "convex", "candidates", "problem"});
+  for (const ResultSet& set : sets)
+    for (const PolygonResult& result : set.results) text += csv::line(polygon_row(result));
   return text;
 }
 

@@ -21,4 +21,13 @@ std::string coverage_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string coverage_deviation_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
 
+// The pieces of such sentences. A value and its unit stay on one line.
+std::string in_kg(double value);
+std::string in_percent(double share);
+std::string of_robots(std::uint32_t teams);  // "6 robots"
+// How a method's placements came about: "by area", "at equal angles".
+std::string by(Metric method);
+// "1, 2 and 3"; empty of none.
+std::string listed(const std::vector<std::string>& items);
+
 }  // namespace evenlift

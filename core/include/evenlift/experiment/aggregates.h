@@ -41,12 +41,18 @@ struct Aggregate {
 bool closable(const PolygonResult& result);
 bool no_area_possible(const PolygonResult& result);
 
-// By method, then teams. O(rows).
+// Of the results of one set: by method, then teams. O(rows).
 std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results);
+
+// The aggregates of one set.
+struct SetAggregates {
+  std::string set;
+  std::vector<Aggregate> aggregates;
+};
 
 // One row for each aggregate, under a heading; deviations and form_closure are empty where there
 // are none. O(rows).
-std::string aggregates_csv(const std::vector<Aggregate>& aggregates);
+std::string aggregates_csv(const std::vector<SetAggregates>& sets);
 
 // The aggregate of a method and number of teams, or null. O(rows).
 const Aggregate* find(const std::vector<Aggregate>& aggregates, Metric method, std::uint32_t teams);

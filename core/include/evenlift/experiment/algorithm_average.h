@@ -20,12 +20,18 @@ std::optional<double> pick_closure(const Aggregate& a);
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t teams, Pick pick);
 
+// How many times as large as the algorithm's spread with that many teams the method's is; none
+// where one of them has none, and where the algorithm's loads are even to within τ of their mean.
+// For objects of experiment_weight. O(rows).
+std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Metric method,
+                                   std::uint32_t teams);
+
 struct Range {
   double least = 0, most = 0;
 };
 
-// For 1 .. most_teams teams how many times the algorithm's spread the method's is; none where there
-// is nothing to compare, or the algorithm's is 0. O(rows most_teams).
+// The least and the greatest spread_times for 1 .. most_teams teams; none if there is none. O(rows
+// most_teams).
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Metric method,
                                   std::uint32_t most_teams);
 

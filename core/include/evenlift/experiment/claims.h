@@ -16,14 +16,21 @@ struct Claim {
   std::string ours;     // the same from the data; "—" where the data have none
 };
 
-// `results` sorted, `aggregates` of them. O(rows).
+// Of one set: `results` sorted, `aggregates` of them. The same claims in the same order for every
+// set. O(rows).
 std::vector<Claim> make_claims(const std::vector<PolygonResult>& results,
                                const std::vector<Aggregate>& aggregates);
 
-// A table in Markdown, ending in a newline. O(claims).
-std::string claims_markdown(const std::vector<Claim>& claims);
+// The claims of one set.
+struct SetClaims {
+  std::string set;
+  std::vector<Claim> claims;
+};
 
-// [{"section", "what", "thesis", "ours"}] O(claims).
-std::string claims_json(const std::vector<Claim>& claims);
+// A table in Markdown with a column for each set, ending in a newline. O(claims).
+std::string claims_markdown(const std::vector<SetClaims>& sets);
+
+// {"sets": [names], "rows": [{"section", "what", "thesis", "ours": [of each set]}]} O(claims).
+std::string claims_json(const std::vector<SetClaims>& sets);
 
 }  // namespace evenlift

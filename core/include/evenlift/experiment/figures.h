@@ -22,6 +22,7 @@ struct FigureSeries {
 };
 
 struct Figure {
+  std::string set;                   // whose averages these are; empty of a single polygon
   std::string id;                    // "5.3", of the thesis's figure
   std::string title;                 // what is measured, in words
   std::string unit;                  // "kg", or "%" where values are shares, shown times 100
@@ -34,10 +35,16 @@ struct Figure {
 // of a chart is one of few; 0 without any. O(rows).
 std::uint32_t most_teams_shown(const std::vector<Aggregate>& aggregates);
 
-// Figures 5.3 to 5.8 and 5.11, up to most_teams_shown. O(rows).
-std::vector<Figure> make_figures(const std::vector<Aggregate>& aggregates);
+// Figures 5.3 to 5.8 and 5.11 of one set, up to most_teams_shown. O(rows).
+std::vector<Figure> make_figures(const SetAggregates& set);
 
-// [{"id", "title", "unit", "column", "sentence", "series": [{"method",
+// What 5.1 measures of one polygon, against the number of robots, with every method: the greatest
+// load, the difference of loads, coverage, and form closure (of random placements the part of the
+// samples in form closure). `settings` are those with which it was measured. O(rows).
+std::vector<Figure> make_polygon_figures(const PolygonResult& result,
+                                         const ExperimentSettings& settings);
+
+// [{"set", "id", "title", "unit", "column", "sentence", "series": [{"method",
 // "points": [[robots, value, polygons], ...]}]}] O(rows).
 std::string figures_json(const std::vector<Figure>& figures);
 

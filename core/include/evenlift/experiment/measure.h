@@ -13,7 +13,7 @@
 namespace evenlift {
 
 // As in the thesis (5.2, 5.3).
-inline constexpr double experiment_weight = 100;  // of the object, kg
+inline constexpr double experiment_weight = 100;  // of an object, kg
 
 // Bounds on what is asked for.
 inline constexpr std::uint32_t max_samples = 100000;
@@ -25,6 +25,7 @@ struct ExperimentSettings {
   // Polygons on which the algorithm can place more are measured with up to so many, 1 ..
   // max_experiment_teams: the time grows with the square.
   std::uint32_t most_teams = 1000;
+  double weight = experiment_weight;  // of the object, kg; above 0
   bool operator==(const ExperimentSettings&) const = default;
 };
 

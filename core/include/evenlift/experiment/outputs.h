@@ -13,15 +13,15 @@ namespace evenlift {
 struct Outputs {
   std::string measurements_csv, aggregates_csv, polygons_csv;
   std::vector<std::pair<std::string, std::string>> refused;  // polygon, why it was left out
-  std::vector<Figure> figures;
-  std::vector<Claim> claims;
+  std::vector<Figure> figures;                               // by the thesis's figure, then by set
+  std::vector<SetClaims> claims;                             // none of a single polygon
 };
 
-// `results` by name, as sort_results leaves them. O(rows).
-Outputs make_outputs(const std::vector<PolygonResult>& results);
+// Of sets of polygons, each with its averages. O(rows).
+Outputs make_outputs(const std::vector<ResultSet>& sets);
 
-// Sorts by name (bytes), which are all different. O(n log n).
-void sort_results(std::vector<PolygonResult>& results);
+// Of one polygon by itself: its measurements and make_polygon_figures. O(rows).
+Outputs make_polygon_outputs(const PolygonResult& result, const ExperimentSettings& settings);
 
 // {"measurements", "aggregates", "polygons": the CSV files as strings; "thesis": the table in
 // Markdown; "refused": [{"polygon", "problem"}]; "figures", "claims": as figures_json and

@@ -13,7 +13,8 @@
 namespace evenlift {
 
 struct PolygonResult {
-  std::string polygon;  // its name, unique among the results
+  std::string set;      // of the polygons that it is averaged with, by name
+  std::string polygon;  // its name, unique in its set
   std::string problem;  // why it could not be measured; empty if it could
   std::uint32_t vertices = 0;
   bool convex = false;
@@ -35,7 +36,19 @@ std::string fingerprint(const Document& document, const ExperimentSettings& sett
 inline constexpr const char* refused_fingerprint = "refused";
 
 // A result without measurements yet. O(1).
-PolygonResult describe(const std::string& name, const Subject& subject);
+PolygonResult describe(const std::string& set, const std::string& polygon, const Subject& subject);
+
+// Sorts by set, then by polygon, both by their bytes. O(n log n).
+void sort_results(std::vector<PolygonResult>& results);
+
+// The results of one set, by polygon.
+struct ResultSet {
+  std::string name;
+  std::vector<PolygonResult> results;
+};
+
+// Divides sorted results into their sets, which keep their order. O(n).
+std::vector<ResultSet> group_by_set(std::vector<PolygonResult> results);
 
 // One finished polygon as text, ending in a newline; O(rows).
 struct Part {
@@ -51,14 +64,14 @@ std::string write_part(const Part& part);
 // O(bytes).
 std::optional<Part> read_part(std::string_view text);
 
-// One row for each polygon, method and number of teams, in that order, under a heading; numbers
-// have the fewest digits that read back to the same double. Columns as Measurement's fields;
-// `chosen` is empty where there is none. O(rows).
-std::string measurements_csv(const std::vector<PolygonResult>& results);
+// One row for each set, polygon, method and number of teams, in that order, under a heading;
+// numbers have the fewest digits that read back to the same double. Columns as Measurement's
+// fields; `chosen` is empty where there is none. O(rows).
+std::string measurements_csv(const std::vector<ResultSet>& sets);
 
 // One row for each polygon: its size, how many teams the algorithm can place, or why it was
-// refused.
-std::string polygons_csv(const std::vector<PolygonResult>& results);
+// refused. O(polygons).
+std::string polygons_csv(const std::vector<ResultSet>& sets);
 
 // One row for each polygon and stage, with the seconds that it took.
 std::string times_csv(const std::vector<Part>& parts);

@@ -22,7 +22,7 @@ struct ShardList {
   Shard shard;
   ExperimentSettings settings;
   struct Entry {
-    std::string polygon, fingerprint;  // as in its part
+    std::string set, polygon, fingerprint;  // as in its part
   };
   std::vector<Entry> entries;
 };
