@@ -306,7 +306,6 @@ Finding compare_refusal(const Case& c) {
 Finding compare_vertex_chords(const Case& c) {
   Finding finding;
   const double size = size_of(c.problem.vertices);
-  if (size < 1e-100) return finding;  // `place` scales such shapes up before the stages see them
   const std::vector<std::array<Point, 2>> exact = oracle::vertex_chords(c.problem);
   const evenlift::Document d = document(c.problem);
   const auto polygon = evenlift::Polygon::create(d.vertices);

@@ -43,6 +43,7 @@ enum class Refusal {
   repeated_vertex,
   no_area,
   not_simple,
+  too_small,
   centre_outside,
   bad_ratio,
   bad_teams,

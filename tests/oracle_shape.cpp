@@ -69,6 +69,16 @@ bool strictly_in_hull(const std::vector<ExactVec>& v, const ExactVec& p) {
   return true;
 }
 
+/// The bounding box's diagonal is below 1e-9.
+bool too_small(const std::vector<ExactVec>& v) {
+  ExactVec low = v[0], high = low;
+  for (const ExactVec& p : v) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return length(real(high - low)) < tau;
+}
+
 }  // namespace
 
 double nearest_double(const Exact& value) {
@@ -128,6 +138,7 @@ Refusal refusal(const Problem& problem) {
   const auto on_first_line = [&](const ExactVec& p) { return orient(v[0], v[1], p) == 0; };
   if (std::all_of(v.begin(), v.end(), on_first_line)) return Refusal::no_area;
   if (!simple(v)) return Refusal::not_simple;
+  if (too_small(v)) return Refusal::too_small;
   const Point c = problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem.vertices);
   if (bad(c)) return Refusal::bad_coordinate;
   if (!strictly_in_hull(v, exact(c))) return Refusal::centre_outside;

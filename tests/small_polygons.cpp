@@ -251,7 +251,7 @@ std::string transform(Points& p, std::optional<Point>& c, Draw& draw) {
       return " squeezed";
     }
     case 4: {
-      const double k = draw.one_of({1e-200, 1e-12, 1.0 / 3, 1e7});
+      const double k = draw.one_of({1e-9, 1e-5, 1.0 / 3, 1e7});
       each([&](const Point& q) { return Point{q[0] * k, q[1] * k}; });
       return " scaled";
     }

@@ -207,6 +207,8 @@ TEST_CASE("the oracle names why it refuses a problem", "[oracle]") {
   CHECK(why({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}) ==
         Refusal::not_simple);                                           // a vertex on an edge
   CHECK(why({{0, 0}, {4, 0}, {2, 0}, {2, 3}}) == Refusal::not_simple);  // folds back
+  CHECK(why({{0, 0}, {7e-10, 0}, {7e-10, 7e-10}}) == Refusal::too_small);
+  CHECK(why({{0, 0}, {8e-10, 0}, {8e-10, 8e-10}}) == Refusal::none);
   CHECK(refusal({.vertices = square, .centre_of_mass = Point{2, 1}}) == Refusal::centre_outside);
   CHECK(refusal({.vertices = square, .centre_of_mass = Point{1, 1}, .min_ratio = 1.01}) ==
         Refusal::bad_ratio);

@@ -36,14 +36,10 @@ Shape shape(Points vertices, std::optional<Vec2> given, double min_ratio) {
 Shape small_shape(std::uint64_t number) {
   const small_polygons::Case c = small_polygons::make_case(number);
   Points vertices;
-  double reach = 0;
-  for (const auto& p : c.problem.vertices)
-    reach = std::max({reach, std::fabs(p[0]), std::fabs(p[1])});
-  const double unit = reach < 1e-100 ? std::ldexp(1.0, -std::ilogb(reach)) : 1;
-  for (const auto& p : c.problem.vertices) vertices.emplace_back(unit * p[0], unit * p[1]);
+  for (const auto& p : c.problem.vertices) vertices.emplace_back(p[0], p[1]);
   std::optional<Vec2> centre;
   if (c.problem.centre_of_mass)
-    centre = Vec2(unit * (*c.problem.centre_of_mass)[0], unit * (*c.problem.centre_of_mass)[1]);
+    centre = Vec2((*c.problem.centre_of_mass)[0], (*c.problem.centre_of_mass)[1]);
   return shape(std::move(vertices), centre, c.problem.min_ratio);
 }
 

@@ -39,7 +39,9 @@ class VertexFinder {
 }  // namespace
 
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
-  const Vec2 along = polygon.edge_end(edge) - polygon.edge_start(edge);
+  Vec2 along = polygon.edge_end(edge) - polygon.edge_start(edge);
+  // The squares of shorter edges would leave the range of doubles.
+  if (along.cwiseAbs().maxCoeff() < 0x1p-400) along *= 0x1p600;
   const Vec2 left = left_normal(along) / length(along);
   return polygon.counter_clockwise() ? left : Vec2(-left);
 }

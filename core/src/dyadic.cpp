@@ -62,6 +62,11 @@ Limbs multiply_magnitude(const Limbs& a, const Limbs& b) {
   return result;
 }
 
+// ldexp for any exponent; beyond the range of doubles the result is 0 or infinity.
+double shifted(double value, std::int64_t exponent) {
+  return std::ldexp(value, static_cast<int>(std::clamp<std::int64_t>(exponent, -5000, 5000)));
+}
+
 }  // namespace
 
 Dyadic::Dyadic(double value) {
@@ -91,14 +96,18 @@ void Dyadic::normalize() {
   if (limbs_.empty()) *this = Dyadic();
 }
 
-double Dyadic::to_double() const {
-  if (sign_ == 0) return 0;
+Dyadic::Scaled Dyadic::scaled() const {
   const std::size_t n = limbs_.size();
   const std::size_t used = std::min<std::size_t>(n, 3);  // at least 65 significant bits
   double value = 0;
   for (std::size_t i = 0; i < used; ++i) value = value * 4294967296.0 + limbs_[n - 1 - i];
-  const std::int64_t exponent = exponent_ + 32 * static_cast<std::int64_t>(n - used);
-  value = std::ldexp(value, static_cast<int>(std::clamp<std::int64_t>(exponent, -5000, 5000)));
+  return {value, exponent_ + 32 * static_cast<std::int64_t>(n - used)};
+}
+
+double Dyadic::to_double() const {
+  if (sign_ == 0) return 0;
+  const Scaled top = scaled();
+  double value = shifted(top.value, top.exponent);
   value = std::clamp(value, std::numeric_limits<double>::denorm_min(),
                      std::numeric_limits<double>::max());
   return sign_ < 0 ? -value : value;
@@ -140,6 +149,12 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, int sign_of_b) {
 
 Dyadic operator+(const Dyadic& a, const Dyadic& b) { return Dyadic::sum(a, b, 1); }
 Dyadic operator-(const Dyadic& a, const Dyadic& b) { return Dyadic::sum(a, b, -1); }
+
+double approximate_quotient(const Dyadic& a, const Dyadic& b) {
+  if (a.sign_ == 0) return 0;
+  const Dyadic::Scaled top = a.scaled(), bottom = b.scaled();
+  return a.sign_ * b.sign_ * shifted(top.value / bottom.value, top.exponent - bottom.exponent);
+}
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) {
   Dyadic result;

@@ -1,17 +1,13 @@
 #include "evenlift/placement.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "evenlift/hull.h"
 #include "evenlift/selection.h"
 #include "evenlift/tolerance.h"
-#include "normal_size.h"
 
 namespace evenlift {
 namespace {
-
-using evenlift::scale;
 
 InputError bad_option(const char* option, const char* message) {
   return {ErrorCode::bad_setting, message, {Place::Kind::option, 0, 0, option}};
@@ -25,10 +21,6 @@ std::vector<LiftingPoint> lifting_points(const std::vector<Chord>& chords) {
     points.push_back(chord.r2);
   }
   return points;
-}
-
-bool takes_candidates(Metric metric) {
-  return metric != Metric::distributed && metric != Metric::random;
 }
 
 // The chords that the teams take, noting which candidates they are.
@@ -69,28 +61,28 @@ void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords,
   placement.closure = analyse_closure(polygon, placement.centre_of_mass, points);
 }
 
-void scale(Chord& chord, int exponent) {
-  scale(chord.r1.position, exponent);
-  scale(chord.r2.position, exponent);
-  chord.arm1 = std::ldexp(chord.arm1, exponent);
-  chord.arm2 = std::ldexp(chord.arm2, exponent);
-}
+}  // namespace
 
-void scale(Placement& placement, int exponent) {
-  scale(placement.vertices, exponent);
-  scale(placement.centre_of_mass, exponent);
-  for (Candidate& candidate : placement.candidates) {
-    scale(candidate.chord, exponent);
-    scale(candidate.direction, exponent);
-    candidate.length = std::ldexp(candidate.length, exponent);
+std::optional<InputError> check_settings(const Settings& settings) {
+  if (settings.teams && *settings.teams < 1)
+    return bad_option("teams", "at least 1 team is needed");
+  if (settings.teams && *settings.teams > max_teams)
+    return bad_option("teams", "at most 1048576 teams can be asked for");
+  if (!settings.teams && !selects_candidates(settings.metric)) {
+    return bad_option(
+        "teams", "all candidates can be placed by area, circle and distance only; give a number");
   }
-  for (Team& team : placement.teams) scale(team.chord, exponent);
-  scale(placement.hull, exponent);
-  scale(placement.closure.clockwise.clipped, exponent);
-  scale(placement.closure.counterclockwise.clipped, exponent);
+  if (!(settings.min_ratio >= 0 && settings.min_ratio <= 1)) {
+    return bad_option("min_ratio", "the minimum load ratio is a number from 0 to 1");
+  }
+  if (!(settings.weight > 0) || !std::isfinite(settings.weight)) {
+    return bad_option("weight", "the weight is a finite number greater than 0");
+  }
+  return std::nullopt;
 }
 
-Result<Placement> place_unscaled(const Document& document) {
+Result<Placement> place(const Document& document) {
+  if (auto error = check_settings(document.settings)) return *error;
   auto polygon = Polygon::create(document.vertices);
   if (!polygon) return polygon.error();
   const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);
@@ -106,36 +98,6 @@ Result<Placement> place_unscaled(const Document& document) {
   placement.requested_teams =
       document.settings.teams.value_or(static_cast<std::uint32_t>(placement.candidates.size()));
   describe_grasp(*polygon, choose_chords(*polygon, placement), placement);
-  return placement;
-}
-
-}  // namespace
-
-std::optional<InputError> check_settings(const Settings& settings) {
-  if (settings.teams && *settings.teams < 1)
-    return bad_option("teams", "at least 1 team is needed");
-  if (settings.teams && *settings.teams > max_teams)
-    return bad_option("teams", "at most 1048576 teams can be asked for");
-  if (!settings.teams && !takes_candidates(settings.metric)) {
-    return bad_option(
-        "teams", "all candidates can be placed by area, circle and distance only; give a number");
-  }
-  if (!(settings.min_ratio >= 0 && settings.min_ratio <= 1)) {
-    return bad_option("min_ratio", "the minimum load ratio is a number from 0 to 1");
-  }
-  if (!(settings.weight > 0) || !std::isfinite(settings.weight)) {
-    return bad_option("weight", "the weight is a finite number greater than 0");
-  }
-  return std::nullopt;
-}
-
-Result<Placement> place(const Document& document) {
-  if (auto error = check_settings(document.settings)) return *error;
-  const int exponent = exponent_of_small(document.vertices);
-  if (exponent == 0) return place_unscaled(document);
-  auto placement = place_unscaled(of_normal_size(document, exponent));
-  if (!placement) return placement.error();
-  scale(*placement, exponent);
   return placement;
 }
 

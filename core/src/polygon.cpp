@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "bits.h"
 #include "double_double.h"
 #include "dyadic.h"
 #include "evenlift/document.h"
@@ -55,18 +57,20 @@ bool all_on_one_line(const Points& vertices) {
 }
 
 struct Moments {
-  double area;  // signed
+  double area;  // above 0
   Vec2 centroid;
 };
 
-// Twice the area and six times its first moments, relative to a point, with bounds on what
-// cancelled.
+// Twice the area and six times its first moments, relative to a point, with bounds on the sizes of
+// what was added up, so that the rounding errors are bounded even if most of it cancels.
 struct Sums {
   DoubleDouble twice_area, x, y;
   double size_area = 0, size_moments = 0;
 };
 
 Sums double_double_sums(const Points& vertices, const Vec2& corner) {
+  // Products below 2^-969 lose bits. Counting every part as at least this large covers the loss.
+  constexpr double least_size = 0x1p-960;
   Sums sums;
   const auto relative = [&](const Vec2& v) {
     return std::pair(two_difference(v.x(), corner.x()), two_difference(v.y(), corner.y()));
@@ -79,64 +83,83 @@ Sums double_double_sums(const Points& vertices, const Vec2& corner) {
     sums.twice_area = sums.twice_area + part;
     sums.x = sums.x + (px + qx) * part;
     sums.y = sums.y + (py + qy) * part;
-    const double size = std::fabs(first.hi) + std::fabs(second.hi);
+    const double size = std::fabs(first.hi) + std::fabs(second.hi) + least_size;
     sums.size_area += size;
     sums.size_moments +=
-        size * (std::fabs(px.hi) + std::fabs(qx.hi) + std::fabs(py.hi) + std::fabs(qy.hi));
+        size * (std::fabs(px.hi) + std::fabs(qx.hi) + std::fabs(py.hi) + std::fabs(qy.hi)) +
+        least_size;
     px = qx;
     py = qy;
   }
   return sums;
 }
 
-// One coordinate of the centroid by exact sums: numerator / (3 x twice the area), rounded once.
-double exact_quotient(const Dyadic& numerator, const Dyadic& divisor, double guess) {
-  if (numerator.sign() == 0) return 0;
-  double quotient = guess;
-  for (int i = 0; i < 3; ++i) {
-    const Dyadic rest = numerator - Dyadic(quotient) * divisor;
-    quotient += rest.to_double() / divisor.to_double();
-  }
-  return quotient;
-}
-
-Vec2 exact_centroid(const Points& vertices, const Vec2& guess) {
+// The same sums, exactly and relative to the origin.
+struct ExactSums {
   Dyadic twice_area, x, y;
+};
+
+ExactSums exact_sums(const Points& vertices) {
+  ExactSums sums;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec2 &p = vertices[i], &q = vertices[i + 1 == vertices.size() ? 0 : i + 1];
     const Dyadic px(p.x()), py(p.y()), qx(q.x()), qy(q.y());
     const Dyadic part = px * qy - qx * py;
-    twice_area = twice_area + part;
-    x = x + (px + qx) * part;
-    y = y + (py + qy) * part;
+    sums.twice_area = sums.twice_area + part;
+    sums.x = sums.x + (px + qx) * part;
+    sums.y = sums.y + (py + qy) * part;
   }
-  const Dyadic divisor = Dyadic(3.0) * twice_area;
-  return {exact_quotient(x, divisor, guess.x()), exact_quotient(y, divisor, guess.y())};
+  return sums;
+}
+
+// The quotient, rounded to the nearest double, of two that are as near to the even one. The divisor
+// is not 0.
+double rounded_quotient(const Dyadic& numerator, const Dyadic& divisor) {
+  // Each round adds some fifty correct bits: then the quotient lies between this and a neighbour.
+  double quotient = 0;
+  for (int i = 0; i < 3; ++i)
+    quotient += approximate_quotient(numerator - Dyadic(quotient) * divisor, divisor);
+  const int side = (numerator - Dyadic(quotient) * divisor).sign() * divisor.sign();
+  if (side == 0) return quotient;
+  const double neighbour = std::nextafter(quotient, side * std::numeric_limits<double>::infinity());
+  const Dyadic twice_middle = Dyadic(quotient) + Dyadic(neighbour);
+  const int beyond =
+      side * (numerator + numerator - twice_middle * divisor).sign() * divisor.sign();
+  if (beyond == 0) return (to_bits(quotient) & 1) == 0 ? quotient : neighbour;
+  return beyond > 0 ? neighbour : quotient;
+}
+
+Moments exact_moments(const Points& vertices) {
+  const ExactSums sums = exact_sums(vertices);
+  const Dyadic divisor = Dyadic(3.0) * sums.twice_area;
+  const double area = std::fabs(rounded_quotient(sums.twice_area, Dyadic(2.0)));
+  return {std::max(area, std::numeric_limits<double>::denorm_min()),
+          {rounded_quotient(sums.x, divisor), rounded_quotient(sums.y, divisor)}};
 }
 
 // Area and centroid, in double-double about a corner of the bounding box, so that polygons far from
-// the origin lose nothing. The centroid is the nearest doubles: where the error bound leaves that
-// open (thin polygons, centroids near 0) exact sums decide.
+// the origin lose nothing. Both are rounded to doubles once: where the error bound leaves open to
+// which (thin polygons, centroids near 0), exact sums decide.
 Moments moments(const Points& vertices, const Vec2& corner) {
   const Sums sums = double_double_sums(vertices, corner);
   const DoubleDouble divisor = DoubleDouble(3.0) * sums.twice_area;
   const DoubleDouble x = sums.x / divisor + DoubleDouble(corner.x());
   const DoubleDouble y = sums.y / divisor + DoubleDouble(corner.y());
-  const double area = 0.5 * sums.twice_area.to_double();
-  const Vec2 rounded(x.to_double(), y.to_double());
 
   // Each operation is off by at most 2^-100 of its operands, and there are fewer than 2^22 in a
   // sum.
+  constexpr double unit = 0x1p-78;
   const double size = std::fabs(divisor.hi);
   const double reach = std::fabs(sums.x.hi / size) + std::fabs(sums.y.hi / size);
-  const double error = 0x1p-78 * (sums.size_moments / size + reach * (sums.size_area / size) +
-                                  reach + std::fabs(corner.x()) + std::fabs(corner.y()));
-  const auto is_certain = [&](const DoubleDouble& value) {
-    return value.hi + (value.lo - error) == value.hi && value.hi + (value.lo + error) == value.hi;
+  const double error = unit * (sums.size_moments / size + reach * (sums.size_area / size) + reach +
+                               std::fabs(corner.x()) + std::fabs(corner.y()));
+  const auto is_certain = [](const DoubleDouble& value, double off) {
+    return value.hi + (value.lo - off) == value.hi && value.hi + (value.lo + off) == value.hi;
   };
-  if (is_certain(x) && is_certain(y)) return {area, rounded};
-  const Vec2 guess = std::isfinite(rounded.x()) && std::isfinite(rounded.y()) ? rounded : corner;
-  return {area, exact_centroid(vertices, guess)};
+  if (is_certain(x, error) && is_certain(y, error) &&
+      is_certain(sums.twice_area, unit * sums.size_area))
+    return {0.5 * std::fabs(sums.twice_area.to_double()), {x.to_double(), y.to_double()}};
+  return exact_moments(vertices);
 }
 
 // The lowest of the leftmost vertices is a corner of the hull, so its turn has the polygon's
@@ -167,15 +190,22 @@ Result<Polygon> Polygon::create(Points vertices) {
                       {Place::Kind::edge, crossing->first, crossing->second, {}}};
   }
 
-  Polygon polygon;
   Vec2 low = vertices[0], high = vertices[0];
   for (const Vec2& v : vertices) {
     low = low.cwiseMin(v);
     high = high.cwiseMax(v);
   }
+  const double diagonal = length(high - low);
+  if (diagonal < min_diagonal) {
+    return InputError{ErrorCode::object_too_small,
+                      "the object is too small: its bounding box's diagonal is below 1e-9",
+                      {}};
+  }
+
+  Polygon polygon;
   const Moments m = moments(vertices, low);
-  polygon.diagonal_ = length(high - low);
-  polygon.area_ = std::fabs(m.area);
+  polygon.diagonal_ = diagonal;
+  polygon.area_ = m.area;
   polygon.centroid_ = m.centroid;
   polygon.counter_clockwise_ = turns_left_at_extreme(vertices);
   polygon.hull_ = convex_hull(vertices);

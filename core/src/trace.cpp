@@ -21,10 +21,6 @@ constexpr std::string_view kind_names[] = {
 static_assert(std::size(chapter_names) == chapter_count &&
               std::size(kind_names) == step_kind_count);
 
-// Products of coordinates of smaller objects leave the range of doubles. place() shifts the
-// exponents of such; a lesson about them would show nothing but zeros.
-constexpr double least_size = 1e-30;
-
 // The rays in the order of the sweep that finds the chords. It lists a chord between two vertices
 // at the forward one; at the backward one it is named again.
 Trace::Rays make_rays(const Polygon& polygon, const Vec2& centre,
@@ -171,10 +167,6 @@ std::optional<StepKind> step_kind_from_name(std::string_view text) {
 Result<Trace> make_trace(const Placement& placement) {
   Result<Polygon> polygon = Polygon::create(placement.vertices);
   if (!polygon) return polygon.error();
-  if (!(polygon->diagonal() >= least_size))
-    return InputError{ErrorCode::unsupported,
-                      "an object smaller than 1e-30 is placed, not shown step by step",
-                      {}};
   Trace trace{placement, *std::move(polygon), placement.centre_of_mass, {}, {}, {}, {}, {}, {}, {},
               {}};
   if (trace.by_candidates())
@@ -226,8 +218,7 @@ std::optional<std::uint32_t> Trace::chapter_begin(Chapter chapter) const {
 }
 
 bool Trace::by_candidates() const {
-  const Metric metric = placement.settings.metric;
-  return metric != Metric::distributed && metric != Metric::random;
+  return selects_candidates(placement.settings.metric);
 }
 
 std::uint32_t nearest_step(const Trace& trace, const Step& step) {

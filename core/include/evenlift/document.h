@@ -13,6 +13,7 @@ namespace evenlift {
 
 // Bounds on everything from outside; beyond them a clear refusal.
 inline constexpr double max_coordinate = 1e9;             // size of a coordinate, inclusive
+inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box, inclusive
 inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon
 inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a link
 inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
@@ -23,6 +24,11 @@ inline constexpr std::uint32_t max_teams = 1u << 20;      // asked for by number
 enum class Metric : std::uint8_t { area, circle, distance, distributed, random };
 inline constexpr Metric all_metrics[] = {Metric::area, Metric::circle, Metric::distance,
                                          Metric::distributed, Metric::random};
+
+// Whether teams are chosen among the candidates. O(1).
+constexpr bool selects_candidates(Metric metric) {
+  return metric != Metric::distributed && metric != Metric::random;
+}
 
 // The metric's name in JSON and options ("area"); and back, nothing for an unknown name. O(1).
 std::string_view name(Metric metric);

@@ -16,9 +16,10 @@ enum class Turn : std::int8_t { reflex = -1, straight = 0, convex = 1 };
 // degree) vertices allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
 class Polygon {
  public:
-  // Checks everything that algorithm.md refuses of a polygon, exactly: number of vertices, size
-  // of coordinates, repeated vertices, no area, edges that cross, touch or overlap. The error names
-  // the vertex or the two edges. O(n log n).
+  // Checks everything that algorithm.md refuses of a polygon: number of vertices, size of
+  // coordinates, repeated vertices, no area, edges that cross, touch or overlap, all exactly; and a
+  // bounding box whose diagonal is below min_diagonal. The error names the vertex or the two edges.
+  // O(n log n).
   static Result<Polygon> create(Points vertices);
 
   std::size_t size() const { return vertices_.size(); }
@@ -31,9 +32,11 @@ class Polygon {
 
   bool counter_clockwise() const { return counter_clockwise_; }  // orientation as given; exact
   bool convex() const { return convex_; }                        // no reflex vertex; exact
-  double diagonal() const { return diagonal_; }                  // L: of the bounding box, > 0
-  double area() const { return area_; }                          // > 0
-  const Vec2& centroid() const { return centroid_; }             // of the area, rounded to doubles
+  // L: of the bounding box, at least min_diagonal.
+  double diagonal() const { return diagonal_; }
+  // Rounded to doubles, but above 0 however thin the polygon is.
+  double area() const { return area_; }
+  const Vec2& centroid() const { return centroid_; }  // of the area, rounded to doubles
 
   // Whether the interior angle at vertex i is below, at or above 180 degrees; exact. O(1).
   Turn turn(std::size_t i) const;

@@ -16,6 +16,7 @@ enum class ErrorCode {
   repeated_vertex,      // two vertices at the same place
   no_area,              // all vertices on one line
   edges_cross,          // edges cross, touch or overlap
+  object_too_small,     // the diagonal of the bounding box is below min_diagonal
   centre_outside_hull,  // C not strictly inside the convex hull of P
   bad_setting,          // a setting outside its range
   too_many_edge_pairs,  // more than max_edge_pairs

@@ -148,8 +148,7 @@ inline RobotIndex robot_of(const Contact& contact) {
 }
 
 // The trace of a placement that place() gave. Refused where there are more than max_trace_steps
-// steps, and of objects smaller than 1e-30, whose products would not be doubles. The cost of
-// place() without the selection: O(n log n + K log K) for K edge-pairs.
+// steps. The cost of place() without the selection: O(n log n + K log K) for K edge-pairs.
 Result<Trace> make_trace(const Placement& placement);
 
 // The step of `trace` that is nearest to a step of another trace (before an edit): the same kind

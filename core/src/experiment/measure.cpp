@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../normal_size.h"
 #include "evenlift/closure.h"
 #include "evenlift/hull.h"
 #include "evenlift/loads.h"
@@ -186,8 +185,7 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings) {
   return std::nullopt;
 }
 
-Result<Subject> prepare(const Document& given, double min_ratio) {
-  const Document document = of_normal_size(given, exponent_of_small(given.vertices));
+Result<Subject> prepare(const Document& document, double min_ratio) {
   auto polygon = Polygon::create(document.vertices);
   if (!polygon) return polygon.error();
   const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);

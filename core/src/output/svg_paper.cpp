@@ -14,8 +14,7 @@ Paper::Paper(const Points& vertices) {
     high = high.cwiseMax(v);
   }
   const Vec2 size = high - low;
-  // Of a polygon smaller than doubles can divide by, a dot is drawn.
-  scale = std::min({largest_width / size.x(), largest_height / size.y(), 1e300});
+  scale = std::min(largest_width / size.x(), largest_height / size.y());
   middle = low + size / 2;
   width = std::max(smallest_width, std::ceil(size.x() * scale) + 2 * margin);
   height = std::max(smallest_height, std::ceil(size.y() * scale) + 2 * margin);

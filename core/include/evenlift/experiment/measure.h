@@ -32,8 +32,7 @@ struct ExperimentSettings {
 // Whether settings are in range; the error's place names the option. O(1).
 std::optional<InputError> check_settings(const ExperimentSettings& settings);
 
-// A polygon ready to be measured. If it is too small for doubles' range it is scaled up, which
-// changes no measure.
+// A polygon ready to be measured.
 struct Subject {
   Polygon polygon;
   Vec2 centre = Vec2::Zero();
