@@ -19,11 +19,8 @@ struct Options {
   bool merge = false;
 };
 
-std::uint32_t whole_option(const std::string& option, const std::string& text) {
-  const std::optional<std::uint64_t> value = read_whole(text);
-  if (!value || *value > 0xFFFFFFFF)
-    throw Failure{bad_input_status, option, "expected a whole number, not \"" + text + "\""};
-  return static_cast<std::uint32_t>(*value);
+std::uint32_t whole_option_32(const std::string& option, const std::string& text) {
+  return static_cast<std::uint32_t>(whole_option(option, text, ~std::uint32_t{0}));
 }
 
 std::string counted(std::size_t n, const char* what) {
@@ -32,14 +29,12 @@ std::string counted(std::size_t n, const char* what) {
 
 ExperimentSettings settings_of(const Options& options) {
   ExperimentSettings settings;
-  if (options.samples) settings.samples = whole_option("--samples", *options.samples);
-  if (options.max_teams) settings.most_teams = whole_option("--max-teams", *options.max_teams);
+  if (options.samples) settings.samples = whole_option_32("--samples", *options.samples);
+  if (options.max_teams) settings.most_teams = whole_option_32("--max-teams", *options.max_teams);
   if (options.min_ratio) {
-    const std::optional<double> value = read_number(*options.min_ratio);
-    if (!value)
-      throw Failure{bad_input_status, "--min-ratio",
-                    "expected a number, not \"" + *options.min_ratio + "\""};
-    settings.min_ratio = *value;
+    Document document;  // its settings hold the ratio
+    setting_option(Setting::min_ratio, *options.min_ratio, document);
+    settings.min_ratio = document.settings.min_ratio;
   }
   if (const std::optional<InputError> error = check_settings(settings))
     throw SettingOptions{}.failure("", *error);
@@ -53,7 +48,7 @@ unsigned jobs_of(const Options& options) {
   const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
 #endif
   if (!options.jobs) return processors;
-  const std::uint32_t jobs = whole_option("--jobs", *options.jobs);
+  const std::uint32_t jobs = whole_option_32("--jobs", *options.jobs);
   if (jobs < 1 || jobs > 1024)
     throw Failure{bad_input_status, "--jobs", "the number of threads is from 1 to 1024"};
   return jobs;

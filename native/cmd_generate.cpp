@@ -8,13 +8,6 @@
 namespace evenlift::native {
 namespace {
 
-std::uint64_t whole_option(const std::string& option, const std::string& text) {
-  const std::optional<std::uint64_t> value = read_whole(text);
-  if (!value)
-    throw Failure{bad_input_status, option, "expected a whole number, not \"" + text + "\""};
-  return *value;
-}
-
 std::string family_names() {
   std::string names;
   for (const Family family : all_families)
@@ -40,12 +33,12 @@ void cmd_generate(const Arguments& arguments) {
     throw Failure{bad_input_status, "FAMILY",
                   "expected one of " + family_names() + ", not \"" + family_text + "\""};
   const std::uint64_t n = n_text ? whole_option("--n", *n_text) : 12;
-  const std::uint64_t seed = seed_text ? whole_option("--seed", *seed_text) : 1;
+  Document document;  // its settings hold the seed
+  if (seed_text) setting_option(Setting::seed, *seed_text, document);
   // In WebAssembly size_t has 32 bits; what does not fit is too large in any case.
   const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(n, 0xFFFFFFFF));
-  Result<Points> points = generate(*family, size, seed);
+  Result<Points> points = generate(*family, size, document.settings.seed);
   if (!points) throw Failure{bad_input_status, "--n", points.error().message};
-  Document document;
   document.vertices = *std::move(points);
   write_output(write_thesis(document));
 }

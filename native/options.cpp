@@ -5,42 +5,6 @@
 namespace evenlift::native {
 namespace {
 
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
-
-[[noreturn]] void refuse(const std::string& option, const std::string& expected,
-                         const std::string& typed) {
-  throw Failure{bad_input_status, option, "expected " + expected + ", not " + quoted(typed)};
-}
-
-double number_option(const std::string& option, const std::string& text) {
-  const std::optional<double> value = read_number(text);
-  if (!value) refuse(option, "a number", text);
-  return *value;
-}
-
-std::optional<std::uint32_t> teams_option(const std::string& text) {
-  if (text == "max") return std::nullopt;
-  const std::optional<std::uint64_t> value = read_whole(text);
-  if (!value || *value < 1 || *value > max_teams)
-    refuse("--teams", "a whole number from 1 to " + std::to_string(max_teams) + ", or max", text);
-  return static_cast<std::uint32_t>(*value);
-}
-
-Metric metric_option(const std::string& text) {
-  const std::optional<Metric> metric = metric_from_name(text);
-  if (!metric) refuse("--metric", "area, circle, distance, distributed or random", text);
-  return *metric;
-}
-
-Vec2 com_option(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const std::optional<double> x = read_number(text.substr(0, comma));
-  const std::optional<double> y =
-      comma == std::string::npos ? std::nullopt : read_number(text.substr(comma + 1));
-  if (!x || !y) refuse("--com", "two numbers X,Y", text);
-  return {*x, *y};
-}
-
 // "min_ratio" is typed --min-ratio.
 std::string as_typed(const std::string& setting) {
   std::string option = "--" + setting;
@@ -49,7 +13,28 @@ std::string as_typed(const std::string& setting) {
   return option;
 }
 
+Failure refused(const std::string& option, const std::string& what, const std::string& typed) {
+  return {bad_input_status, option, what + ", not \"" + typed + "\""};
+}
+
 }  // namespace
+
+std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t most) {
+  const std::optional<std::uint64_t> value = read_whole(text);
+  if (!value || *value > most) throw refused(option, "expected a whole number", text);
+  return *value;
+}
+
+void setting_option(Setting setting, const std::string& text, Document& document) {
+  if (const auto error = read_setting(setting, text, document))
+    throw refused(as_typed(std::string(name(setting))), error->message, text);
+}
+
+double capacity_option(const std::string& text) {
+  const std::optional<double> capacity = read_capacity(text);
+  if (!capacity) throw refused("--capacity", requirement(Setting::capacity), text);
+  return *capacity;
+}
 
 void SettingOptions::declare(CommandLine& line) {
   line.value(teams, "--teams", "N", "teams asked for, or max: every candidate (default 3)");
@@ -61,18 +46,11 @@ void SettingOptions::declare(CommandLine& line) {
 }
 
 void SettingOptions::apply(Document& document) const {
-  Settings& settings = document.settings;
-  if (teams) settings.teams = teams_option(*teams);
-  if (metric) settings.metric = metric_option(*metric);
-  if (min_ratio) settings.min_ratio = number_option("--min-ratio", *min_ratio);
-  if (com) document.centre_of_mass = com_option(*com);
-  if (weight) settings.weight = number_option("--weight", *weight);
-  if (seed) {
-    const std::optional<std::uint64_t> value = read_whole(*seed);
-    if (!value)
-      refuse("--seed", "a whole number from 0 to " + std::to_string(~std::uint64_t{0}), *seed);
-    settings.seed = *value;
-  }
+  for (const auto& [setting, typed] :
+       {std::pair(Setting::teams, &teams), std::pair(Setting::metric, &metric),
+        std::pair(Setting::min_ratio, &min_ratio), std::pair(Setting::com, &com),
+        std::pair(Setting::weight, &weight), std::pair(Setting::seed, &seed)})
+    if (*typed) setting_option(setting, **typed, document);
 }
 
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {

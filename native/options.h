@@ -7,10 +7,20 @@
 #include "command_line.h"
 #include "evenlift/document.h"
 #include "evenlift/result.h"
+#include "evenlift/settings_text.h"
 #include "failure.h"
 #include "files.h"
 
 namespace evenlift::native {
+
+// The value of an option that is a whole number of at most `most`. Throws Failure.
+std::uint64_t whole_option(const std::string& option, const std::string& text,
+                           std::uint64_t most = ~std::uint64_t{0});
+
+// Puts a setting that was typed into the document, and reads a capacity (settings_text.h). Throws
+// Failure naming the option where the text is no value of it.
+void setting_option(Setting setting, const std::string& text, Document& document);
+double capacity_option(const std::string& text);
 
 // What was typed; nothing where an option was not given and the file's or the default value stands.
 struct SettingOptions {
@@ -18,8 +28,8 @@ struct SettingOptions {
 
   void declare(CommandLine& line);
 
-  // Puts what was typed into the document. Throws Failure naming the option where a value is no
-  // number, no whole number or no metric; ranges are checked with the rest of the document.
+  // Puts what was typed into the document. Throws Failure naming the option where the text is no
+  // value of its setting; which go together is checked with the rest of the document.
   void apply(Document& document) const;
 
   // An error of the document to which these options were applied, in terms of what was typed.

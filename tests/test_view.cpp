@@ -18,7 +18,6 @@
 #include "history.h"
 #include "labels.h"
 #include "layout.h"
-#include "set_settings.h"
 #include "summary.h"
 #include "theme.h"
 #include "triangulate.h"
@@ -186,24 +185,6 @@ TEST_CASE("dragged coordinates are short decimals within a pixel", "[view]") {
     const Vec2 p(123.456789123, -0.000123456), rounded = rounded_to_pixels(camera, p);
     CHECK(length(rounded - p) * scale <= 1);
     CHECK(shortest(rounded.x()).size() <= 9);
-  }
-}
-
-TEST_CASE("settings by name change together or say which is wrong", "[view]") {
-  const Document before = document(l_shape);
-  const auto changed =
-      with_settings(before, "teams=max\nmin_ratio=0.25\nmetric=distance\ncom=12.5,-3e-1\nstep=4");
-  REQUIRE(changed.ok());
-  CHECK_FALSE(changed->settings.teams);
-  CHECK(changed->settings.min_ratio == 0.25);
-  CHECK(changed->settings.metric == Metric::distance);
-  CHECK(changed->centre_of_mass == Vec2(12.5, -0.3));
-  CHECK(changed->settings.step == 4u);
-  for (const char* bad :
-       {"teams=x", "teams=", "teams", "metric=Area", "min_ratio=2", "weight=0", "seed=-1", "com=1",
-        "x=1", "=", "teams=99999999999999999999", "min_ratio=nan", "weight=inf"}) {
-    INFO(bad);
-    CHECK_FALSE(with_settings(before, bad).ok());
   }
 }
 

@@ -6,7 +6,6 @@
 #include "evenlift/generate.h"
 #include "evenlift/link.h"
 #include "lesson.h"
-#include "set_settings.h"
 #include "summary.h"
 #include "view_page.h"
 
@@ -115,13 +114,13 @@ TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
 
 TEST_CASE("a step that there is not is refused by name, and told of a link", "[view][lesson]") {
   Page page;
-  const Result<Document> far = with_settings(page.app.state.document, "step=99999");
-  REQUIRE(far);
-  const auto problem = try_edit(page.app.state, *far);
+  Document far = page.app.state.document;
+  far.settings.step = 99999;
+  const auto problem = try_edit(page.app.state, far);
   REQUIRE(problem);
   CHECK(problem->message.starts_with("must be less than "));
   CHECK_FALSE(lesson_is_open(page.app.state));
-  page.app.commands.push_back(OpenDocument{*far});
+  page.app.commands.push_back(OpenDocument{far});
   settle(page.app);
   CHECK(page.app.state.notice.text.starts_with("This lesson has no step 100000"));
   CHECK(page.app.state.lesson.at + 1 == timeline(page.app.state).count);

@@ -26,9 +26,4 @@ inline const Method& method(Metric metric) {
                        [&](const Method& m) { return m.metric == metric; });
 }
 
-// Whether teams are chosen among the candidates.
-inline bool selects_candidates(Metric metric) {
-  return metric != Metric::distributed && metric != Metric::random;
-}
-
 }  // namespace evenlift::view

@@ -118,9 +118,11 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
 // `changes` is a line `name=value` for each; all of them or, with a reason, none.
 EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
   AppState& state = app().state;
-  const Result<Document> changed = with_settings(state.placed, changes);
+  const Result<Changeable> changed = with_settings({state.placed, state.capacity}, changes);
   if (!changed) return hand_over(sentence(changed.error()));
-  if (const auto error = try_edit(state, *changed)) return hand_over(sentence(*error));
+  if (const auto error = try_edit(state, changed->document)) return hand_over(sentence(*error));
+  Commands commands{SetCapacity{changed->capacity}};
+  apply(state, commands);
   browser::request_frame();
   return no_error();
 }
@@ -180,22 +182,18 @@ EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coa
   browser::request_frame();
 }
 
-// What this browser keeps besides the document, as `name=value` lines; and back. What cannot be
-// read is left as it is: it was written by another version of the page.
+// What this browser keeps besides the document, and back.
 EMSCRIPTEN_KEEPALIVE const char* page_kept() {
   const AppState& state = app().state;
-  std::string kept = state.motion ? "motion=1\n" : "motion=0\n";
-  if (state.capacity) kept += "capacity=" + evenlift::shortest(*state.capacity) + "\n";
-  return hand_over(std::move(kept));
+  return hand_over(kept_text({state.motion, state.capacity}));
 }
 
-EMSCRIPTEN_KEEPALIVE void page_keep(int motion, double capacity) {
+EMSCRIPTEN_KEEPALIVE void page_keep(const char* lines) {
   AppState& state = app().state;
-  state.motion = motion != 0;
-  if (capacity > 0 && capacity <= 1e9) {
-    Commands commands{SetCapacity{capacity}};
-    apply(state, commands);
-  }
+  const Kept kept = read_kept(lines);
+  state.motion = kept.motion;
+  Commands commands{SetCapacity{kept.capacity}};
+  apply(state, commands);
   browser::request_frame();
 }
 

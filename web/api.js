@@ -2,27 +2,21 @@ import { isLesson, unreadable } from "./lesson_text.js";
 
 // window.evenlift, the page's scripting interface (docs/page.md).
 
-// What set() takes: each turns a value into a word for the program, or says what it expects.
-const writers = {
-  teams: (v) => v === "max" || isWhole(v) ? String(v) : fail("teams", 'must be a whole number from 1, or "max"'),
-  metric: (v) => typeof v === "string" && /^[a-z]+$/.test(v) ? v : fail("metric", "must be the name of a method"),
-  min_ratio: (v) => isNumber(v) ? String(v) : fail("min_ratio", "must be a number from 0 to 1"),
-  weight: (v) => isNumber(v) ? String(v) : fail("weight", "must be a number above 0"),
-  seed: (v) => isWhole(v) || typeof v === "bigint" ? String(v) : fail("seed", "must be a whole number from 0"),
-  com: (v) => {
-    if (v === null) return "centroid";
-    if (!Array.isArray(v) || v.length !== 2 || !v.every(isNumber)) fail("com", "must be [x, y], or null for the centroid");
-    return `${v[0]},${v[1]}`;
-  },
-  step: (v) => v === null ? "none" : isWhole(v) ? String(v) : fail("step", "must be a whole number from 0, or null"),
-};
+// What set() is given, in the words of the program, which judges it (settings_text.h). What is no number and no word is
+// written as JSON, which no setting is.
+const lists = ["com", "overlays"];
 
-function isNumber(value) {
-  return typeof value === "number" && Number.isFinite(value);
+function word(value) {
+  const other = typeof value === "object" || (typeof value === "string" && !/^[a-z]+$/.test(value));
+  return other ? JSON.stringify(value) : String(value);
 }
 
-function isWhole(value) {
-  return Number.isSafeInteger(value) && value >= 0;
+function written(name, value) {
+  if (value === null) return name === "com" ? "centroid" : "none";
+  if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
+  // A whole number that JavaScript has rounded is not the one that was meant.
+  if (name === "seed" && typeof value === "number" && !Number.isSafeInteger(value)) return "rounded";
+  return word(value);
 }
 
 function fail(setting, why) {
@@ -32,8 +26,8 @@ function fail(setting, why) {
 function lines(changes) {
   if (typeof changes !== "object" || changes === null) throw new Error("set() takes an object of settings");
   return Object.entries(changes).map(([name, value]) => {
-    if (!Object.hasOwn(writers, name)) fail(name, "there is no such setting");
-    return `${name}=${writers[name](value)}`;
+    if (!/^\w+$/.test(name)) fail(name, "there is no such setting");
+    return `${name}=${written(name, value)}`;
   }).join("\n");
 }
 

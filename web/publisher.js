@@ -64,8 +64,7 @@ export class Publisher {
 
   restorePreferences() {
     if (this.#embed) return;
-    const kept = Object.fromEntries(read(lasting, preferencesKey).split("\n").map((line) => line.split("=")));
-    this.#program.call("page_keep", kept.motion === "0" ? 0 : 1, Number(kept.capacity) || 0);
+    this.#program.call("page_keep", read(lasting, preferencesKey));
   }
 
   // What the address calls the ready-made lesson that was just opened; "" if it has no name there.

@@ -15,13 +15,8 @@ Result<Document> lesson_document(const Lesson& lesson, const Document& sample) {
   Result<Document> document =
       lesson.link.empty() ? Result<Document>(sample) : decode_link(lesson.link);
   if (!document) return document;
-  Settings& settings = document->settings;
-  if (lesson.teams) settings.teams = *lesson.teams;
-  if (lesson.metric) settings.metric = *lesson.metric;
-  if (lesson.min_ratio) settings.min_ratio = *lesson.min_ratio;
-  if (lesson.weight) settings.weight = *lesson.weight;
-  if (lesson.seed) settings.seed = *lesson.seed;
-  if (lesson.centre_of_mass) document->centre_of_mass = lesson.centre_of_mass;
+  for (const GivenSetting& given : lesson.settings)
+    if (auto error = read_setting(given.setting, given.text, *document)) return *error;
   return document;
 }
 

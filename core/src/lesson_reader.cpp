@@ -1,5 +1,6 @@
 // The text of a lesson, line by line.
 #include <array>
+#include <iterator>
 
 #include "evenlift/formats.h"
 #include "evenlift/lesson.h"
@@ -72,11 +73,12 @@ class Reader {
     const std::string_view line = trimmed(whole_line);
     if (!line.empty() && line.front() == '#') return;
     if (!line.empty() && line.front() == '[') return begin_step(line);
-    if (lesson_.steps.empty()) return read_setting(line);
+    if (lesson_.steps.empty()) return read_heading(line);
     read_words(line);
   }
 
-  void read_setting(std::string_view line) {
+  // A line before the first step: a name and its value.
+  void read_heading(std::string_view line) {
     if (line.empty()) return;
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos)
@@ -84,80 +86,62 @@ class Reader {
     const std::string_view key = trimmed(line.substr(0, colon));
     const std::string_view value = trimmed(line.substr(colon + 1));
     if (value.empty()) return refuse("the setting has no value");
-    constexpr std::array<std::string_view, 10> keys{"title",  "polygon",   "link", "teams",
-                                                    "metric", "min-ratio", "com",  "weight",
-                                                    "seed",   "predict"};
-    std::size_t which = 0;
-    while (which < keys.size() && keys[which] != key) ++which;
-    if (which == keys.size())
+    const Key* known = nullptr;
+    for (const Key& each : keys)
+      if (each.name == key) known = &each;
+    if (!known)
       return refuse(
           "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, "
           "seed and predict");
-    if (seen_[which]) return refuse("the setting is there twice");
-    seen_[which] = true;
-    take(which, value);
+    bool& seen = seen_[static_cast<std::size_t>(known - keys)];
+    if (seen) return refuse("the setting is there twice");
+    seen = true;
+    (this->*(known->take))(value, known->setting);
   }
 
-  void take(std::size_t which, std::string_view value) {
-    switch (which) {
-      case 0:
-        if (value.size() > max_lesson_title) return refuse("the title is longer than 100 bytes");
-        lesson_.title = value;
-        return;
-      case 1:
-        for (const char c : value)
-          if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'))
-            return refuse("a sample's name has small letters, digits and hyphens only");
-        lesson_.polygon = value;
-        return;
-      case 2:
-        lesson_.link = value;
-        return;
-      case 3:
-        return take_teams(value);
-      case 4:
-        lesson_.metric = metric_from_name(value);
-        if (!lesson_.metric) refuse("expected area, circle, distance, distributed or random");
-        return;
-      case 5:
-        lesson_.min_ratio = read_number(value);
-        if (!lesson_.min_ratio || !(*lesson_.min_ratio >= 0 && *lesson_.min_ratio <= 1))
-          refuse("the minimum load ratio is a number from 0 to 1");
-        return;
-      case 6:
-        return take_centre(value);
-      case 7:
-        lesson_.weight = read_number(value);
-        if (!lesson_.weight || !(*lesson_.weight > 0))
-          refuse("the weight is a number greater than 0");
-        return;
-      case 8:
-        lesson_.seed = read_whole(value);
-        if (!lesson_.seed) refuse("the seed is a whole number");
-        return;
-      default:
-        if (value != "yes" && value != "no") return refuse("expected yes or no");
-        lesson_.predict = value == "yes";
-    }
+  void take_title(std::string_view value, Setting) {
+    if (value.size() > max_lesson_title) return refuse("the title is longer than 100 bytes");
+    lesson_.title = value;
   }
 
-  void take_teams(std::string_view value) {
-    lesson_.teams.emplace();
-    if (value == "max") return;
-    const auto number = read_whole(value);
-    if (!number || *number < 1 || *number > max_teams)
-      return refuse("expected a whole number of teams from 1 to 1048576, or max");
-    *lesson_.teams = static_cast<std::uint32_t>(*number);
+  void take_polygon(std::string_view value, Setting) {
+    for (const char c : value)
+      if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'))
+        return refuse("a sample's name has small letters, digits and hyphens only");
+    lesson_.polygon = value;
   }
 
-  void take_centre(std::string_view value) {
-    const std::size_t comma = value.find(',');
-    const auto x = read_number(trimmed(value.substr(0, comma)));
-    const auto y = comma == std::string_view::npos ? std::nullopt
-                                                   : read_number(trimmed(value.substr(comma + 1)));
-    if (!x || !y) return refuse("expected two numbers X,Y");
-    lesson_.centre_of_mass = Vec2(*x, *y);
+  void take_link(std::string_view value, Setting) { lesson_.link = value; }
+
+  // A setting of the algorithm, as everywhere: it is only tried here.
+  void take_setting(std::string_view value, Setting setting) {
+    Document tried;
+    if (read_setting(setting, value, tried)) return refuse(requirement(setting));
+    lesson_.settings.push_back({setting, std::string(value)});
   }
+
+  void take_predict(std::string_view value, Setting) {
+    if (value != "yes" && value != "no") return refuse("expected yes or no");
+    lesson_.predict = value == "yes";
+  }
+
+  struct Key {
+    std::string_view name;
+    void (Reader::*take)(std::string_view value, Setting setting);
+    Setting setting;  // of take_setting
+  };
+  static constexpr Key keys[] = {
+      {"title", &Reader::take_title, {}},
+      {"polygon", &Reader::take_polygon, {}},
+      {"link", &Reader::take_link, {}},
+      {"teams", &Reader::take_setting, Setting::teams},
+      {"metric", &Reader::take_setting, Setting::metric},
+      {"min-ratio", &Reader::take_setting, Setting::min_ratio},
+      {"com", &Reader::take_setting, Setting::com},
+      {"weight", &Reader::take_setting, Setting::weight},
+      {"seed", &Reader::take_setting, Setting::seed},
+      {"predict", &Reader::take_predict, {}},
+  };
 
   void begin_step(std::string_view line) {
     finish_step();
@@ -241,8 +225,8 @@ class Reader {
   std::string_view text_;
   std::size_t line_ = 0;
   Lesson lesson_;
-  std::array<bool, 10> seen_{};
-  bool gap_ = false;  // an empty line since the last words
+  std::array<bool, std::size(keys)> seen_{};  // by key
+  bool gap_ = false;                          // an empty line since the last words
   std::optional<InputError> error_;
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "evenlift/formats.h"
+#include "evenlift/settings_text.h"
 #include "link_payload.h"
 #include "text_cursor.h"
 
@@ -56,23 +58,6 @@ std::optional<InputError> check_point(const Vec2& point, const Place& place) {
   }
   if (std::fabs(point.x()) > max_coordinate || std::fabs(point.y()) > max_coordinate) {
     return InputError{ErrorCode::bad_coordinate, "a coordinate exceeds 1e9 in size", place};
-  }
-  return std::nullopt;
-}
-
-std::optional<InputError> check_ranges(const Settings& settings) {
-  const auto bad = [](const char* name, const char* message) {
-    return InputError{ErrorCode::bad_setting, message, {Place::Kind::option, 0, 0, name}};
-  };
-  if (settings.teams && (*settings.teams < 1 || *settings.teams > max_teams)) {
-    return bad("teams", "the number of teams must be from 1 to 1048576");
-  }
-  if (name(settings.metric).empty()) return bad("metric", "there is no such metric");
-  if (!(settings.min_ratio >= 0 && settings.min_ratio <= 1)) {
-    return bad("min_ratio", "the minimum load ratio must be from 0 to 1");
-  }
-  if (!(settings.weight > 0 && std::isfinite(settings.weight))) {
-    return bad("weight", "the weight must be a finite number above 0");
   }
   return std::nullopt;
 }
@@ -131,25 +116,20 @@ InputError bad_character(std::string_view text, std::size_t at) {
 
 // The version of a link, and where its payload begins.
 struct Version {
-  std::uint32_t number;  // a very large one may be a little less
+  std::uint64_t number;  // of one beyond 2^64 the largest
   std::size_t payload;
 };
 
 Result<Version> read_version(std::string_view text, const Span& span) {
-  Version version{0, span.begin};
-  std::size_t& at = version.payload;
-  for (; at < span.end && is_decimal_digit(text[at]); ++at) {
-    if (version.number < 100'000'000) {
-      version.number = 10 * version.number + static_cast<std::uint32_t>(text[at] - '0');
-    }
-  }
+  std::size_t at = span.begin;
+  while (at < span.end && is_decimal_digit(text[at])) ++at;
   if (at < span.end && text[at] == '%') return bad_character(text, at);
   if (at == span.begin || text[span.begin] == '0' || at == span.end || text[at] != '.') {
     return link_error(ErrorCode::bad_link,
                       "a link begins with the number of its version and a full stop", at + 1);
   }
-  ++at;
-  return version;
+  const std::optional<std::uint64_t> number = read_whole(text.substr(span.begin, at - span.begin));
+  return Version{number.value_or(~std::uint64_t{0}), at + 1};
 }
 
 Result<Digits> read_digits(std::string_view text, std::size_t begin, std::size_t end) {

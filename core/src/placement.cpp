@@ -1,17 +1,12 @@
 #include "evenlift/placement.h"
 
-#include <cmath>
-
 #include "evenlift/hull.h"
 #include "evenlift/selection.h"
+#include "evenlift/settings_text.h"
 #include "evenlift/tolerance.h"
 
 namespace evenlift {
 namespace {
-
-InputError bad_option(const char* option, const char* message) {
-  return {ErrorCode::bad_setting, message, {Place::Kind::option, 0, 0, option}};
-}
 
 std::vector<LiftingPoint> lifting_points(const std::vector<Chord>& chords) {
   std::vector<LiftingPoint> points;
@@ -64,21 +59,11 @@ void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords,
 }  // namespace
 
 std::optional<InputError> check_settings(const Settings& settings) {
-  if (settings.teams && *settings.teams < 1)
-    return bad_option("teams", "at least 1 team is needed");
-  if (settings.teams && *settings.teams > max_teams)
-    return bad_option("teams", "at most 1048576 teams can be asked for");
-  if (!settings.teams && !selects_candidates(settings.metric)) {
-    return bad_option(
-        "teams", "all candidates can be placed by area, circle and distance only; give a number");
-  }
-  if (!(settings.min_ratio >= 0 && settings.min_ratio <= 1)) {
-    return bad_option("min_ratio", "the minimum load ratio is a number from 0 to 1");
-  }
-  if (!(settings.weight > 0) || !std::isfinite(settings.weight)) {
-    return bad_option("weight", "the weight is a finite number greater than 0");
-  }
-  return std::nullopt;
+  if (auto error = check_ranges(settings)) return error;
+  if (settings.teams || selects_candidates(settings.metric)) return std::nullopt;
+  return InputError{ErrorCode::bad_setting,
+                    "all candidates can be placed by area, circle and distance only; give a number",
+                    {Place::Kind::option, 0, 0, std::string(name(Setting::teams))}};
 }
 
 Result<Placement> place(const Document& document) {

@@ -35,6 +35,7 @@
 
 #include "evenlift/document.h"
 #include "evenlift/result.h"
+#include "evenlift/settings_text.h"
 #include "evenlift/trace.h"
 
 namespace evenlift {
@@ -54,6 +55,12 @@ struct StepAddress {
   std::uint32_t other = 0;            // edge b
 };
 
+// A setting of the lesson's own, as it is written.
+struct GivenSetting {
+  Setting setting;
+  std::string text;
+};
+
 struct LessonStep {
   StepAddress address;
   std::string words;     // not empty; paragraphs are parted by "\n"
@@ -62,13 +69,9 @@ struct LessonStep {
 
 struct Lesson {
   std::string title;
-  std::string polygon;                                // a sample's name, or
-  std::string link;                                   // a share link; the other one is empty
-  std::optional<std::optional<std::uint32_t>> teams;  // "max" is none inside
-  std::optional<Metric> metric;
-  std::optional<double> min_ratio, weight;
-  std::optional<Vec2> centre_of_mass;
-  std::optional<std::uint64_t> seed;
+  std::string polygon;                 // a sample's name, or
+  std::string link;                    // a share link; the other one is empty
+  std::vector<GivenSetting> settings;  // each at most once; what read_setting() takes
   bool predict = false;
   std::vector<LessonStep> steps;  // at least one
 };

@@ -29,8 +29,8 @@ struct Placement {
   Closure closure;
 };
 
-// Whether settings are in range: teams, min_ratio, weight; "max" only with a metric that
-// selects among candidates. The error's place names the option. O(1).
+// Whether settings are in their ranges (settings_text.h), and "max" only with a metric that selects
+// among candidates. The error's place names the setting. O(1).
 std::optional<InputError> check_settings(const Settings& settings);
 
 // Validates the document and computes everything that is reported of it. The same document gives

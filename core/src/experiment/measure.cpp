@@ -7,6 +7,7 @@
 #include "evenlift/hull.h"
 #include "evenlift/loads.h"
 #include "evenlift/selection.h"
+#include "evenlift/settings_text.h"
 #include "evenlift/stability.h"
 #include "evenlift/tolerance.h"
 
@@ -174,8 +175,7 @@ InputError bad_option(const char* option, const char* message) {
 }  // namespace
 
 std::optional<InputError> check_settings(const ExperimentSettings& settings) {
-  if (!(settings.min_ratio >= 0 && settings.min_ratio <= 1))
-    return bad_option("min_ratio", "the minimum load ratio is a number from 0 to 1");
+  if (!is_min_ratio(settings.min_ratio)) return setting_error(Setting::min_ratio);
   if (settings.samples < 1 || settings.samples > max_samples)
     return bad_option("samples", "the number of random samples is from 1 to 100000");
   if (settings.most_teams < 1 || settings.most_teams > max_experiment_teams)

@@ -16,7 +16,7 @@ std::string settings_line(const Placement& placement) {
   const Settings& settings = placement.settings;
   std::string line(name(settings.metric));
   line[0] = static_cast<char>(line[0] - 'a' + 'A');
-  const bool by_ratio = settings.metric != Metric::distributed && settings.metric != Metric::random;
+  const bool by_ratio = selects_candidates(settings.metric);
   line += by_ratio ? " metric" : " placement";
   if (settings.metric == Metric::random) line += ", seed " + std::to_string(settings.seed);
   const std::size_t teams = placement.teams.size();
