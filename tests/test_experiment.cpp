@@ -202,6 +202,28 @@ TEST_CASE("a part reads back exactly, and only whole", "[experiment]") {
     CHECK_FALSE(read_shard_list(listed.substr(0, length)).has_value());
 }
 
+TEST_CASE("a part is read as it was written only, not in other ways to write its numbers",
+          "[experiment]") {
+  const Part part = some_part();
+  const std::string text = write_part(part);
+  REQUIRE(read_part(text).has_value());
+  const std::string head = text.substr(0, text.find('\n'));
+  const auto with = [&](const std::string& before, const std::string& after) {
+    std::string changed = text;
+    const std::size_t at = changed.find(before);
+    REQUIRE(at != std::string::npos);
+    return changed.replace(at, before.size(), after);
+  };
+  REQUIRE(head.find(",0.75,3,50,") != std::string::npos);
+  for (const char* samples : {"3e0", "+3", "3.0", "03", " 3"})
+    CHECK_FALSE(read_part(with(",3,50,", std::string(",") + samples + ",50,")).has_value());
+  for (const char* most : {"5e1", "+50.0", "50 ", "0x32"})
+    CHECK_FALSE(read_part(with(",3,50,", std::string(",3,") + most + ",")).has_value());
+  for (const char* ratio : {"0.750", "75e-2", "+0.75", ".75"})
+    CHECK_FALSE(read_part(with(",0.75,", std::string(",") + ratio + ",")).has_value());
+  CHECK_FALSE(read_part(with("\nend\n", "\r\nend\n")).has_value());
+}
+
 TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
   const Document document = corpus::polygon("square");
   Document moved = document;

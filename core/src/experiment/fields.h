@@ -24,11 +24,9 @@ class Fields {
   }
 
   std::uint32_t whole() {
-    const double value = number();
-    good_ = good_ && value >= 0 && value <= 0xFFFFFFFFu;
-    const auto truncated = good_ ? static_cast<std::uint32_t>(value) : 0;
-    good_ = good_ && static_cast<double>(truncated) == value;
-    return truncated;
+    const std::optional<std::uint64_t> value = read_whole(text());
+    good_ = good_ && value && *value <= 0xFFFFFFFFu;
+    return good_ ? static_cast<std::uint32_t>(*value) : 0;
   }
 
   // Whether all fields have been read, and each was as expected.

@@ -169,6 +169,8 @@ std::optional<Part> read_part(std::string_view text) {
                                            : false;
     if (!read) return std::nullopt;
   }
+  // There are other ways to write the same numbers; no others were written.
+  if (write_part(part) != text) return std::nullopt;
   return part;
 }
 
