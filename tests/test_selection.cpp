@@ -10,6 +10,7 @@
 #include "catch.h"
 #include "corpus.h"
 #include "evenlift/angles.h"
+#include "evenlift/generate.h"
 #include "evenlift/placement.h"
 #include "small_polygons.h"
 
@@ -347,6 +348,25 @@ TEST_CASE("a random second end is any of the points across, each as likely", "[s
   REQUIRE(level > 500);
   // First an inner wall, then one of two.
   CHECK(static_cast<double>(between_inner) / level == Approx(1.0 / 8).margin(0.04));
+}
+
+TEST_CASE("fewer teams are the first of more, also where thousands of candidates tie",
+          "[selection]") {
+  const Points comb = *generate(Family::comb, 120, 1);
+  for (const double min_ratio : {0.0, 0.8}) {
+    const Shape s = shape(comb, std::nullopt, min_ratio);
+    for (const Metric metric : greedy_metrics) {
+      const auto all = select_teams(s.polygon, s.centre, s.candidates, metric, s.candidates.size());
+      REQUIRE(all.size() == s.candidates.size());
+      REQUIRE(all.size() > 500);
+      for (const std::size_t teams : {1u, 2u, 3u, 7u, 20u, 60u, 200u, 499u}) {
+        INFO(name(metric) << ", " << teams << " teams");
+        const auto few = select_teams(s.polygon, s.centre, s.candidates, metric, teams);
+        CHECK(few == std::vector<std::uint32_t>(all.begin(),
+                                                all.begin() + static_cast<std::ptrdiff_t>(teams)));
+      }
+    }
+  }
 }
 
 TEST_CASE("no team is placed where none is asked for", "[selection]") {

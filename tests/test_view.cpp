@@ -423,6 +423,48 @@ TEST_CASE("a capacity tells how many robots are needed and who carries too much"
   }
 }
 
+TEST_CASE("a capacity is planned for anew only when the plan can change", "[view][capacity]") {
+  Page page;
+  AppState& state = page.app.state;
+  Commands commands{SetCapacity{12.0}};
+  apply(state, commands);
+  REQUIRE(state.plan);
+  // What no plan is: it stays as long as none is made.
+  const CapacityPlan mark{false, 0, 0, 12345};
+  state.plan = mark;
+  for (const Key& key : {Key{"c"}, {"h"}, {"a"}, {"f"}, {"r"}, {"l"}, {"t"}, {"t", false, true}}) {
+    page.press(key);
+    INFO(key.name);
+    CHECK(state.plan == mark);
+  }
+  // While something is dragged nobody reads it.
+  Settings lighter = settings(state);
+  lighter.weight = 90;
+  commands = {SetSettings{lighter, true}};
+  apply(state, commands);
+  CHECK(state.plan == mark);
+  commands = {EndEdit{}};
+  apply(state, commands);
+  CHECK(state.plan == plan_capacity(*state.placement, 12));
+  for (const auto change :
+       {+[](Settings& s) { s.metric = Metric::circle; }, +[](Settings& s) { s.min_ratio = 0.5; },
+        +[](Settings& s) { s.weight = 100; }}) {
+    state.plan = mark;
+    Settings changed = settings(state);
+    change(changed);
+    commands = {SetSettings{changed}};
+    apply(state, commands);
+    CHECK(state.plan == plan_capacity(*state.placement, 12));
+  }
+  state.plan = mark;
+  commands = {SetCapacity{13.0}};
+  apply(state, commands);
+  CHECK(state.plan == plan_capacity(*state.placement, 13));
+  commands = {SetCapacity{}};
+  apply(state, commands);
+  CHECK_FALSE(state.plan);
+}
+
 TEST_CASE("the heat map's bands are the polygon where the tipping force says so", "[view]") {
   for (const char* name : {"kidney-table", "horseshoe", "puzzle-piece"}) {
     const Document shape =

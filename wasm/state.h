@@ -95,7 +95,8 @@ struct AppState {
   std::optional<Metric> compared;    // the method shown beside the document's
   std::optional<Placement> other;    // its placement, of the same document
   std::optional<double> capacity;    // of one robot, in the unit of the weight
-  std::optional<CapacityPlan> plan;  // for it
+  std::optional<CapacityPlan> plan;  // for it; while something is dragged the one before
+  bool plan_due = false;             // the plan is to be made anew
   bool motion = true;                // what changes moves there; never with reduced motion
 
   LessonState lesson;

@@ -27,6 +27,7 @@ void adopt(AppState& state, Result<Placement> placement) {
   ++state.revision;
   const std::string before = state.refusal ? sentence(*state.refusal) : std::string();
   if (placement) {
+    state.plan_due |= !state.placement || !same_plan(*state.placement, *placement);
     state.placement = std::move(placement).value();
     state.placed = state.document;
     state.refusal.reset();
@@ -39,8 +40,8 @@ void adopt(AppState& state, Result<Placement> placement) {
   browser::document_changed();
 }
 
-// What is shown beside the placement. The plan waits while something is dragged: it costs as much
-// as the placement itself and nobody reads it then.
+// What is shown beside the placement. The plan waits while something is dragged, as nobody reads it
+// then, and is made anew only if it can have changed.
 void follow_up(AppState& state) {
   if (state.refusal) return;
   state.other.reset();
@@ -54,12 +55,10 @@ void follow_up(AppState& state) {
           static_cast<std::uint32_t>(std::max<std::size_t>(state.placement->teams.size(), 1));
     if (Result<Placement> placement = place(document)) state.other = std::move(placement).value();
   }
-  if (state.edit_open) return;
+  if (state.edit_open || !state.plan_due) return;
   state.plan.reset();
-  if (state.capacity) {
-    if (const Result<CapacityPlan> plan = plan_capacity(state.placed, *state.capacity))
-      state.plan = *plan;
-  }
+  if (state.capacity) state.plan = plan_capacity(*state.placement, *state.capacity);
+  state.plan_due = false;
 }
 
 void recompute(AppState& state) {
@@ -280,7 +279,9 @@ struct Applier {
     ++state.revision;
   }
   void operator()(const SetCapacity& c) const {
+    if (state.capacity == c.capacity) return;
     state.capacity = c.capacity;
+    state.plan_due = true;
     follow_up(state);
     browser::preferences_changed();
   }

@@ -56,14 +56,18 @@ std::vector<RayCaster::Hit> RayCaster::hits(const Vec2& u) const {
 RayCaster::Hit RayCaster::farthest(const Vec2& u, const std::vector<std::uint32_t>& edges) const {
   Hit farthest{-1, {}};
   for (const std::uint32_t i : edges) {
-    const Edge& edge = edges_[i];
-    const double side_start = cross(u, edge.start), side_end = cross(u, edge.end);
-    const double part = std::clamp(side_start / (side_start - side_end), 0.0, 1.0);
-    const Vec2 point = edge.start + part * (edge.end - edge.start);
-    const double distance = length(point);
-    if (distance > farthest.distance) farthest = {distance, {centre_ + point, i}};
+    const Hit hit = hit_on(u, i);
+    if (hit.distance > farthest.distance) farthest = hit;
   }
   return farthest;
+}
+
+RayCaster::Hit RayCaster::hit_on(const Vec2& u, std::uint32_t i) const {
+  const Edge& edge = edges_[i];
+  const double side_start = cross(u, edge.start), side_end = cross(u, edge.end);
+  const double part = std::clamp(side_start / (side_start - side_end), 0.0, 1.0);
+  const Vec2 point = edge.start + part * (edge.end - edge.start);
+  return {length(point), {centre_ + point, i}};
 }
 
 }  // namespace evenlift

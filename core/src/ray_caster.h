@@ -26,6 +26,9 @@ class RayCaster {
   // direction u: a ray that rounding takes past an edge meets its end. O(number of edges).
   Hit farthest(const Vec2& u, const std::vector<std::uint32_t>& edges) const;
 
+  // The point of the ray on one such edge. O(1).
+  Hit hit_on(const Vec2& u, std::uint32_t edge) const;
+
  private:
   struct Edge {
     Vec2 start, end;  // relative to C; counter-clockwise about it, unless radial

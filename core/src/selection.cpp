@@ -1,13 +1,9 @@
 #include "evenlift/selection.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "evenlift/angles.h"
-#include "evenlift/predicates.h"
+#include "equal_angles.h"
 #include "evenlift/random.h"
-#include "evenlift/tolerance.h"
-#include "radial_view.h"
 #include "ray_caster.h"
 #include "section.h"
 #include "selector.h"
@@ -19,38 +15,12 @@ Chord make_chord(const RayCaster::Hit& ahead, const RayCaster::Hit& behind, cons
   return order_ends(ahead.point, ahead.distance, behind.point, behind.distance, direction);
 }
 
-double angle_of(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex, bool forward) {
-  const Vec2 u = forward ? polygon.vertex(vertex) - centre : centre - polygon.vertex(vertex);
-  return arctangent2(u.y(), u.x());
-}
-
-// Visits, by rising angle within [0, pi], the open ranges of directions whose lines through C meet
-// the same edges, on both sides of C, as visit(from, to, edges ahead, edges behind).
-template <class Visit>
-void for_each_opening(const Polygon& polygon, const Vec2& centre, Visit visit) {
-  const RadialView view(polygon, centre);
-  RadialSweep sweep(polygon, view);
-  double from = 0;
-  const auto close_at = [&](double to) {
-    if (!sweep.ahead().empty() && !sweep.behind().empty() && to > from)
-      visit(from, to, sweep.ahead(), sweep.behind());
-    from = to;
-  };
-  for (std::uint32_t group = 0; group < view.turns(); ++group) {
-    const std::uint32_t vertex = view.order()[view.group_begin(group)];
-    close_at(angle_of(polygon, centre, vertex, view.forward(vertex)));
-    sweep.leave(group);
-    sweep.enter(group, [](std::uint32_t, bool) {});
-  }
-  close_at(pi);
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams) {
-  Selector selector(polygon, centre, candidates, metric);
+  Selector selector(polygon, centre, candidates, metric, teams);
   while (selector.taken().size() < teams && selector.take_next()) {
   }
   return selector.taken();
@@ -67,35 +37,17 @@ std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
 }
 
 double open_directions_rad(const Polygon& polygon, const Vec2& centre) {
-  double measure = 0;
-  for_each_opening(polygon, centre,
-                   [&](double from, double to, const auto&, const auto&) { measure += to - from; });
-  return measure;
+  return EqualAngles(polygon, centre).measure_rad();
 }
 
 std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre,
                                      std::size_t teams) {
-  const double measure = open_directions_rad(polygon, centre);
-  if (measure <= tau) return {};  // nothing but what rounding leaves between radial edges
-
-  const RayCaster rays(polygon, centre);
   std::vector<Chord> chords;
   chords.reserve(teams);
-  double before = 0;  // measure of the openings before the current one
-  for_each_opening(
-      polygon, centre, [&](double from, double to, const auto& ahead, const auto& behind) {
-        // A target on the rim between two openings belongs to the lower one. Rounding of the sums
-        // must not lose the last.
-        const double after = before + (to - from);
-        for (; chords.size() < teams;) {
-          const double target =
-              measure * ((static_cast<double>(chords.size()) + 0.5) / static_cast<double>(teams));
-          if (target > after && after < measure) break;
-          const double angle = std::min(from + std::max(0.0, target - before), to);
-          const Vec2 u(cosine(angle), sine(angle));
-          chords.push_back(make_chord(rays.farthest(u, ahead), rays.farthest(-u, behind), u));
-        }
-        before = after;
+  EqualAngles(polygon, centre)
+      .for_each_chord({static_cast<std::uint32_t>(teams)}, [&](std::size_t, const Chord& chord) {
+        chords.push_back(chord);
+        return true;
       });
   return chords;
 }

@@ -1,5 +1,6 @@
 // A whole placement, as the program and the page ask for it: from vertices to loads and closure.
 #include "bench.h"
+#include "evenlift/capacity.h"
 #include "evenlift/placement.h"
 
 namespace evenlift::bench {
@@ -49,6 +50,29 @@ void hard_for_bounds(benchmark::internal::Benchmark* metric) {
 }
 BENCHMARK_CAPTURE(place, star_by_area, Family::star, Metric::area)->Apply(hard_for_bounds);
 BENCHMARK_CAPTURE(place, star_by_distance, Family::star, Metric::distance)->Apply(hard_for_bounds);
+
+// A capacity that takes nearly two hundred teams, beside a placement that is there already: what
+// the page does after an edit, once for all frames until the next one.
+void plan(benchmark::State& state, Family family, Metric metric) {
+  Document document = document_of(family, state.range(0));
+  document.settings.metric = metric;
+  const Placement placement = *evenlift::place(document);
+  CapacityPlan plan;
+  for (auto _ : state) {
+    plan = plan_capacity(placement, 0.3);
+    benchmark::DoNotOptimize(plan);
+  }
+  state.counters["teams"] = plan.teams;
+}
+
+void of_1000(benchmark::internal::Benchmark* metric) {
+  metric->ArgName("n")->Unit(benchmark::kMillisecond)->Arg(1000);
+}
+BENCHMARK_CAPTURE(plan, comb_by_area, Family::comb, Metric::area)->Apply(of_1000);
+BENCHMARK_CAPTURE(plan, comb_by_circle, Family::comb, Metric::circle)->Apply(of_1000);
+BENCHMARK_CAPTURE(plan, comb_by_distance, Family::comb, Metric::distance)->Apply(of_1000);
+BENCHMARK_CAPTURE(plan, comb_distributed, Family::comb, Metric::distributed)->Apply(of_1000);
+BENCHMARK_CAPTURE(plan, comb_at_random, Family::comb, Metric::random)->Apply(of_1000);
 
 }  // namespace
 }  // namespace evenlift::bench
