@@ -86,7 +86,8 @@ evenlift_headers(
   include)
 
 # --- Dear ImGui: the sources, built with our configuration (wasm/imgui_config.h) -------------------------------------
-# imgui::imgui is the library, which the tests use without a window; imgui::backends adds WebGL for the page.
+# The tests use it without a window. None of its backends is used: wasm/webgl_renderer.cpp draws what it makes, and
+# wasm/sdl_input.cpp brings it the pointer.
 if(EVENLIFT_VIEW)
   evenlift_cached(FETCHCONTENT_SOURCE_DIR_IMGUI "imgui-*")
   evenlift_fetch(
@@ -102,11 +103,6 @@ if(EVENLIFT_VIEW)
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
   if(EMSCRIPTEN)
     target_compile_options(imgui PRIVATE -fno-inline-functions) # smaller, and it is no hot code
-  endif()
-  if(EMSCRIPTEN)
-    # It reads its settings file with sscanf, which the page has not, and the version of OpenGL's language. A scanner of
-    # numbers of all kinds would be 7 KB of the page after compression (wasm/left_out.cpp).
-    target_compile_definitions(imgui PRIVATE sscanf=evenlift_scan)
   endif()
 endif()
 
@@ -149,9 +145,9 @@ if(EVENLIFT_VIEW)
   endif()
 endif()
 
-# --- SDL2 and ImGui's backend: the page only ------------------------------------------------------------------------
+# --- SDL2: the page only ------------------------------------------------------------------------------------------
 if(EVENLIFT_VIEW AND EMSCRIPTEN)
-  evenlift_cached(SDL2_DIR "sdl2-*-lean-emscripten-${EMSCRIPTEN_VERSION}/lib/cmake/SDL2")
+  evenlift_cached(SDL2_DIR "sdl2-*-plain-emscripten-${EMSCRIPTEN_VERSION}/lib/cmake/SDL2")
   find_package(SDL2 QUIET CONFIG)
   if(NOT TARGET SDL2::SDL2-static)
     if(NOT EVENLIFT_DOWNLOADS AND NOT FETCHCONTENT_SOURCE_DIR_SDL2)
@@ -162,7 +158,24 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
     set(SDL_SHARED OFF CACHE BOOL "" FORCE)
     set(SDL_STATIC ON CACHE BOOL "" FORCE)
     # What the page does not use; the same list is in ./dev.
-    foreach(part TEST AUDIO RENDER HAPTIC JOYSTICK HIDAPI SENSOR POWER FILESYSTEM LOADSO LOCALE MISC DUMMYVIDEO OFFSCREEN)
+    foreach(
+      part
+      TEST
+      AUDIO
+      RENDER
+      OPENGL
+      OPENGLES
+      HAPTIC
+      JOYSTICK
+      HIDAPI
+      SENSOR
+      POWER
+      FILESYSTEM
+      LOADSO
+      LOCALE
+      MISC
+      DUMMYVIDEO
+      OFFSCREEN)
       set(SDL_${part} OFF CACHE BOOL "" FORCE)
     endforeach()
     # From 3.1.31 on, Emscripten leaves out JavaScript functions that nobody names; SDL2 names them from 2.28.4 on, in
@@ -176,18 +189,6 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
     FetchContent_MakeAvailable(SDL2)
     target_compile_definitions(SDL2-static PRIVATE SDL_LEAN_AND_MEAN=1)
   endif()
-
-  # ImGui's backend for WebGL. Its backend for SDL2 is not used: wasm/sdl_input.cpp does what a page needs.
-  set(imgui_backends "${imgui_SOURCE_DIR}/backends")
-  add_library(imgui_backends STATIC EXCLUDE_FROM_ALL "${imgui_backends}/imgui_impl_opengl3.cpp")
-  add_library(imgui::backends ALIAS imgui_backends)
-  target_include_directories(imgui_backends SYSTEM PUBLIC "${imgui_backends}")
-  target_compile_definitions(imgui_backends PUBLIC IMGUI_IMPL_OPENGL_ES3)
-  # From 1.92 on it needs a macro that Emscripten 3.1.6 declares in a header that it does not include.
-  # See wasm/left_out.cpp and wasm/gl_state.cpp.
-  target_compile_definitions(imgui_backends PRIVATE sscanf=evenlift_scan glGetIntegerv=evenlift_gl_state)
-  target_compile_options(imgui_backends PRIVATE "SHELL:-include emscripten.h" -fno-exceptions -w ${evenlift_small})
-  target_link_libraries(imgui_backends PUBLIC imgui::imgui SDL2::SDL2-static)
 endif()
 
 # --- QR codes of links: the page only; Nayuki's generator, its C version, which neither throws nor allocates -----------

@@ -13,6 +13,9 @@
 // A comb of 1,000 vertices has 45,000 candidates: more corners than 16 bits count.
 #define ImDrawIdx unsigned int
 
+// The name that OpenGL gives a texture.
+#define ImTextureID unsigned int
+
 // Files are the browser's business, and a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 

@@ -1,13 +1,11 @@
-// The page's start-up and its frames: SDL2 gives the canvas, WebGL 2 and events, Dear ImGui draws.
+// The page's start-up and its frames: SDL2 gives events, Emscripten WebGL 2, Dear ImGui draws.
 // A frame is drawn only when something asked for one. Dear ImGui's own backend for SDL2 is not
 // used: it reads the mouse where it is now, not where it was pressed, draws at whole CSS pixels and
 // brings gamepads along.
-#include <GLES3/gl3.h>
 #include <SDL.h>
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 #include <imgui.h>
-#include <imgui_impl_opengl3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "page_api.h"
 #include "sdl_input.h"
 #include "theme.h"
+#include "webgl_renderer.h"
 
 namespace evenlift::view {
 namespace {
@@ -26,7 +25,7 @@ constexpr int frames_after_input = 3;
 
 struct Page {
   SDL_Window* window = nullptr;
-  SDL_GLContext context = nullptr;
+  WebglRenderer renderer;
   SdlInput input;
   int canvas_width = 0, canvas_height = 0;  // device pixels
   int frames_due = 0;
@@ -69,17 +68,8 @@ int SDLCALL on_event(void*, SDL_Event* event) {
 
 void load_fonts_for(double ratio) {
   if (page.fonts_for_ratio == ratio) return;
-#if IMGUI_VERSION_NUM >= 19200
-  if (page.fonts_for_ratio == 0)
-    load_fonts(ratio);  // from then on it rasterises for whatever scale it finds
-#else
   load_fonts(ratio);
-  // Before the first frame there is nothing to replace; the backend makes the texture by itself.
-  if (page.fonts_for_ratio != 0) {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
-  }
-#endif
+  page.renderer.upload_fonts();
   page.fonts_for_ratio = ratio;
 }
 
@@ -93,7 +83,6 @@ void fit_canvas() {
 }
 
 void begin_frame(const Screen& screen) {
-  ImGui_ImplOpenGL3_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
   const double now = emscripten_get_now() / 1000;
   io.DeltaTime = page.last_frame_at > 0
@@ -110,12 +99,7 @@ void begin_frame(const Screen& screen) {
 
 void end_frame(const Colour& ground) {
   ImGui::Render();
-  const ImVec4 clear = ground.vec();
-  glViewport(0, 0, page.canvas_width, page.canvas_height);
-  glClearColor(clear.x, clear.y, clear.z, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  SDL_GL_SwapWindow(page.window);
+  page.renderer.draw(*ImGui::GetDrawData(), ground);
 }
 
 void show_cursor() {
@@ -149,27 +133,31 @@ void draw() {
   if (page.frames_due > 0) schedule();
 }
 
-bool start_drawing() { return ImGui_ImplOpenGL3_Init("#version 300 es"); }
+// The canvas's WebGL 2 context, without the buffers that flat drawing does not need.
+bool make_webgl_context() {
+  EmscriptenWebGLContextAttributes attributes;
+  emscripten_webgl_init_context_attributes(&attributes);
+  attributes.majorVersion = 2;
+  attributes.alpha = attributes.depth = attributes.antialias = false;
+  attributes.enableExtensionsByDefault = false;
+  const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context =
+      emscripten_webgl_create_context("#canvas", &attributes);
+  return context > 0 && emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
+}
 
 bool start() {
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");  // sdl_input.cpp tells fingers apart itself
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return false;
-  SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_ES);
-  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
-  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 0);
-  SDL_GL_SetAttribute(SDL_GL_ALPHA_SIZE, 0);
-  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
-  page.window = SDL_CreateWindow("evenlift", 0, 0, 1280, 800, SDL_WINDOW_OPENGL);
-  if (!page.window) return false;
-  page.context = SDL_GL_CreateContext(page.window);
-  if (!page.context) return false;
+  page.window = SDL_CreateWindow("evenlift", 0, 0, 1280, 800, 0);
+  if (!page.window || !make_webgl_context()) return false;
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.ConfigInputTextCursorBlink = false;  // it would draw for ever
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
-  return start_drawing();
+  page.renderer.start();
+  return true;
 }
 
 }  // namespace
@@ -209,16 +197,17 @@ EMSCRIPTEN_KEEPALIVE void page_pinch(double x, double y, double factor) {
   ask_for_frames(frames_after_input);
 }
 
-// Everything that was on a lost context is gone with it. The backend lets go while it is lost, when
-// that does no harm, and starts afresh when it is back.
+// The WebGL context is lost, or it is back. Everything that it held is gone; when it is back, the
+// renderer begins anew and gets the fonts again.
 EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
   if (page.context_lost == (lost != 0)) return;
   page.context_lost = lost != 0;
   page.frame_scheduled = false;
   if (page.context_lost) {
-    ImGui_ImplOpenGL3_Shutdown();
+    page.renderer.stop();
   } else {
-    start_drawing();
+    page.renderer.start();
+    page.fonts_for_ratio = 0;
     ask_for_frames(frames_after_input);
   }
 }

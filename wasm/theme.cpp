@@ -110,14 +110,15 @@ const Theme& theme(const AppState& state) { return state.screen.dark ? dark : li
 
 void load_fonts(double ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  atlas.Clear();
 #if IMGUI_VERSION_NUM >= 19200
-  const float density =
-      1;  // sizes are CSS pixels; the library rasterises for the framebuffer's scale
+  // From this version on Dear ImGui rasterises characters by itself, for the framebuffer's scale.
   static_cast<void>(ratio);
+  if (!atlas.Fonts.empty()) return;
+  const float density = 1;
 #else
   const float density = static_cast<float>(ratio);
 #endif
+  atlas.Clear();
   for (int i = 0; i < face_count; ++i) {
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
