@@ -88,8 +88,6 @@ function(evenlift_page_program target)
     -sGL_POOL_TEMP_BUFFERS=0
     -sHTML5_SUPPORT_DEFERRING_USER_SENSITIVE_REQUESTS=0
     -sSUPPORT_ERRNO=0
-    # Once more through Binaryen, in the form in which it finds most: 1 % less.
-    -sBINARYEN_EXTRA_PASSES=--flatten,--rereloop,-Oz,-Oz
     -sDYNAMIC_EXECUTION=0
     -sMIN_WEBGL_VERSION=2
     -sMAX_WEBGL_VERSION=2

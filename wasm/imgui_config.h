@@ -19,13 +19,8 @@
 // Files are the browser's business, and a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 
-// Without the font that it falls back to: 12 KB of text that hardly compresses, and wasm/fonts.cpp
-// always gives others. Versions before 1.92 have no switch for it. Where they declare and define
-// the function that adds it, this gives it another name; where they call it, without arguments,
-// they get the one below, and the linker finds the font unused.
+// wasm/fonts.cpp always gives fonts. From 1.92 on this leaves out the one that Dear ImGui would
+// fall back to; earlier versions have no switch for it.
 #define IMGUI_DISABLE_DEFAULT_FONT
-#define AddFontDefault(...) AddFontDefault##__VA_OPT__(Left)##__VA_OPT__(Out)(__VA_ARGS__)
-struct ImFont;
-inline ImFont* AddFontDefault() { return nullptr; }
 
 // IM_ASSERT stays assert(): on where assertions are on, gone in the released page.

@@ -87,7 +87,7 @@ void draw_words(const Ui& ui) {
 
 std::string place_in_words(const AppState& state) {
   const Timeline now = timeline(state);
-  return "tep " + std::to_string(now.at + 1) + " of " + std::to_string(now.count);
+  return std::to_string(now.at + 1) + " of " + std::to_string(now.count);
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ void draw_lesson_step(const Ui& ui) {
     text_block(Face::strong_label, ui.theme.accent, lesson.script->lesson.title, button);
   text_block(Face::verdict, ui.theme.text, std::string(title(lesson.detail.step.chapter)),
              lesson.script ? 0 : button);
-  text_line(Face::label, ui.theme.second_text, "S" + place_in_words(ui.state));
+  text_line(Face::label, ui.theme.second_text, "Step " + place_in_words(ui.state));
   draw_words(ui);
   if (!lesson.formula.empty()) draw_box(ui.theme.well, ui.theme.text, Face::label, lesson.formula);
   draw_answers(ui);
@@ -111,9 +111,9 @@ void draw_lesson_step(const Ui& ui) {
 // The same where there is little room: a closed sheet, an <iframe>.
 void draw_lesson_briefly(const Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
-  text_line(
-      Face::strong_label, ui.theme.second_text,
-      std::string(title(ui.state.lesson.detail.step.chapter)) + " · s" + place_in_words(ui.state));
+  text_line(Face::strong_label, ui.theme.second_text,
+            std::string(title(ui.state.lesson.detail.step.chapter)) + " · step " +
+                place_in_words(ui.state));
   draw_words(ui);
   draw_answers(ui);
   draw_question(ui);
