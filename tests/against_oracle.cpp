@@ -9,10 +9,12 @@
 #include "evenlift/chords.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
+#include "problem_document.h"
 
 namespace against_oracle {
 namespace {
 
+using evenlift::testing::document_of;
 using oracle::Point;
 
 Point point(const evenlift::Vec2& v) { return {v.x(), v.y()}; }
@@ -27,20 +29,6 @@ double apart(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
 
 std::array<Point, 2> ends(const evenlift::Chord& chord) {
   return {point(chord.r1.position), point(chord.r2.position)};
-}
-
-evenlift::Document document(const oracle::Problem& problem) {
-  evenlift::Document d;
-  for (const Point& p : problem.vertices) d.vertices.push_back({p[0], p[1]});
-  if (problem.centre_of_mass)
-    d.centre_of_mass = evenlift::Vec2{(*problem.centre_of_mass)[0], (*problem.centre_of_mass)[1]};
-  d.settings.teams = static_cast<std::uint32_t>(problem.teams);
-  d.settings.min_ratio = problem.min_ratio;
-  d.settings.weight = problem.weight;
-  d.settings.metric = problem.metric == oracle::Metric::area     ? evenlift::Metric::area
-                      : problem.metric == oracle::Metric::circle ? evenlift::Metric::circle
-                                                                 : evenlift::Metric::distance;
-  return d;
 }
 
 oracle::Kind kind(evenlift::CandidateKind k) {
@@ -265,7 +253,7 @@ std::string text(const Case& c) {
 
 Finding compare_placement(const Case& c) {
   Finding finding;
-  const auto placed = evenlift::place(document(c.problem));
+  const auto placed = evenlift::place(document_of(c.problem));
   if (!placed) {
     finding.differences = refusal_of(placed.error());
     return finding;
@@ -293,7 +281,7 @@ Finding compare_placement(const Case& c) {
 Finding compare_refusal(const Case& c) {
   Finding finding;
   const oracle::Refusal why = oracle::refusal(c.problem);
-  const auto placed = evenlift::place(document(c.problem));
+  const auto placed = evenlift::place(document_of(c.problem));
   if (placed.ok() == (why == oracle::Refusal::none) &&
       (why != oracle::Refusal::no_area || placed.error().code == evenlift::ErrorCode::no_area))
     return finding;
@@ -307,7 +295,7 @@ Finding compare_vertex_chords(const Case& c) {
   Finding finding;
   const double size = size_of(c.problem.vertices);
   const std::vector<std::array<Point, 2>> exact = oracle::vertex_chords(c.problem);
-  const evenlift::Document d = document(c.problem);
+  const evenlift::Document d = document_of(c.problem);
   const auto polygon = evenlift::Polygon::create(d.vertices);
   if (!polygon) {
     finding.differences = refusal_of(polygon.error());
@@ -346,7 +334,7 @@ Finding compare_vertex_chords(const Case& c) {
 Finding compare_distributed(const Case& c) {
   Finding finding;
   const oracle::DistributedTeams exact = oracle::distributed(c.problem);
-  evenlift::Document d = document(c.problem);
+  evenlift::Document d = document_of(c.problem);
   d.settings.metric = evenlift::Metric::distributed;
   const auto placed = evenlift::place(d);
   if (!placed) {

@@ -1,33 +1,29 @@
-// libFuzzer's entry: any bytes as a polygon in one of the three formats.
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
+// Any bytes as a polygon's text in one of the three formats: refused with a reason, or written and
+// read again without loss.
+#include <string>
 
 #include "../random_documents.h"
 #include "evenlift/formats.h"
+#include "fuzz.h"
 
 namespace {
 
-void require(bool condition) {
-  if (!condition) __builtin_trap();
-}
+using namespace evenlift;
 
-void require_same(const evenlift::Document& document, const std::string& text) {
-  const evenlift::Result<evenlift::Document> back = evenlift::read_polygon(text);
-  require(back.ok() && evenlift::testing::same_polygon(*back, document));
+void require_same(const Document& document, const std::string& text) {
+  const Result<Document> back = read_polygon(text);
+  fuzz::require(back.ok() && testing::same_polygon(*back, document));
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace evenlift;
-  Result<Document> document =
-      read_polygon(std::string_view(reinterpret_cast<const char*>(data), size));
+  Result<Document> document = read_polygon(fuzz::text_of(data, size));
   if (!document.ok()) {
-    require(!document.error().message.empty());
+    fuzz::require(!document.error().message.empty());
     return 0;
   }
-  for (const Vec2& vertex : document->vertices) require(vertex.allFinite());
+  for (const Vec2& vertex : document->vertices) fuzz::require(vertex.allFinite());
   require_same(*document, write_thesis(*document));
   require_same(*document, write_geojson(*document));
   document->centre_of_mass.reset();

@@ -1,0 +1,59 @@
+// Any bytes as a teacher's lesson: refused with a line, or within the bounds that lesson.h states;
+// and then opened on a sample, as the page does.
+#include <string>
+
+#include "evenlift/lesson.h"
+#include "evenlift/placement.h"
+#include "fuzz.h"
+
+namespace {
+
+using namespace evenlift;
+
+// Stands in for the sample that a lesson names.
+Document sample() {
+  Document document;
+  document.vertices = {{0, 0}, {400, 0}, {400, 150}, {150, 150}, {150, 300}, {0, 300}};
+  return document;
+}
+
+void require_refusal(const InputError& error) { fuzz::require(!error.message.empty()); }
+
+void check_bounds(const Lesson& lesson) {
+  fuzz::require(!lesson.title.empty() && lesson.title.size() <= max_lesson_title);
+  fuzz::require(lesson.polygon.empty() != lesson.link.empty());
+  fuzz::require(!lesson.steps.empty() && lesson.steps.size() <= max_lesson_steps);
+  for (const LessonStep& step : lesson.steps)
+    fuzz::require(!step.words.empty() && step.words.size() <= max_lesson_words);
+}
+
+void open(const Lesson& lesson) {
+  const Result<Document> document = lesson_document(lesson, sample());
+  if (!document) return require_refusal(document.error());
+  if (document->vertices.size() > 40) return;  // placing them would be most of the time
+  const Result<Placement> placement = place(*document);
+  if (!placement) return require_refusal(placement.error());
+  const Result<Trace> trace = make_trace(*placement);
+  if (!trace) return require_refusal(trace.error());
+  const std::optional<InputError> missing = check_lesson(lesson, *trace);
+  if (missing) return require_refusal(*missing);
+  for (const LessonStep& step : lesson.steps) {
+    const std::optional<std::uint32_t> number = find_step(*trace, step.address);
+    fuzz::require(number.has_value());
+    look_at(*trace, *number);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const Result<Lesson> lesson = parse_lesson(fuzz::text_of(data, size));
+  if (!lesson) {
+    require_refusal(lesson.error());
+    fuzz::require(lesson.error().place.kind == Place::Kind::line);
+    return 0;
+  }
+  check_bounds(*lesson);
+  open(*lesson);
+  return 0;
+}

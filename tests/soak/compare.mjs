@@ -1,0 +1,47 @@
+// The native program and the WebAssembly one must print the same fingerprints of the same documents. They are asked for
+// many documents at a time; where two lines differ, the batch is gone through one document at a time.
+import { run } from "./run.mjs";
+
+const batch = 1000;
+const mostBatchesAtATime = 50;
+const mostDifferences = 20;
+
+const ask = (program, first, count, ...more) => run([...program, `${first}`, `${count}`, ...more]);
+
+// The first document of the batch that the two do not agree on.
+async function findDocument({ native, webAssembly, first, count }) {
+  const [a, b] = await Promise.all([ask(native, first, count, "each"), ask(webAssembly, first, count, "each")]);
+  for (let i = 0; i < count; ++i) {
+    if (a.lines[i] !== undefined && a.lines[i] === b.lines[i]) continue;
+    const number = first + i;
+    if (a.lines[i] === undefined && a.status !== 0) return { number, problem: `the native program ended with ${a.ending}` };
+    if (b.lines[i] === undefined && b.status !== 0) return { number, problem: `the WebAssembly program ended with ${b.ending}` };
+    return { number, problem: "native and WebAssembly differ" };
+  }
+  return { number: first, problem: `a batch of ${count} differs, but none of its documents by itself` };
+}
+
+// Compares from document `first` on until the time is over: how many documents, and where the programs differ. At first it
+// asks for one batch, then for as many as fit into what is left of the time.
+export async function compareStreams({ native, webAssembly, first, seconds, chunk = batch }) {
+  const began = performance.now();
+  const left = () => seconds * 1000 - (performance.now() - began);
+  const different = [];
+  let cases = 0;
+  for (let from = first, size = chunk; left() > 0 && different.length < mostDifferences; ) {
+    const asked = performance.now();
+    const [a, b] = await Promise.all([ask(native, from, size), ask(webAssembly, from, size)]);
+    for (let i = 0; i * batch < size && different.length < mostDifferences; ++i) {
+      const count = Math.min(batch, size - i * batch);
+      if (a.lines[i] !== undefined && a.lines[i] === b.lines[i]) {
+        cases += count;
+        continue;
+      }
+      different.push(await findDocument({ native, webAssembly, first: from + i * batch, count }));
+    }
+    from += size;
+    const batchesThatFit = Math.floor((left() / (performance.now() - asked)) * (size / batch));
+    size = batch * Math.max(1, Math.min(mostBatchesAtATime, batchesThatFit));
+  }
+  return { cases, different };
+}

@@ -1,0 +1,175 @@
+// What evenlift says of documents without end, as hashes: compiled natively and to WebAssembly, the
+// two must print the same lines.
+//
+//   evenlift_fingerprint FIRST COUNT        of each 1,000 documents: the first one's number, a hash
+//   evenlift_fingerprint FIRST COUNT each   the same of each document
+//   evenlift_fingerprint show NUMBER        what is hashed of that document, to be compared
+//
+// A document is made from its number alone. Everything here must be the same on every platform,
+// the making of the document too; it is part of what is hashed.
+#include <cinttypes>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "evenlift/capacity.h"
+#include "evenlift/formats.h"
+#include "evenlift/generate.h"
+#include "evenlift/link.h"
+#include "evenlift/output/json.h"
+#include "evenlift/output/svg.h"
+#include "evenlift/output/trace_json.h"
+#include "evenlift/output/words.h"
+#include "evenlift/placement.h"
+#include "evenlift/random.h"
+#include "evenlift/trace.h"
+#include "problem_document.h"
+#include "small_polygons.h"
+
+namespace {
+
+using namespace evenlift;
+
+constexpr std::uint64_t batch = 1000;
+
+// FNV-1a.
+class Hash {
+ public:
+  void take(std::string_view text) {
+    for (const char c : text) {
+      value_ ^= static_cast<unsigned char>(c);
+      value_ *= 0x100000001b3;
+    }
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+// The small polygons of the tests: drawn with a liking for what is hard. Some are refused, and the
+// reason must be the same, too.
+Document small_document(std::uint64_t number) {
+  return testing::document_of(small_polygons::attempt_case(number, 0).problem);
+}
+
+// A polygon of a generator's family; one in a hundred is large.
+Document generated_document(Rng& rng) {
+  const Family family = all_families[rng.below(std::size(all_families))];
+  const std::uint64_t size = rng.below(100);
+  const std::uint64_t n = size == 0   ? 100 + rng.below(300)
+                          : size < 10 ? 30 + rng.below(70)
+                                      : 8 + rng.below(23);
+  Document document;
+  if (auto points = generate(family, static_cast<std::size_t>(n), rng.below(1u << 30)))
+    document.vertices = *std::move(points);
+  // Between three vertices, so that it lies in the convex hull.
+  if (rng.below(3) == 0 && !document.vertices.empty()) {
+    Vec2 sum = Vec2::Zero();
+    for (int i = 0; i < 3; ++i)
+      sum += document.vertices[static_cast<std::size_t>(rng.below(document.vertices.size()))];
+    document.centre_of_mass = sum / 3;
+  }
+  return document;
+}
+
+Settings settings_from(Rng& rng) {
+  Settings settings;
+  settings.metric = all_metrics[rng.below(std::size(all_metrics))];
+  settings.teams = static_cast<std::uint32_t>(1 + rng.below(8));
+  if (rng.below(20) == 0) settings.teams = std::nullopt;
+  const double ratios[] = {0.0, 0.5, 0.8, 0.8, 0.95, 1.0};
+  settings.min_ratio = ratios[rng.below(std::size(ratios))];
+  if (rng.below(4) == 0) settings.min_ratio = rng.uniform();
+  settings.weight = 1 + 1000 * rng.uniform();
+  settings.seed = rng.below(~std::uint64_t{0});
+  return settings;
+}
+
+Document document_of(std::uint64_t number) {
+  Rng rng(number);
+  Document document = rng.below(2) == 0 ? small_document(number) : generated_document(rng);
+  document.settings = settings_from(rng);
+  return document;
+}
+
+// Gives `take` one text after another: the document, what is said of it, and for some documents
+// one of the other outputs.
+template <class Take>
+void say_all(std::uint64_t number, Take take) {
+  const Document document = document_of(number);
+  take(write_thesis(document));
+  take(document_json(document));
+  const Result<Placement> placement = place(document);
+  if (!placement) {
+    take(placement.error().message + "\n");
+    return;
+  }
+  take(placement_json(*placement, true));
+  take(verdict(*placement) + "\n");
+  switch (number % 64) {
+    case 0: {
+      const Result<Trace> trace = make_trace(*placement);
+      if (!trace)
+        take(trace.error().message + "\n");
+      else if (!check_printed_size(*trace))
+        take(trace_json(*trace) + trace_list(*trace));
+      break;
+    }
+    case 1:
+      take(placement_svg(*placement));
+      break;
+    case 2: {
+      const Result<std::string> link = encode_link(document);
+      take((link ? *link : link.error().message) + "\n");
+      break;
+    }
+    case 3:
+      take(write_wkt(document) + write_geojson(document));
+      break;
+    case 4: {
+      const Result<CapacityPlan> plan = plan_capacity(document, document.settings.weight / 9);
+      take(plan ? std::to_string(plan->teams) + " " + std::to_string(plan->tried) + " " +
+                      shortest(plan->greatest_load) + "\n"
+                : plan.error().message + "\n");
+      break;
+    }
+    default:
+      break;
+  }
+}
+
+void print_hashes(std::uint64_t first, std::uint64_t count, std::uint64_t in_one_line) {
+  for (std::uint64_t done = 0; done < count;) {
+    Hash hash;
+    const std::uint64_t start = done;
+    for (; done < count && done < start + in_one_line; ++done)
+      say_all(first + done, [&](const std::string& text) { hash.take(text); });
+    std::printf("%" PRIu64 " %016" PRIx64 "\n", first + start, hash.value());
+    std::fflush(stdout);
+  }
+}
+
+int usage() {
+  std::fputs("usage: evenlift_fingerprint FIRST COUNT [each] | show NUMBER\n", stderr);
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto argument = [&](int i) { return i < argc ? std::string_view(argv[i]) : ""; };
+  const std::optional<std::uint64_t> first = read_whole(argument(1));
+  const std::optional<std::uint64_t> second = read_whole(argument(2));
+  if (argument(1) == "show" && second && argc == 3) {
+    say_all(*second, [](const std::string& text) { std::fputs(text.c_str(), stdout); });
+    return 0;
+  }
+  if (!first || !second || argc > 4 || (argc == 4 && argument(3) != "each")) return usage();
+  print_hashes(*first, *second, argc == 4 ? 1 : batch);
+  return 0;
+}

@@ -1,0 +1,46 @@
+// The fuzzers, and the texts that they begin with: what the project's own assets and tests hold.
+import { mkdir, readFile, readdir, writeFile } from "node:fs/promises";
+import path from "node:path";
+
+const textsOf = async (folder) => {
+  const names = (await readdir(folder)).filter((name) => name.endsWith(".txt") && name !== "index.txt");
+  return Promise.all(names.map((name) => readFile(path.join(folder, name), "utf8")));
+};
+
+// A column of a table in tests/data (tests/data_table.h), where texts are JSON strings or bare.
+const column = async (root, file, index) => {
+  const rows = (await readFile(path.join(root, "tests/data", file), "utf8")).split("\n");
+  const cells = rows.filter((line) => line && !line.startsWith("#")).map((line) => line.split("\t")[index]);
+  return cells.map((cell) => (cell.startsWith('"') ? JSON.parse(cell) : cell));
+};
+
+const polygons = (root) => textsOf(path.join(root, "assets/polygons"));
+const links = (root) => column(root, "links_version_1.txt", 0);
+
+const written = [
+  "POLYGON ((0 0, 160 0, 160 90, 90 90, 90 60, 0 60, 0 0))",
+  '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}',
+  '{"type":"Feature","properties":{"centre_of_mass":[1,1]},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}}',
+];
+export const fuzzers = {
+  link: {
+    what: "links",
+    longest: 4096,
+    seeds: async (root) => [...(await links(root)), ...(await column(root, "hostile_links.txt", 1))],
+  },
+  formats: {
+    what: "texts",
+    longest: 4096,
+    seeds: async (root) => [...(await polygons(root)), ...written, ...(await column(root, "bad_polygons.txt", 2))],
+  },
+  lesson: { what: "lessons", longest: 4096, seeds: (root) => textsOf(path.join(root, "assets/lessons")) },
+};
+
+// Writes the fuzzer's seeds into a folder, and gives its name.
+export async function writeSeeds(root, name) {
+  const folder = path.join(root, "build/soak/seeds", name);
+  await mkdir(folder, { recursive: true });
+  const texts = await fuzzers[name].seeds(root);
+  await Promise.all(texts.map((text, i) => writeFile(path.join(folder, `${i}`), text)));
+  return folder;
+}

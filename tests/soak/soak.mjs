@@ -1,0 +1,129 @@
+// `./dev soak` after everything is built: searches with fresh seeds for what breaks a promise, and says what was tried.
+//
+//   node tests/soak/soak.mjs [MINUTES] [SEED]
+//
+// Prints every failure with the command that repeats it, and a table at the end. The exit status is 0 if nothing failed.
+import { randomBytes } from "node:crypto";
+import { existsSync } from "node:fs";
+import { mkdir, rm } from "node:fs/promises";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { compareStreams } from "./compare.mjs";
+import { run } from "./run.mjs";
+import { fuzzers, writeSeeds } from "./seeds.mjs";
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const bin = path.join(root, "build/bin");
+const found = path.join(root, "build/soak/found");
+
+// One row of the table.
+const row = (kind, cases, passedOver, failures) => ({ kind, cases, passedOver, failures });
+
+// What the C++ program searches by itself: the oracle.
+const searchOf = (kind) => async (seconds, seed) => {
+  const program = path.join(bin, "evenlift_soak");
+  const { lines, status, ending } = await run([program, kind, `${seed}`, `${Math.ceil(seconds)}`], {
+    seconds: seconds + 300,
+    onLine: (line) => line.startsWith("tried ") || console.log(line),
+  });
+  const totals = /^tried (\d+), passed over (\d+), failed (\d+)$/.exec(lines.at(-1) ?? "");
+  if (!totals || (status !== 0 && totals[3] === "0")) {
+    console.log(`${kind}: the program ended with ${ending}; to repeat it: build/bin/evenlift_soak ${kind} ${seed} ${Math.ceil(seconds)}`);
+    return row(kind, 0, 0, 1);
+  }
+  return row(kind, Number(totals[1]), Number(totals[2]), Number(totals[3]));
+};
+
+const placements = "native = WebAssembly";
+async function searchPlacements(seconds, seed) {
+  const native = [path.join(bin, "evenlift_fingerprint")];
+  const webAssembly = [process.execPath, path.join(bin, "evenlift_fingerprint.js")];
+  const { cases, different } = await compareStreams({ native, webAssembly, first: seed, seconds });
+  for (const { number, problem } of different) {
+    console.log(`${placements}: document ${number}: ${problem}; to repeat it:`);
+    console.log(`  build/bin/evenlift_fingerprint show ${number} >build/soak/native.txt; \\`);
+    console.log(`  node build/bin/evenlift_fingerprint.js show ${number} | diff build/soak/native.txt -`);
+  }
+  return row(placements, cases, 0, different.length);
+}
+
+// libFuzzer ends at its first finding, and leaves the input in a file.
+const fuzz = (name) => async (seconds, seed) => {
+  const kind = `fuzzing: ${fuzzers[name].what}`;
+  const corpus = path.join(root, "build/soak/corpus", name);
+  await mkdir(corpus, { recursive: true });
+  const seeds = await writeSeeds(root, name);
+  const program = `build/fuzz/tests/fuzz_${name}`;
+  const { lines, status, ending } = await run(
+    [
+      path.join(root, program),
+      `-max_total_time=${Math.max(1, Math.round(seconds))}`,
+      `-seed=${(seed % 0xffffffff) + 1}`,
+      `-max_len=${fuzzers[name].longest}`,
+      `-artifact_prefix=${found}/${name}-`,
+      "-timeout=20",
+      "-rss_limit_mb=2048",
+      "-print_final_stats=1",
+      corpus,
+      seeds,
+    ],
+    { seconds: seconds + 300 },
+  );
+  const executed = lines.map((line) => /^stat::number_of_executed_units:\s+(\d+)/.exec(line)).find(Boolean);
+  if (status === 0 && executed) return row(kind, Number(executed[1]), 0, 0);
+  const written = lines.map((line) => /Test unit written to (.*)$/.exec(line)).find(Boolean);
+  console.log(lines.slice(-60).join("\n"));
+  const input = written ? path.relative(root, written[1]) : `-seed=${(seed % 0xffffffff) + 1}`;
+  console.log(`${kind}: the fuzzer ended with ${ending}; to repeat it: ${program} ${input}`);
+  return row(kind, Number(executed?.[1] ?? 0), 0, 1);
+};
+
+// What is searched, and its part of the time.
+const searches = [
+  { part: 4, search: searchOf("oracle") },
+  { part: 4, search: searchPlacements },
+  ...Object.keys(fuzzers).map((name) => ({ part: 1, search: fuzz(name) })),
+];
+
+function numberFrom(text, what, least, most) {
+  const value = Number(text);
+  if (/^\d+(\.\d+)?$/.test(text) && value >= least && value <= most) return value;
+  console.error(`evenlift: soak: ${what} must be a number from ${least} to ${most}, not "${text}"`);
+  process.exit(2);
+}
+
+function table(rows) {
+  const lines = [["kind", "cases", "passed over", "seconds", "seed", "failures"]];
+  for (const r of rows) lines.push([r.kind, r.cases, r.passedOver, r.seconds.toFixed(0), r.seed, r.failures].map(String));
+  const width = lines[0].map((_, column) => Math.max(...lines.map((line) => line[column].length)));
+  const text = (line) => `| ${line.map((cell, i) => (i === 0 ? cell.padEnd(width[i]) : cell.padStart(width[i]))).join(" | ")} |`;
+  const rule = `| ${width.map((w, i) => (i === 0 ? "-".repeat(w) : `${"-".repeat(w - 1)}:`)).join(" | ")} |`;
+  return [text(lines[0]), rule, ...lines.slice(1).map(text)].join("\n");
+}
+
+async function main(argv) {
+  const minutes = numberFrom(argv[0] ?? "10", "the minutes", 0.1, 10000);
+  // Far below 2^53, so that counting up from it stays exact.
+  const seed = argv[1] === undefined ? randomBytes(6).readUIntBE(0, 6) : numberFrom(argv[1], "the seed", 0, 2 ** 48);
+  console.log(`evenlift: soaking for ${minutes} minutes, seed ${seed}`);
+  await rm(found, { recursive: true, force: true });
+  await mkdir(found, { recursive: true });
+  const parts = searches.reduce((sum, { part }) => sum + part, 0);
+  const rows = [];
+  for (const { part, search } of searches) {
+    const began = performance.now();
+    const result = await search((minutes * 60 * part) / parts, seed);
+    rows.push({ ...result, seed, seconds: (performance.now() - began) / 1000 });
+  }
+  console.log(table(rows));
+  // A search that tried nothing has shown nothing.
+  const failures = rows.reduce((sum, { failures }) => sum + failures, 0);
+  const idle = rows.filter(({ cases }) => cases === 0).map(({ kind }) => kind);
+  if (idle.length > 0) console.log(`evenlift: nothing was tried: ${idle.join(", ")}`);
+  console.log(failures === 0 && idle.length === 0 ? "evenlift: all is well" : `evenlift: ${failures} failures`);
+  if (failures === 0 && existsSync(found)) await rm(found, { recursive: true });
+  return failures === 0 && idle.length === 0 ? 0 : 1;
+}
+
+process.exitCode = await main(process.argv.slice(2));
