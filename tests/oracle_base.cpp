@@ -28,6 +28,63 @@ std::vector<ExactVec> convex_hull(std::vector<ExactVec> points) {
   return hull;
 }
 
+Real outside(const RealVec& v, const RealVec& p, const RealVec& q) {
+  return cross(v - p, q - p) / length(q - p);
+}
+
+namespace {
+
+using Corners = std::vector<RealVec>;
+
+bool within_one_line(const Corners& corners, const Real& size, Calls& calls) {
+  if (corners.size() < 3) return true;
+  // The least width of a convex polygon is attained with an edge on one side.
+  Real width = -1;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    Real extent = 0;
+    for (const RealVec& c : corners)
+      extent = std::max(extent, Real(-outside(c, corners[i], corners[(i + 1) % corners.size()])));
+    if (width < 0 || extent < width) width = extent;
+  }
+  return calls.within(width, 2 * tau * size, "H is a segment");
+}
+
+Corners farthest_two(const Corners& corners) {
+  Corners ends{corners[0], corners[0]};
+  for (const RealVec& a : corners)
+    for (const RealVec& b : corners)
+      if (length(a - b) > length(ends[0] - ends[1])) ends = {a, b};
+  return ends;
+}
+
+/// Whether corner i is one by rounding alone: at the place of a neighbour, or straight.
+bool is_superfluous(const Corners& corners, std::size_t i, const Real& size, Calls& calls) {
+  const std::size_t n = corners.size();
+  const RealVec &a = corners[(i + n - 1) % n], &b = corners[(i + 1) % n];
+  for (const RealVec& neighbour : {a, b})
+    if (calls.within(length(corners[i] - neighbour), tau * size, "two corners of H at one place"))
+      return true;
+  return calls.within(abs(outside(corners[i], a, b)), tau * length(b - a), "straight corner of H");
+}
+
+}  // namespace
+
+std::vector<RealVec> lifting_base(const std::vector<ExactVec>& points, const Real& size,
+                                  Calls& calls) {
+  Corners corners;
+  for (const ExactVec& corner : convex_hull(points)) corners.push_back(real(corner));
+  if (within_one_line(corners, size, calls)) return farthest_two(corners);
+  for (std::size_t i = 0; i < corners.size() && corners.size() > 3;) {
+    if (is_superfluous(corners, i, size, calls)) {
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;
+    } else {
+      ++i;
+    }
+  }
+  return corners;
+}
+
 Real signed_area(const std::vector<RealVec>& polygon) {
   Real sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -109,17 +166,17 @@ Judgement judge(const Problem& problem, const CandidateList& list,
     }
   }
   Judgement result;
-  const std::vector<ExactVec> hull = convex_hull(points);
-  std::vector<RealVec> real_hull;
-  for (const ExactVec& corner : hull) {
-    result.hull.push_back(
-        {nearest_double(corner.x + shape.centre.x), nearest_double(corner.y + shape.centre.y)});
-    real_hull.push_back(real(corner));
-  }
-  if (hull.size() >= 3)
-    result.coverage = static_cast<double>(common_area(shape.real_vertices, real_hull) / shape.area);
+  Calls calls;
+  const std::vector<RealVec> base =
+      points.empty() ? Corners{} : lifting_base(points, shape.size, calls);
+  for (const RealVec& corner : base)
+    result.hull.push_back({static_cast<double>(corner.x + Real(shape.centre.x)),
+                           static_cast<double>(corner.y + Real(shape.centre.y))});
+  if (base.size() >= 3)
+    result.coverage = static_cast<double>(common_area(shape.real_vertices, base) / shape.area);
   result.loads = loads(problem, placed);
   result.closure = immobilization(shape, real_points);
+  result.closure.closest_call.merge(calls.closest());
   return result;
 }
 

@@ -73,6 +73,11 @@ ExactVec bisecting_point(const Edge& a, const Edge& b) {
   return {(kb * da.x - ka * db.x) / det, (kb * da.y - ka * db.y) / det};
 }
 
+/// A vertex-chord that is even within the tolerance is a bisecting one.
+Kind kind_of_vertex_chord(const Real& ratio, Calls& calls) {
+  return calls.within(1 - ratio, tau, "even vertex-chord") ? Kind::bisecting : Kind::vertex;
+}
+
 /// The candidate of the pair {a, b}, if it has one.
 std::optional<ExactChord> candidate_of(const Edge& a, const Edge& b, const Range& range,
                                        const Real& least_ratio, CandidateList& list, Calls& calls) {
@@ -98,8 +103,28 @@ std::optional<ExactChord> candidate_of(const Edge& a, const Edge& b, const Range
     return exact_chord(r, -r, Kind::bisecting, Real(1));
   }
   const Section& nearer = ratio_of(one.g) >= ratio_of(two.g) ? one : two;
+  const Real ratio(ratio_of(nearer.g));
   if (!even_enough(ratio_of(nearer.g))) return std::nullopt;
-  return exact_chord(nearer.on_a, nearer.on_b, Kind::vertex, Real(ratio_of(nearer.g)));
+  return exact_chord(nearer.on_a, nearer.on_b, kind_of_vertex_chord(ratio, calls), ratio);
+}
+
+/// The chord between two vertices, if they are opposite and it is even enough.
+std::optional<ExactChord> candidate_between(const ExactShape& shape, std::size_t i, std::size_t j,
+                                            const Real& least_ratio, Calls& calls) {
+  const ExactVec &v = shape.vertices[i], &w = shape.vertices[j];
+  if (dot(v, w) >= 0) return std::nullopt;
+  const RealVec &rv = shape.real_vertices[i], &rw = shape.real_vertices[j];
+  const Real near = tau * shape.size;
+  if (!calls.within(abs(cross(rv, rw)) / length(rv - rw), near, "opposite vertices"))
+    return std::nullopt;
+  for (const RealVec& u : {rv, rw})  // a vertex at C has no direction
+    if (calls.within(length(u), near, "vertex at the centre of mass")) return std::nullopt;
+  const Real ratio = std::min(length(rv), length(rw)) / std::max(length(rv), length(rw));
+  calls.note(1 + static_cast<double>((ratio - least_ratio) / tau), "minimum load ratio");
+  if (ratio < least_ratio) return std::nullopt;
+  ExactChord chord = exact_chord(v, w, kind_of_vertex_chord(ratio, calls), ratio);
+  chord.between_vertices = true;
+  return chord;
 }
 
 /// The greater distance between the ends of two chords, in whichever way of matching them it is
@@ -187,16 +212,17 @@ class Order {
   Calls& calls_;
 };
 
-/// One of a set of chords that are one candidate: largest ratio, then first in order; kind by
-/// precedence.
+/// One of a set of chords that are one candidate: one between opposite vertices, else the largest
+/// ratio, then first in order; its kind by precedence, but between vertices its own.
 ExactChord standing_one(std::vector<ExactChord> same, Calls& calls) {
   Order(calls).sort(same);
   ExactChord best = same.front();
   for (const ExactChord& c : same)
-    if (c.ratio > best.ratio) best = c;
+    if (c.between_vertices != best.between_vertices ? c.between_vertices : c.ratio > best.ratio)
+      best = c;
   for (const ExactChord& c : same) {
-    best.kind = std::min(best.kind, c.kind);
-    best.ratio_slack = std::max<Real>(best.ratio_slack, best.ratio - c.ratio);
+    if (!best.between_vertices) best.kind = std::min(best.kind, c.kind);
+    best.ratio_slack = std::max<Real>(best.ratio_slack, abs(best.ratio - c.ratio));
     best.ends_slack = std::max<Real>(best.ends_slack, apart(best, c));
   }
   return best;
@@ -246,7 +272,7 @@ CandidateList packed(CandidateList list, std::vector<ExactChord> chords) {
 }  // namespace
 
 ExactChord exact_chord(const ExactVec& end0, const ExactVec& end1, Kind kind, const Real& ratio) {
-  ExactChord c{{end0, end1}, {real(end0), real(end1)}, ratio, 0, {0, 0}, kind, 0, 0};
+  ExactChord c{{end0, end1}, {real(end0), real(end1)}, ratio, 0, {0, 0}, kind, 0, 0, false};
   c.direction = c.real_ends[1] - c.real_ends[0];
   if (c.direction.x < 0 || (c.direction.x == 0 && c.direction.y < 0)) c.direction = -c.direction;
   c.length = length(c.direction);
@@ -289,6 +315,10 @@ CandidateList find_candidates(const Problem& problem) {
         chords.push_back(*c);
     }
   }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j)
+      if (const auto c = candidate_between(*list.shape, i, j, least_ratio, calls))
+        chords.push_back(*c);
   chords = merged(chords, list.shape->size, calls);
   Order(calls).sort(chords);
   list.closest_call = calls.closest();

@@ -48,6 +48,18 @@ std::size_t nearest_edge(const ExactShape& shape, const RealVec& p) {
   return nearest;
 }
 
+/// Positive at a convex vertex, 0 at a straight one, within the tolerance.
+int turn_at(const ExactShape& shape, std::size_t vertex, Calls& calls) {
+  const std::size_t n = shape.vertices.size();
+  const ExactVec before = shape.vertices[vertex] - shape.vertices[(vertex + n - 1) % n];
+  const ExactVec after = shape.vertices[(vertex + 1) % n] - shape.vertices[vertex];
+  const RealVec u = real(before), v = real(after);
+  if (dot(u, v) > 0 &&
+      calls.within(abs(cross(u, v)) / (length(u) * length(v)), tau, "straight vertex"))
+    return 0;
+  return sign(cross(before, after));
+}
+
 std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<RealVec>& points,
                                  Calls& calls) {
   const std::size_t n = shape.vertices.size();
@@ -65,24 +77,25 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
       continue;
     }
     const std::size_t before = (*vertex + n - 1) % n;
-    const int turn = sign(
-        orient(shape.vertices[before], shape.vertices[*vertex], shape.vertices[(*vertex + 1) % n]));
+    const int turn = turn_at(shape, *vertex, calls);
     if (turn <= 0) add(contact_on(shape, shape.real_vertices[*vertex], *vertex));
     if (turn < 0) add(contact_on(shape, shape.real_vertices[*vertex], before));
   }
   return contacts;
 }
 
-/// Some direction makes no obtuse angle with any normal. The free directions form a closed cone;
-/// unless it is everything, it has a side perpendicular to a normal, which is along that contact's
-/// edge.
-bool translation_is_free(const std::vector<Contact>& contacts) {
+/// Some direction makes no obtuse angle with any normal, within the tolerance. The free directions
+/// form a closed cone; unless it is everything, it has a side perpendicular to a normal, which is
+/// along that contact's edge.
+bool translation_is_free(const std::vector<Contact>& contacts, Calls& calls) {
   if (contacts.empty()) return true;
   for (const Contact& c : contacts) {
     for (const ExactVec& way : {c.edge, -c.edge}) {
       const auto allowed = [&](const Contact& o) {
-        return cross(o.edge, way) >= 0;
-      };  // normal . way
+        const Exact side = cross(o.edge, way);  // has the sign of normal . way
+        return side >= 0 || calls.within(-Real(side) / (length(real(o.edge)) * length(real(way))),
+                                         tau, "free translation");
+      };
       if (std::all_of(contacts.begin(), contacts.end(), allowed)) return true;
     }
   }
@@ -133,17 +146,33 @@ struct Region {
                                  // however narrowed
 };
 
-/// By Farkas's lemma the half-planes side * (n x c) >= side * (n x p) - w have no common point
-/// exactly if some balance has a positive sum of weight * (side * n x p - w).
+/// The contacts, and behind them four that stand for the border of the plane: no rotation centre
+/// farther than L / tau from C along an axis counts.
+std::vector<Contact> with_border(std::vector<Contact> contacts) {
+  for (const auto& [x, y] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+    contacts.push_back({{0, 0}, {x, y}, {Real(-y), Real(x)}});
+  return contacts;
+}
+
+/// By Farkas's lemma the half-planes side * (n x c) >= side * (n x p) - w of the contacts and side
+/// * (n x c) >= -reach of the border have no common point exactly if some balance has a positive
+/// sum of weight * (side * n x p - w) and of weight * -reach.
 Region region(const std::vector<Contact>& contacts, const std::vector<Balance>& exact_balances,
-              int side) {
+              const Real& reach, int side) {
   Region r{side, std::nullopt};
   for (const Balance& b : exact_balances) {
-    Real sum = 0;
+    Real sum = 0, of_contacts = 0;
     for (std::size_t k = 0; k < b.contacts.size(); ++k) {
+      if (b.contacts[k] >= contacts.size()) {
+        sum -= b.weights[k] * reach;
+        continue;
+      }
       const Contact& c = contacts[b.contacts[k]];
       sum += b.weights[k] * cross(c.normal, c.at) * side;
+      of_contacts += b.weights[k];
     }
+    if (of_contacts == 0) continue;
+    sum /= of_contacts;
     if (!r.widening || sum > *r.widening) r.widening = sum;
   }
   return r;
@@ -331,12 +360,12 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
     result.closest_call = calls.closest();
     return result;
   }
-  const std::vector<Balance> exact_balances = balances(contacts, false, calls);
+  const std::vector<Balance> exact_balances = balances(with_border(contacts), false, calls);
   const Real tolerance = tau * shape.size;
   bool degenerate = true;  // no region has an area
   std::vector<Region> open;
   for (int side : {1, -1}) {
-    const Region r = region(contacts, exact_balances, side);
+    const Region r = region(contacts, exact_balances, shape.size / tau, side);
     const bool free = !r.widening || calls.within(*r.widening, tolerance, "free region is empty");
     if (free) {
       open.push_back(r);
@@ -345,7 +374,7 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
     }
     (side == 1 ? result.counterclockwise : result.clockwise) = free;
   }
-  result.translation = translation_is_free(contacts);
+  result.translation = translation_is_free(contacts, calls);
   result.form_closure = !result.counterclockwise && !result.clockwise && !result.translation;
 
   if (!result.form_closure && !result.translation && degenerate) {
@@ -360,9 +389,11 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
           sine > tau && dot(a.normal, b.normal) < 0)
         result.flattest_crossing = std::min(result.flattest_crossing, static_cast<double>(sine));
 
+  Real radius = 0;  // R
+  for (const RealVec& v : shape.real_vertices) radius = std::max(radius, length(v));
   std::vector<Vec3> wrenches;
   for (const Contact& c : contacts)
-    wrenches.push_back({c.normal.x, c.normal.y, cross(c.at, c.normal) / (shape.size / 2)});
+    wrenches.push_back({c.normal.x, c.normal.y, cross(c.at, c.normal) / radius});
   result.margin = static_cast<double>(margin(wrenches));
   result.closest_call = calls.closest();
   return result;

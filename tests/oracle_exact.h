@@ -94,6 +94,7 @@ struct ExactChord {
   RealVec direction;  // from one end to the other, pointing right, or up if exactly vertical
   Kind kind = Kind::vertex;
   Real ratio_slack, ends_slack;
+  bool between_vertices = false;  // of opposite vertices
 };
 
 struct ExactChords {
@@ -109,6 +110,16 @@ double nearest_double(const Exact& value);
 /// Convex hull, corners only, counter-clockwise; two points when all lie on one line, one when all
 /// agree.
 std::vector<ExactVec> convex_hull(std::vector<ExactVec> points);
+
+/// H of these points, not all at one place: its corners, those that stick out by no more than the
+/// tolerance left out; the two ends of a segment if all points lie within the tolerance of one
+/// line.
+std::vector<RealVec> lifting_base(const std::vector<ExactVec>& points, const Real& size,
+                                  Calls& calls);
+
+/// The signed distance of v from the line p -> q, positive to the right: outside, as H runs
+/// counter-clockwise.
+Real outside(const RealVec& v, const RealVec& p, const RealVec& q);
 
 /// The area of what a simple polygon and a convex one, both counter-clockwise, have in common.
 Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>& convex);

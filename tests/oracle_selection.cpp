@@ -7,8 +7,6 @@
 namespace oracle {
 namespace {
 
-using Corners = std::vector<RealVec>;
-
 /// Same direction from C, within the tolerance.
 bool same_direction(const RealVec& u, const RealVec& v, Calls& calls) {
   if (dot(u, v) <= 0) return false;
@@ -21,67 +19,44 @@ bool strictly_between(const RealVec& from, const RealVec& v, const RealVec& to) 
   return cross(from, v) > 0 && cross(v, to) > 0;
 }
 
+/// Between the two or in the direction of one of them.
 bool seen_in(const RealVec& h1, const RealVec& v, const RealVec& h2, Calls& calls) {
-  if (same_direction(h1, v, calls)) return true;
-  return !same_direction(h2, v, calls) && strictly_between(h1, v, h2);
-}
-
-/// The signed distance of v from the line p -> q, positive to the right: outside, as H runs
-/// counter-clockwise.
-Real outside(const RealVec& v, const RealVec& p, const RealVec& q) {
-  return cross(v - p, q - p) / length(q - p);
+  return same_direction(h1, v, calls) || same_direction(h2, v, calls) ||
+         strictly_between(h1, v, h2);
 }
 
 /// H before the candidate, and the edge that a point outside belongs to.
 class Base {
  public:
   Base(const std::vector<ExactVec>& points, const Real& size, Calls& calls)
-      : size_(size), calls_(calls) {
-    for (const ExactVec& corner : convex_hull(points)) corners_.push_back(real(corner));
-    segment_ = within_one_line();
-    if (segment_) keep_farthest_two();
-  }
+      : corners_(lifting_base(points, size, calls)),
+        size_(size),
+        calls_(calls),
+        segment_(corners_.size() < 3) {}
 
-  /// The edge h1 h2 for p, or nothing if p adds nothing.
-  std::optional<std::array<RealVec, 2>> edge_of(const RealVec& p) {
+  /// The edges h1 h2 that p belongs to: one, or two in the direction of a corner, or none if p adds
+  /// nothing.
+  using Edge = std::array<RealVec, 2>;
+  std::vector<Edge> edges_of(const RealVec& p) {
     const std::size_t n = corners_.size();
     if (segment_) {
       const RealVec &a = corners_[0], &b = corners_[1];
       const Real side = outside(p, a, b);
-      if (calls_.within(abs(side), tau * size_, "on the line of H")) return std::nullopt;
-      return side > 0 ? std::array<RealVec, 2>{a, b} : std::array<RealVec, 2>{b, a};
+      if (calls_.within(abs(side), tau * size_, "on the line of H")) return {};
+      return {side > 0 ? Edge{a, b} : Edge{b, a}};
     }
-    if (in_or_near(p)) return std::nullopt;
+    if (in_or_near(p)) return {};
     for (std::size_t i = 0; i < n; ++i)
       if (same_direction(corners_[i], p, calls_))
-        return std::array<RealVec, 2>{corners_[i], corners_[(i + 1) % n]};
+        return {Edge{corners_[i], corners_[(i + 1) % n]},
+                Edge{corners_[(i + n - 1) % n], corners_[i]}};
     for (std::size_t i = 0; i < n; ++i)
       if (strictly_between(corners_[i], p, corners_[(i + 1) % n]))
-        return std::array<RealVec, 2>{corners_[i], corners_[(i + 1) % n]};
-    return std::nullopt;
+        return {Edge{corners_[i], corners_[(i + 1) % n]}};
+    return {};
   }
 
  private:
-  bool within_one_line() {
-    if (corners_.size() < 3) return true;
-    // The least width of a convex polygon is attained with an edge on one side.
-    Real width = -1;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      Real extent = 0;
-      for (const RealVec& c : corners_)
-        extent =
-            std::max(extent, Real(-outside(c, corners_[i], corners_[(i + 1) % corners_.size()])));
-      if (width < 0 || extent < width) width = extent;
-    }
-    return calls_.within(width, 2 * tau * size_, "H is a segment");
-  }
-  void keep_farthest_two() {
-    std::array<RealVec, 2> ends{corners_[0], corners_[0]};
-    for (const RealVec& a : corners_)
-      for (const RealVec& b : corners_)
-        if (length(a - b) > length(ends[0] - ends[1])) ends = {a, b};
-    corners_ = {ends[0], ends[1]};
-  }
   bool in_or_near(const RealVec& p) {
     bool inside = true;
     Real distance = -1;
@@ -94,10 +69,10 @@ class Base {
     return inside || calls_.within(distance, tau * size_, "within tolerance of H");
   }
 
-  Corners corners_;
+  std::vector<RealVec> corners_;
   Real size_;
   Calls& calls_;
-  bool segment_ = false;
+  bool segment_;
 };
 
 Real area_metric(const ExactShape& shape, const RealVec& h1, const RealVec& h2, const RealVec& p) {
@@ -118,9 +93,11 @@ Real distance_metric(const ExactShape& shape, const RealVec& h1, const RealVec& 
   };
   for (const RealVec& v : shape.real_vertices) {
     if (v == RealVec{0, 0} || !seen_in(h1, v, h2, calls)) continue;
-    const bool before_p =
-        same_direction(p, v, calls) || same_direction(h1, v, calls) || strictly_between(h1, v, p);
-    sum += arm(v, h1, h2) - (before_p ? arm(v, h1, p) : arm(v, p, h2));
+    const Real up_to_p = arm(v, h1, p), from_p = arm(v, p, h2);
+    const bool before_p = same_direction(h1, v, calls) || strictly_between(h1, v, p);
+    sum += arm(v, h1, h2) - (same_direction(p, v, calls) ? std::max<Real>(up_to_p, from_p)
+                             : before_p                  ? up_to_p
+                                                         : from_p);
   }
   return sum;
 }
@@ -209,11 +186,16 @@ class Selector {
     take(remaining.front(), static_cast<double>(scores[remaining.front()]));
   }
 
-  /// f(p).
+  /// f(p): of two edges, the larger.
   Real gain(Base& base, const RealVec& p) {
-    const auto edge = base.edge_of(p);
-    if (!edge) return 0;
-    const auto& [h1, h2] = *edge;
+    std::optional<Real> largest;
+    for (const auto& [h1, h2] : base.edges_of(p)) {
+      const Real by_edge = gain(h1, h2, p);
+      if (!largest || by_edge > *largest) largest = by_edge;
+    }
+    return largest.value_or(0);
+  }
+  Real gain(const RealVec& h1, const RealVec& h2, const RealVec& p) {
     switch (problem_.metric) {
       case Metric::area:
         return area_metric(shape_, h1, h2, p);

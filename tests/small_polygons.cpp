@@ -269,11 +269,12 @@ std::string transform(Points& p, std::optional<Point>& c, Draw& draw) {
   }
 }
 
-std::optional<Point> choose_centre(const Points& p, Draw& draw, std::string& name) {
+/// With `hairs` perhaps one that is a hair off an edge's line or a vertex.
+std::optional<Point> choose_centre(const Points& p, Draw& draw, std::string& name, bool hairs) {
   const int n = static_cast<int>(p.size());
   const auto vertex = [&](int i) -> const Point& { return p[static_cast<std::size_t>(i % n)]; };
   const int i = draw.below(n), j = draw.below(n), k = draw.below(n);
-  switch (draw.below(11)) {
+  switch (draw.below(hairs ? 11 : 10)) {
     case 10: {  // nearer to a vertex or to an edge's line than the tolerance, or just not
       name += ", C a hair off";
       const double s = draw.one_of({0.0, 0.5, 1.5, -1.0}),
@@ -328,7 +329,7 @@ Case attempt_case(std::uint64_t number, std::uint64_t attempt) {
   oracle::Problem& problem = c.problem;
   problem.vertices = makers[family](draw);
   if (draw.chance(20)) add_straight_vertices(problem.vertices, draw);
-  problem.centre_of_mass = choose_centre(problem.vertices, draw, c.name);
+  problem.centre_of_mass = choose_centre(problem.vertices, draw, c.name, true);
   c.name += transform(problem.vertices, problem.centre_of_mass, draw);
   if (draw.chance(30)) {
     std::reverse(problem.vertices.begin(), problem.vertices.end());
@@ -338,6 +339,19 @@ Case attempt_case(std::uint64_t number, std::uint64_t attempt) {
   problem.teams = draw.one_of({1, 2, 3, 3, 4, 5, 8});
   problem.metric =
       draw.one_of({oracle::Metric::area, oracle::Metric::circle, oracle::Metric::distance});
+  return c;
+}
+
+Case attempt_plain_case(std::uint64_t number, std::uint64_t attempt) {
+  Draw draw(number * 1000 + attempt + 250'000'000);
+  const std::size_t family = number % std::size(families);
+  Case c{families[family], {}};
+  oracle::Problem& problem = c.problem;
+  problem.vertices = makers[family](draw);
+  if (draw.chance(30)) add_straight_vertices(problem.vertices, draw);
+  problem.centre_of_mass = choose_centre(problem.vertices, draw, c.name, false);
+  if (draw.chance(30)) std::reverse(problem.vertices.begin(), problem.vertices.end());
+  problem.min_ratio = draw.one_of({0.0, 0.5, 0.8, 0.8, 1.0});
   return c;
 }
 

@@ -26,6 +26,14 @@ Case attempt_case(std::uint64_t number, std::uint64_t attempt);
 /// The first of the attempts that the oracle accepts.
 Case make_case(std::uint64_t number);
 
+/// One attempt at a case of the same families whose difficulty is in the shape alone: symmetric,
+/// with straight vertices, parallel edges and centres of mass in awkward places, but nothing that
+/// lies within a few tolerances of another shape.
+Case attempt_plain_case(std::uint64_t number, std::uint64_t attempt);
+
+/// The first of the attempts that the oracle accepts.
+Case make_plain_case(std::uint64_t number);
+
 /// Points joined in any order, on a grid so small that they often touch: seldom valid.
 Case make_careless_case(std::uint64_t number);
 

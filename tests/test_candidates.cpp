@@ -37,11 +37,57 @@ constexpr auto bisecting = CandidateKind::bisecting, midpoint = CandidateKind::m
 
 }  // namespace
 
-TEST_CASE("a square's candidates are the midpoint chords, the vertical one last", "[candidates]") {
+TEST_CASE("a square's candidates are its diagonals and the midpoint chords, the vertical one last",
+          "[candidates]") {
   const auto found = candidates({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}, 0.8);
-  REQUIRE(found.size() == 2);
-  is(found[0], {0, 1}, {2, 1}, midpoint, 1);
-  is(found[1], {1, 0}, {1, 2}, midpoint, 1);
+  REQUIRE(found.size() == 4);
+  is(found[0], {0, 2}, {2, 0}, bisecting, 1);
+  is(found[1], {0, 1}, {2, 1}, midpoint, 1);
+  is(found[2], {0, 0}, {2, 2}, bisecting, 1);
+  is(found[3], {1, 0}, {1, 2}, midpoint, 1);
+}
+
+TEST_CASE("the chord between two opposite vertices is a candidate if it is even enough",
+          "[candidates]") {
+  // A kite: C is on its long diagonal, nearer to one end.
+  const Points kite{{0, -4}, {1, 0}, {0, 3}, {-1, 0}};
+  const auto found = candidates(kite, Vec2(0, 0), 0.75);
+  REQUIRE(found.size() >= 2);
+  is(found.back(), {0, -4}, {0, 3}, vertex, 0.75);
+  CHECK(found.back().between_vertices);
+  const auto even = candidates(kite, Vec2(0, 0), 0.76);
+  CHECK(std::none_of(even.begin(), even.end(),
+                     [](const Candidate& c) { return is_vertical(c.direction); }));
+  const auto has_level = [](const Candidate& c) {
+    return c.between_vertices && c.direction.y() == 0 && c.kind == bisecting;
+  };
+  CHECK(std::any_of(even.begin(), even.end(), has_level));
+}
+
+TEST_CASE("vertices within tolerance of a line through C are opposite, beyond it they are not",
+          "[candidates]") {
+  for (const double off : {0.0, 1e-10, 1e-7}) {
+    const auto polygon = Polygon::create({{0, -4}, {1, 0}, {off, 3}, {-1, 0}});
+    REQUIRE(polygon.ok());
+    const auto opposite = opposite_vertices(*polygon, {0, 0});
+    REQUIRE(opposite.ok());
+    INFO(off);
+    CHECK(opposite->size() == (off < 1e-8 ? 2u : 1u));
+  }
+}
+
+TEST_CASE("a vertex at the centre of mass is opposite to none", "[candidates]") {
+  for (const double off : {0.0, 1e-12}) {
+    const auto polygon =
+        Polygon::create({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}});
+    REQUIRE(polygon.ok());
+    const auto opposite = opposite_vertices(*polygon, {2 + off, 2 + off});
+    REQUIRE(opposite.ok());
+    for (const OppositeVertices& two : *opposite) {
+      CHECK(two.v != 5);
+      CHECK(two.w != 5);
+    }
+  }
 }
 
 TEST_CASE("a triangle's candidates about its centroid are parallel to its sides", "[candidates]") {
@@ -52,18 +98,18 @@ TEST_CASE("a triangle's candidates about its centroid are parallel to its sides"
   is(found[2], {1, 0}, {1, 2}, bisecting, 1);
 }
 
-TEST_CASE("a regular hexagon's candidates are the midpoint chords of opposite sides",
+TEST_CASE("a regular hexagon's candidates are its diameters and the midpoint chords of its sides",
           "[candidates]") {
   const double h = std::sqrt(3.0) / 2;
   const auto found =
       candidates({{1, 0}, {0.5, h}, {-0.5, h}, {-1, 0}, {-0.5, -h}, {0.5, -h}}, Vec2(0, 0), 0.8);
-  REQUIRE(found.size() == 3);
+  REQUIRE(found.size() == 6);
   for (const Candidate& c : found) {
-    CHECK(c.kind == midpoint);
-    CHECK(c.length == Approx(2 * h).epsilon(1e-14));
+    CHECK(c.kind == (c.between_vertices ? bisecting : midpoint));
+    CHECK(c.length == Approx(c.between_vertices ? 2 : 2 * h).epsilon(1e-14));
   }
-  CHECK(found[2].direction.y() > 0);  // the vertical one
-  CHECK(std::fabs(found[2].direction.x()) <= 1e-9);
+  CHECK(found[5].direction.y() > 0);  // the vertical one
+  CHECK(std::fabs(found[5].direction.x()) <= 1e-9);
 }
 
 TEST_CASE("a pair has a bisecting, midpoint or vertex chord, or none below the ratio",
@@ -194,6 +240,17 @@ TEST_CASE("of duplicates the most even stands, under the first kind that occurs"
   CHECK(list[0].kind == bisecting);
   CHECK(list[0].chord.r1.position == Vec2(-1, hair));
   CHECK(list[1].kind == vertex);
+}
+
+TEST_CASE("of duplicates one between two vertices stands and keeps its kind", "[candidates]") {
+  const double hair = 1e-10;
+  std::vector<Candidate> list{made({-1, hair}, {1, -hair}, midpoint, 0.95),
+                              made({-1, 0}, {1, 0}, vertex, 0.9)};
+  list[1].between_vertices = true;
+  merge_duplicates(list, 1e-9);
+  REQUIRE(list.size() == 1);
+  CHECK(list[0].chord.ratio == 0.9);
+  CHECK(list[0].kind == vertex);
 }
 
 TEST_CASE("chords that share one end only are not duplicates", "[candidates]") {

@@ -46,19 +46,22 @@ const std::vector<Point> thesis_sample{{539, 220}, {403, 115}, {386, 219}, {278,
 
 }  // namespace
 
-TEST_CASE("the oracle finds the square's two midpoint chords and its second-order hold",
+TEST_CASE("the oracle finds the square's diagonals, midpoint chords and second-order hold",
           "[oracle]") {
-  const Answer a = solve({.vertices = square});
-  REQUIRE(a.list.candidates.size() == 2);
-  CHECK(has_ends(a.list.candidates[0], {0, 1}, {2, 1}));  // slope 0 comes before the vertical
-  CHECK(has_ends(a.list.candidates[1], {1, 0}, {1, 2}));
-  CHECK(a.list.candidates[0].kind == Kind::midpoint);
-  CHECK(a.selection.teams == std::vector<std::size_t>{0, 1});
-  CHECK(a.selection.scores[1] == 2);
+  const Answer a = solve({.vertices = square, .teams = 4});
+  REQUIRE(a.list.candidates.size() == 4);
+  CHECK(has_ends(a.list.candidates[0], {0, 2}, {2, 0}));
+  CHECK(has_ends(a.list.candidates[1], {0, 1}, {2, 1}));
+  CHECK(has_ends(a.list.candidates[2], {0, 0}, {2, 2}));
+  CHECK(has_ends(a.list.candidates[3], {1, 0}, {1, 2}));  // the vertical one is last
+  CHECK(a.list.candidates[0].kind == Kind::bisecting);
+  CHECK(a.list.candidates[1].kind == Kind::midpoint);
+  CHECK(a.selection.teams == std::vector<std::size_t>{0, 2, 1, 3});
+  CHECK(a.selection.scores[1] == 4);
   CHECK(a.judgement.hull.size() == 4);
-  CHECK(a.judgement.coverage == 0.5);
+  CHECK(a.judgement.coverage == 1);
   REQUIRE(a.judgement.loads);
-  CHECK(a.judgement.loads->max == 25);
+  CHECK(a.judgement.loads->max == 12.5);
   CHECK(a.judgement.loads->spread == 0);
   const Closure& c = a.judgement.closure;
   CHECK(c.contacts == 4);

@@ -117,15 +117,19 @@ TEST_CASE("the thesis's sample about its centroid has 9 candidates and covers ab
   CHECK(placement->coverage == Approx(0.80).margin(0.01));
 }
 
-TEST_CASE("a square is held at the midpoints of its sides", "[placement]") {
-  const auto placement = place(document(square));
+TEST_CASE("a square is covered by teams on its diagonals and held by those at its sides' midpoints",
+          "[placement]") {
+  Document four = document(square);
+  four.settings.teams = 4;
+  const auto placement = place(four);
   REQUIRE(placement.ok());
-  CHECK(placement->requested_teams == 3);
-  REQUIRE(placement->teams.size() == 2);
-  CHECK(placement->candidates[0].kind == CandidateKind::midpoint);
-  CHECK(placement->hull == Points{{0, 1}, {1, 0}, {2, 1}, {1, 2}});
-  CHECK(placement->coverage == 0.5);
-  CHECK(placement->teams[0].loads == std::array{25.0, 25.0});
+  REQUIRE(placement->teams.size() == 4);
+  CHECK(placement->team_candidates == std::vector<std::int64_t>{0, 2, 1, 3});
+  CHECK(placement->candidates[0].kind == CandidateKind::bisecting);
+  CHECK(placement->candidates[1].kind == CandidateKind::midpoint);
+  CHECK(placement->hull == Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  CHECK(placement->coverage == 1);
+  CHECK(placement->teams[0].loads == std::array{12.5, 12.5});
   CHECK_FALSE(placement->closure.translation_free);
   CHECK_FALSE(placement->closure.form_closure);
   CHECK(placement->closure.second_order);

@@ -48,7 +48,8 @@ Done played(const Trace& trace, std::uint32_t last) {
         ++done.sections;
         break;
       case StepKind::outcome:
-        ++done.pairs;
+      case StepKind::opposite:
+        ++done.sources;
         break;
       case StepKind::duplicates:
         done.merged = true;
@@ -126,8 +127,8 @@ TEST_CASE("the trace ends in the state that place reports", "[trace]") {
       if (!placement.teams.empty()) CHECK(end.closure);
       if (!trace.by_candidates()) continue;
       CHECK(end.merged);
-      CHECK(end.pairs == trace.pairs.size());
-      CHECK(trace.pair_of_candidate.size() == placement.candidates.size());
+      CHECK(end.sources == trace.pairs.size() + trace.opposite.size());
+      CHECK(trace.source_of_candidate.size() == placement.candidates.size());
       for (std::uint32_t team = 0; team < placement.teams.size(); ++team)
         CHECK(look_at_scores(trace, team).ranking.front() ==
               static_cast<std::uint32_t>(placement.team_candidates[team]));
@@ -135,8 +136,8 @@ TEST_CASE("the trace ends in the state that place reports", "[trace]") {
   }
 }
 
-TEST_CASE("every pair with a candidate leads to the one that stands for it", "[trace]") {
-  std::size_t merged = 0;
+TEST_CASE("every source with a candidate leads to the one that stands for it", "[trace]") {
+  std::size_t merged = 0, opposite_stand = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     const Trace trace = traced(placed(corpus::polygon(name)));
@@ -148,7 +149,7 @@ TEST_CASE("every pair with a candidate leads to the one that stands for it", "[t
       REQUIRE(detail.verdict.candidate.has_value() == (detail.candidate != no_index));
       if (detail.candidate == no_index) continue;
       REQUIRE(detail.candidate < candidates.size());
-      CHECK(trace.first_pair_of_candidate[detail.candidate] <= pair);
+      CHECK(trace.first_source_of_candidate[detail.candidate] <= pair);
       const Chord& kept = candidates[detail.candidate].chord;
       standing[detail.candidate] += detail.stands;
       merged += !detail.stands;
@@ -162,9 +163,18 @@ TEST_CASE("every pair with a candidate leads to the one that stands for it", "[t
                                      length(kept.r2.position - detail.chosen.r1.position));
       CHECK(std::min(straight, turned) <= near);
     }
+    for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
+      const OppositeDetail detail = look_at_opposite(trace, i);
+      CHECK((detail.candidate != no_index) == (detail.chord.ratio >= 0.8 - 1e-9));
+      if (detail.candidate == no_index) continue;
+      standing[detail.candidate] += detail.stands;
+      CHECK(candidates[detail.candidate].between_vertices);
+      opposite_stand += detail.stands;
+    }
     for (const std::uint32_t number : standing) CHECK(number == 1);
   }
   CHECK(merged > 100);
+  CHECK(opposite_stand > 0);
 }
 
 TEST_CASE("every step is found again from its kind and item", "[trace]") {
@@ -424,7 +434,7 @@ TEST_CASE("why not this one has an answer for every candidate and chord", "[trac
       for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
         const WhyNot answer = why_not_pair(trace, end, pair);
         check_text(why_not_text(trace, answer), true);
-        CHECK((answer.why == Why::too_uneven) == (trace.candidate_of_pair[pair] == no_index));
+        CHECK((answer.why == Why::too_uneven) == (trace.candidate_of_source[pair] == no_index));
       }
       // Chords in many directions.
       for (int i = 0; i < 48; ++i) {

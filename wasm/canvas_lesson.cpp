@@ -21,7 +21,7 @@ void draw_chord(const Painter& painter, const Chord& chord, Colour colour, float
 }
 
 bool knows_candidate(const LessonState& lesson, std::size_t c) {
-  return lesson.known.merged || lesson.trace->first_pair_of_candidate[c] < lesson.known.pairs;
+  return lesson.known.merged || lesson.trace->first_source_of_candidate[c] < lesson.known.sources;
 }
 
 // Chords of the rays so far, until they have become candidates.

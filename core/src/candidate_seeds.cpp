@@ -22,11 +22,19 @@ void CandidateSeeds::examine_and_add(const EdgePair& pair) {
       break;
   }
   const PairVerdict verdict = examine(polygon_, centre_, a, b, pair, min_ratio_);
-  if (!verdict.candidate) return;
-  finished_.push_back(*verdict.candidate);
+  if (verdict.candidate) add_finished(*verdict.candidate);
+}
+
+void CandidateSeeds::examine_and_add(const OppositeVertices& opposite) {
+  const Candidate candidate = opposite_chord(polygon_, centre_, opposite);
+  if (reaches(candidate.chord, min_ratio_)) add_finished(candidate);
+}
+
+void CandidateSeeds::add_finished(const Candidate& candidate) {
+  finished_.push_back(candidate);
   add_seed(
       {inside_edge, inside_edge, inside_edge, static_cast<std::uint32_t>(finished_.size() - 1)},
-      verdict.candidate->direction);
+      candidate.direction);
 }
 
 void CandidateSeeds::add_vertex_chord(const EdgePair& pair, std::uint32_t vertex_a,
@@ -39,6 +47,7 @@ void CandidateSeeds::add_vertex_chord(const EdgePair& pair, std::uint32_t vertex
 void CandidateSeeds::add_seed(const Seed& seed, const Vec2& direction) {
   keys_.push_back(slope_key(direction, static_cast<std::uint32_t>(seeds_.size())));
   seeds_.push_back(seed);
+  if (traced_) source_of_seed_.push_back(sources_);
 }
 
 Candidate CandidateSeeds::grow(const Seed& seed) const {
@@ -49,22 +58,15 @@ Candidate CandidateSeeds::grow(const Seed& seed) const {
                           seed.opposite);
 }
 
-void CandidateSeeds::note_pairs(std::vector<Candidate>& candidates) const {
-  std::vector<std::uint32_t> pair_of_seed(seeds_.size());
-  for (std::uint32_t pair = 0; pair < of_pairs_->size(); ++pair) {
-    const std::uint32_t seed = (*of_pairs_)[pair];
-    if (seed != no_candidate) pair_of_seed[seed] = pair;
-  }
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    candidates[i].pair = pair_of_seed[number_of(keys_[i])];
-}
-
 std::vector<Candidate> CandidateSeeds::grow() {
   sort_keys(keys_);
   std::vector<Candidate> candidates;
   candidates.reserve(keys_.size());
-  for (const SlopeKey key : keys_) candidates.push_back(grow(seeds_[number_of(key)]));
-  if (of_pairs_) note_pairs(candidates);
+  for (const SlopeKey key : keys_) {
+    const std::uint32_t seed = number_of(key);
+    candidates.push_back(grow(seeds_[seed]));
+    if (traced_) candidates.back().source = source_of_seed_[seed];
+  }
   settle_order(candidates);
   return candidates;
 }

@@ -14,27 +14,24 @@ namespace evenlift {
 
 class CandidateSeeds {
  public:
-  // With `of_pairs`, notes there for each pair, in the order of add(), its seed's number or
-  // no_candidate, and grow() notes in each candidate its pair.
+  // With `traced`, grow() notes in each candidate its source: the number of the call of add() that
+  // it came from.
   CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
-                 double min_ratio, std::vector<std::uint32_t>* of_pairs = nullptr)
-      : polygon_(polygon),
-        centre_(centre),
-        view_(view),
-        min_ratio_(min_ratio),
-        of_pairs_(of_pairs) {}
+                 double min_ratio, bool traced)
+      : polygon_(polygon), centre_(centre), view_(view), min_ratio_(min_ratio), traced_(traced) {}
 
-  // Takes in an edge-pair: at most one seed. Amortized O(1).
+  // Takes in an edge-pair or two opposite vertices: at most one seed. Amortized O(1).
   void add(const EdgePair& pair) {
-    const std::size_t before = seeds_.size();
     examine_and_add(pair);
-    if (of_pairs_)
-      of_pairs_->push_back(seeds_.size() > before ? static_cast<std::uint32_t>(before)
-                                                  : no_candidate);
+    ++sources_;
+  }
+  void add(const OppositeVertices& opposite) {
+    examine_and_add(opposite);
+    ++sources_;
   }
 
-  // The candidates of all pairs in candidate order, duplicates not merged. Once. O(m) and O(l log
-  // l) for each line with l of them.
+  // The candidates of all sources in candidate order, duplicates not merged. It may be called only
+  // once. O(m), and O(l log l) for each line with l of the m candidates.
   std::vector<Candidate> grow();
 
  private:
@@ -45,21 +42,24 @@ class CandidateSeeds {
     std::uint32_t edge, other, vertex, opposite;
   };
   void examine_and_add(const EdgePair& pair);
+  void examine_and_add(const OppositeVertices& opposite);
   SeenEdge see(std::uint32_t edge) const {
     return {edge, polygon_.vertex(view_.first(edge)), polygon_.vertex(view_.last(edge)),
             view_.area(edge)};
   }
   void add_seed(const Seed& seed, const Vec2& direction);
+  void add_finished(const Candidate& candidate);
   void add_vertex_chord(const EdgePair& pair, std::uint32_t vertex_a, std::uint32_t vertex_b);
   Candidate grow(const Seed& seed) const;
-  void note_pairs(std::vector<Candidate>& candidates) const;
 
   const Polygon& polygon_;
   const Vec2& centre_;
   const RadialView& view_;
   double min_ratio_;
-  std::vector<std::uint32_t>* of_pairs_;
+  bool traced_;
+  std::uint32_t sources_ = 0;
   std::vector<Seed> seeds_;
+  std::vector<std::uint32_t> source_of_seed_;  // if traced
   std::vector<SlopeKey> keys_;
   std::vector<Vec2> offsets_;
   std::vector<Candidate> finished_;

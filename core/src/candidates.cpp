@@ -4,6 +4,7 @@
 #include "duplicates.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
+#include "opposite_vertices.h"
 #include "pair_candidate.h"
 #include "radial_view.h"
 
@@ -15,6 +16,32 @@ SeenEdge see(const Polygon& polygon, const Vec2& centre, std::uint32_t edge) {
   const double area = orient(centre, p, q);
   if (area > 0) return {edge, p, q, area};
   return {edge, q, p, -area};
+}
+
+struct Found {
+  std::vector<Candidate> candidates;
+  std::uint32_t sources = 0;
+  std::vector<std::uint32_t> source_of_chord;  // if traced: of each chord before merging ...
+  std::vector<std::uint32_t> became;           // ... and the candidate that it led to
+};
+
+Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio, bool traced) {
+  const RadialView view(polygon, centre);
+  const std::uint64_t pairs = count_edge_pairs(polygon, view);
+  if (auto error = check_number(pairs, "edge-pairs")) return *error;
+  const auto opposite = find_opposite_vertices(polygon, centre, view, max_edge_pairs - pairs);
+  if (!opposite) return too_many_opposite_vertices();
+
+  CandidateSeeds seeds(polygon, centre, view, min_ratio, traced);
+  for_each_edge_pair(polygon, view, [&](const EdgePair& pair) { seeds.add(pair); });
+  for (const OppositeVertices& two : *opposite) seeds.add(two);
+  Found found;
+  found.candidates = seeds.grow();
+  found.sources = static_cast<std::uint32_t>(pairs + opposite->size());
+  if (traced)
+    for (const Candidate& c : found.candidates) found.source_of_chord.push_back(c.source);
+  found.became = merge_duplicates(found.candidates, near_distance(polygon.diagonal()));
+  return found;
 }
 
 }  // namespace
@@ -40,15 +67,21 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
 }
 
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
-                                               double min_ratio,
-                                               std::vector<std::uint32_t>* of_pairs) {
-  const RadialView view(polygon, centre);
-  if (auto error = check_number(count_edge_pairs(polygon, view), "edge-pairs")) return *error;
-  CandidateSeeds seeds(polygon, centre, view, min_ratio, of_pairs);
-  for_each_edge_pair(polygon, view, [&](const EdgePair& pair) { seeds.add(pair); });
-  std::vector<Candidate> candidates = seeds.grow();
-  merge_duplicates(candidates, near_distance(polygon.diagonal()), of_pairs);
-  return candidates;
+                                               double min_ratio) {
+  auto found = find(polygon, centre, min_ratio, false);
+  if (!found) return found.error();
+  return std::move(found->candidates);
+}
+
+Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
+                                          double min_ratio) {
+  auto found = find(polygon, centre, min_ratio, true);
+  if (!found) return found.error();
+  TracedCandidates traced{std::move(found->candidates), {}};
+  traced.of_source.assign(found->sources, no_candidate);
+  for (std::size_t i = 0; i < found->became.size(); ++i)
+    traced.of_source[found->source_of_chord[i]] = found->became[i];
+  return traced;
 }
 
 }  // namespace evenlift

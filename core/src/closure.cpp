@@ -33,11 +33,14 @@ struct Grasp {
   Vec2 centre;
   double diagonal = 0;
   double near = 0;
+  double radius = 0;  // R: the largest distance of a vertex from C
   std::vector<Touch> touches;
 };
 
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts) {
-  Grasp grasp{centre, polygon.diagonal(), near_distance(polygon.diagonal()), {}};
+  Grasp grasp{centre, polygon.diagonal(), near_distance(polygon.diagonal()), 0, {}};
+  for (const Vec2& v : polygon.vertices())
+    grasp.radius = std::max(grasp.radius, length(v - centre));
   for (const Contact& contact : contacts) {
     Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
     if (!polygon.counter_clockwise()) std::swap(from, to);
@@ -62,6 +65,25 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
     }
   }
   return planes;
+}
+
+// The largest distance along an axis at which a rotation centre still counts. A rotation about a
+// point farther away is a translation within tolerance. Lines that are parallel as drawn meet out
+// there, or not, as rounding has it.
+double farthest_centre(const Grasp& grasp) { return grasp.diagonal / tau; }
+
+constexpr int axes = 4;
+HalfPlane within_reach(int axis, double reach) {
+  const Vec2 directions[axes] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  return {Vec2::Zero(), directions[axis], reach};
+}
+
+// Whether some centre of rotation is free once the half-planes are widened by `offset`.
+bool some_centre_is_free(const Grasp& grasp, Sense sense, double offset) {
+  std::vector<HalfPlane> planes = rotation_centres(grasp, sense, offset);
+  for (int axis = 0; axis < axes; ++axis)
+    planes.push_back(within_reach(axis, farthest_centre(grasp)));
+  return have_common_point(planes);
 }
 
 Points clip_square(const Grasp& grasp, const std::vector<HalfPlane>& planes) {
@@ -145,27 +167,26 @@ Points degenerate_region(const Grasp& grasp, Sense sense, double reach) {
 
 FreeRegion free_region(const Grasp& grasp, Sense sense) {
   FreeRegion region;
-  const auto planes = rotation_centres(grasp, sense, grasp.near);
-  region.exists = have_common_point(planes);
+  region.exists = some_centre_is_free(grasp, sense, grasp.near);
   if (!region.exists) return region;
-  region.has_area = have_common_point(rotation_centres(grasp, sense, -grasp.near));
+  region.has_area = some_centre_is_free(grasp, sense, -grasp.near);
   region.clipped = region.has_area
-                       ? clip_square(grasp, planes)
+                       ? clip_square(grasp, rotation_centres(grasp, sense, grasp.near))
                        : degenerate_region(grasp, sense, square_half_side * grasp.diagonal);
   for (Vec2& corner : region.clipped) corner += grasp.centre;
   return region;
 }
 
 // A direction of free translation, if there is one: it makes no obtuse angle with any inward
-// normal, so the normals leave a gap of at least 180 degrees.
+// normal, so the normals leave a gap of at least 180 degrees, within tolerance.
 std::optional<Vec2> free_translation(const Grasp& grasp) {
   if (grasp.touches.empty()) return Vec2(1, 0);
   std::vector<HalfPlane> directions;
   for (const Grasp::Touch& touch : grasp.touches) directions.push_back({touch.from, touch.to, 0});
-  const NormalGap gap = widest_gap(directions);
+  const NormalGap gap = widest_gap(directions, tau);
   if (gap.excess < 0) return std::nullopt;
   // The middle of the fan of normals, which opens from `after` counter-clockwise to `before` by at
-  // most 180 degrees. Either half of the sum may vanish, both cannot.
+  // most 180 degrees, within tolerance. Either half of the sum may vanish, both cannot.
   const Vec2 first = grasp.touches[gap.after].inward(), last = grasp.touches[gap.before].inward();
   const Vec2 middle = (first + last) + (left_normal(first) - left_normal(last));
   return Vec2(middle / length(middle));
@@ -176,11 +197,9 @@ std::optional<Vec2> free_translation(const Grasp& grasp) {
 // that is so just if no q has n . q <= -d for all of them. Keeping q within L / tau lets forces
 // balance within tolerance: nearly opposite normals would meet farther out.
 bool resists_at(const Grasp& grasp, const Vec2& c) {
-  const Vec2 origin = Vec2::Zero();
-  const double far = grasp.diagonal / tau;
   std::vector<HalfPlane> planes;
-  for (const Vec2& axis : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})
-    planes.push_back({origin, axis, far});
+  for (int axis = 0; axis < axes; ++axis)
+    planes.push_back(within_reach(axis, farthest_centre(grasp)));
   for (const Grasp::Touch& touch : grasp.touches) {
     const Vec2 to_c = c - (touch.position - grasp.centre);
     const double size = length(touch.direction());
@@ -201,21 +220,20 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
     if (region->has_area) return false;
     // Bounded, since no translation is free; the reach is only a finite number beyond all it can
     // be.
-    const Points region_at_rest = degenerate_region(grasp, sense, grasp.diagonal / tau);
+    const Points region_at_rest = degenerate_region(grasp, sense, farthest_centre(grasp));
     if (region_at_rest.empty()) return false;
     if (!resists_at(grasp, 0.5 * (region_at_rest.front() + region_at_rest.back()))) return false;
   }
   return true;
 }
 
-// Wrenches of the contacts, torques in units of L / 2. Between the extreme contacts of one edge
-// others add nothing to the hull.
+// Wrenches of the contacts, torques in units of R. Between the extreme contacts of one edge others
+// add nothing to the hull.
 std::vector<Wrench> extreme_wrenches(const Grasp& grasp) {
   std::map<std::uint32_t, std::pair<Wrench, Wrench>> by_edge;
   for (const Grasp::Touch& touch : grasp.touches) {
     const Vec2 n = touch.inward();
-    const Wrench wrench(n.x(), n.y(),
-                        cross(touch.position - grasp.centre, n) / (0.5 * grasp.diagonal));
+    const Wrench wrench(n.x(), n.y(), cross(touch.position - grasp.centre, n) / grasp.radius);
     const auto [at, is_new] = by_edge.try_emplace(touch.edge, wrench, wrench);
     if (wrench.z() < at->second.first.z()) at->second.first = wrench;
     if (wrench.z() > at->second.second.z()) at->second.second = wrench;
@@ -233,16 +251,15 @@ std::vector<Wrench> extreme_wrenches(const Grasp& grasp) {
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<LiftingPoint>& points) {
   const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
-  return !free_translation(grasp) &&
-         !have_common_point(rotation_centres(grasp, Sense::clockwise, grasp.near)) &&
-         !have_common_point(rotation_centres(grasp, Sense::counterclockwise, grasp.near));
+  return !free_translation(grasp) && !some_centre_is_free(grasp, Sense::clockwise, grasp.near) &&
+         !some_centre_is_free(grasp, Sense::counterclockwise, grasp.near);
 }
 
 bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points) {
   const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
-  return !have_common_point(rotation_centres(grasp, Sense::clockwise, -grasp.near)) &&
-         !have_common_point(rotation_centres(grasp, Sense::counterclockwise, -grasp.near));
+  return !some_centre_is_free(grasp, Sense::clockwise, -grasp.near) &&
+         !some_centre_is_free(grasp, Sense::counterclockwise, -grasp.near);
 }
 
 FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,

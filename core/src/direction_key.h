@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "evenlift/tolerance.h"
 #include "evenlift/vec.h"
@@ -31,9 +32,13 @@ inline double key_from(double origin, double key) {
   return difference;
 }
 
-// Visits the items that C sees between two corners of H, `h1` included, `h2` not, where a direction
-// that agrees with a corner's is that corner's; in counter-clockwise order. `items` are sorted by
-// key, seen(item) has `position` (relative to C) and `key`. O(log m) besides the visits.
+// Where C sees an item that is visited by for_each_between.
+enum class SeenAt : std::uint8_t { first_corner, between, second_corner };
+
+// Calls visit(item, seen_at) for the items that C sees between two corners of H or in the direction
+// of one of them, in counter-clockwise order. A direction that agrees with a corner's is the
+// corner's. `items` are sorted by key, seen(item) has `position` (relative to C) and `key`. O(log
+// m) besides the visits.
 template <class Items, class See, class Visit>
 void for_each_between(const Items& items, See seen, const Vec2& h1, const Vec2& h2, Visit visit) {
   const double margin = 4 * tau;  // keys of directions that agree differ by less
@@ -49,8 +54,13 @@ void for_each_between(const Items& items, See seen, const Vec2& h1, const Vec2& 
     const double key = key_from(key1, seen(item).key);
     if (key > width + margin) break;
     const Vec2& position = seen(item).position;
-    if (directions_agree(h2, position)) continue;
-    if (directions_agree(h1, position) || (key >= 0 && key < width)) visit(item);
+    if (directions_agree(h1, position)) {
+      visit(item, SeenAt::first_corner);
+    } else if (directions_agree(h2, position)) {
+      visit(item, SeenAt::second_corner);
+    } else if (key >= 0 && key < width) {
+      visit(item, SeenAt::between);
+    }
   }
 }
 

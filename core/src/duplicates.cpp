@@ -167,37 +167,42 @@ class Merger {
 
 }  // namespace
 
-void merge_duplicates(std::vector<Candidate>& candidates, double near,
-                      std::vector<std::uint32_t>* of_pairs) {
+std::vector<std::uint32_t> merge_duplicates(std::vector<Candidate>& candidates, double near) {
   const std::vector<Index> first_of = Merger(candidates, near).run();
-  // In candidate order the first of a class comes first: a later one takes its place only with a
-  // larger ratio.
+  const auto stands_before = [&](const Candidate& a, const Candidate& b) {
+    if (a.between_vertices != b.between_vertices) return a.between_vertices;
+    return a.chord.ratio > b.chord.ratio;
+  };
+  // In candidate order the first of a class comes first: a later one takes its place only if it
+  // stands before it.
   std::vector<Index> best(candidates.size());
+  std::vector<CandidateKind> kind(candidates.size());  // of each class the first that occurs
   for (Index i = 0; i < candidates.size(); ++i) {
     const Index first = first_of[i];
     if (first == i) {
       best[first] = i;
+      kind[first] = candidates[i].kind;
       continue;
     }
-    const CandidateKind kind = std::min(candidates[best[first]].kind, candidates[i].kind);
-    if (candidates[i].chord.ratio > candidates[best[first]].chord.ratio) best[first] = i;
-    candidates[best[first]].kind = kind;
+    kind[first] = std::min(kind[first], candidates[i].kind);
+    if (stands_before(candidates[i], candidates[best[first]])) best[first] = i;
   }
-  if (of_pairs) {
-    std::vector<Index> place(candidates.size());
-    Index places = 0;
-    for (Index i = 0; i < candidates.size(); ++i)
-      if (best[first_of[i]] == i) place[first_of[i]] = places++;
-    for (Index i = 0; i < candidates.size(); ++i)
-      (*of_pairs)[candidates[i].pair] = place[first_of[i]];
-  }
+  std::vector<Index> place(candidates.size());
   Index kept = 0;
   for (Index i = 0; i < candidates.size(); ++i) {
-    if (best[first_of[i]] != i) continue;
+    const Index first = first_of[i];
+    if (best[first] != i) continue;
+    place[first] = kept;
     if (kept != i) candidates[kept] = candidates[i];
+    // Between two vertices the kind is the chord's own: the edge-pairs that rounding alone opens
+    // between these say nothing about it.
+    if (!candidates[kept].between_vertices) candidates[kept].kind = kind[first];
     ++kept;
   }
   candidates.resize(kept);
+  std::vector<Index> became(first_of.size());
+  for (Index i = 0; i < became.size(); ++i) became[i] = place[first_of[i]];
+  return became;
 }
 
 }  // namespace evenlift

@@ -81,14 +81,22 @@ Indices by_direction(const std::vector<HalfPlane>& planes) {
   return tightest;
 }
 
-NormalGap widest_gap(const std::vector<HalfPlane>& planes, const Indices& order) {
+// Whether the angle from the normal of i counter-clockwise to that of j, of which the exact sine
+// has the sign of `side` > 0, is 180 degrees within `sine`.
+bool nearly_opposite(const HalfPlane& i, const HalfPlane& j, double side, double sine) {
+  const Vec2 ni = i.normal(), nj = j.normal();
+  return dot(ni, nj) < 0 && side <= sine * length(ni) * length(nj);
+}
+
+NormalGap widest_gap(const std::vector<HalfPlane>& planes, const Indices& order, double sine) {
   if (order.size() == 1) return {order[0], order[0], 1};
   NormalGap widest{order[0], order[1], -1};
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::size_t i = order[k], j = order[(k + 1) % order.size()];
     const double side = normals_cross(planes[i], planes[j]);
     // No two neighbours have the same direction: without a turn they are opposite.
-    const int excess = side > 0 ? -1 : side < 0 ? 1 : 0;
+    int excess = side > 0 ? -1 : side < 0 ? 1 : 0;
+    if (side > 0 && nearly_opposite(planes[i], planes[j], side, sine)) excess = 0;
     if (excess > widest.excess) widest = {i, j, excess};
   }
   return widest;
@@ -128,14 +136,14 @@ Indices ring(const std::vector<HalfPlane>& planes, const Indices& order) {
 
 }  // namespace
 
-NormalGap widest_gap(const std::vector<HalfPlane>& planes) {
-  return widest_gap(planes, by_direction(planes));
+NormalGap widest_gap(const std::vector<HalfPlane>& planes, double sine) {
+  return widest_gap(planes, by_direction(planes), sine);
 }
 
 bool have_common_point(const std::vector<HalfPlane>& planes) {
   if (planes.empty()) return true;
   const Indices order = by_direction(planes);
-  const NormalGap gap = widest_gap(planes, order);
+  const NormalGap gap = widest_gap(planes, order, 0);
   if (gap.excess > 0) return true;
   // The others all give way along the strip between the two opposite ones.
   if (gap.excess == 0) return compare_bounds(planes[gap.before], planes[gap.after], 1) >= 0;

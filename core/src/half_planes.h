@@ -18,12 +18,14 @@ struct HalfPlane {
 // The widest range of directions between neighbouring normals, seen counter-clockwise.
 struct NormalGap {
   std::size_t before = 0, after = 0;  // indices of the half-planes on its two sides
-  int excess = 0;                     // exact sign of its width minus 180 degrees
+  int excess = 0;                     // sign of its width minus 180 degrees
 };
 
-// Of at least one half-plane; with a single normal direction the gap is the full turn. If some gap
-// is 180 degrees or more, some such gap. O(m log m).
-NormalGap widest_gap(const std::vector<HalfPlane>& planes);
+// The widest gap between the normals of at least one half-plane. If all normals share one
+// direction, the gap is the full turn; if several gaps are 180 degrees or more, it is one of them.
+// A gap counts as 180 degrees if the sine of what it is short of them is at most `sine`; signs are
+// exact otherwise. O(m log m).
+NormalGap widest_gap(const std::vector<HalfPlane>& planes, double sine);
 
 // Whether some point lies in all closed half-planes; exact for the given numbers. O(m log m).
 bool have_common_point(const std::vector<HalfPlane>& planes);

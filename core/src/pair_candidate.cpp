@@ -36,8 +36,14 @@ SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdg
           on_a ? across.excess : -across.excess};
 }
 
+// A vertex-chord that is even is a bisecting one: whether the arms are equal to the last bit is
+// rounding's to say.
+CandidateKind kind_of_vertex_chord(const Chord& chord) {
+  return is_even(chord) ? CandidateKind::bisecting : CandidateKind::vertex;
+}
+
 Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& direction) {
-  return {chord, kind, 0, rightward(direction), chord.arm1 + chord.arm2};
+  return {chord, kind, false, 0, rightward(direction), chord.arm1 + chord.arm2};
 }
 
 // C r_a at a section end.
@@ -60,10 +66,13 @@ Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const S
 }
 
 Candidate end_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
-                        const SeenEdge& b, const SectionEnd& end, CandidateKind kind) {
+                        const SeenEdge& b, const SectionEnd& end) {
   const Chord chord = chord_from_vertex(polygon, centre, end.vertex, end.on_a ? a.edge : b.edge,
                                         end.across, end.on_a ? b.edge : a.edge, end.opposite);
-  return make_candidate(chord, kind, centre - polygon.vertex(end.vertex));
+  Candidate candidate =
+      make_candidate(chord, kind_of_vertex_chord(chord), centre - polygon.vertex(end.vertex));
+  candidate.between_vertices = end.opposite != inside_edge;
+  return candidate;
 }
 
 // g at a section end, as section_end finds it, to a relative error below 2^-32.
@@ -126,13 +135,29 @@ Candidate vertex_candidate(const Polygon& polygon, const Vec2& centre, std::uint
       look_across(centre, polygon.vertex(vertex), other.first, other.last, other.area);
   const Chord chord =
       chord_from_vertex(polygon, centre, vertex, edge, across, other.edge, opposite);
-  return make_candidate(chord, CandidateKind::vertex, centre - polygon.vertex(vertex));
+  Candidate candidate =
+      make_candidate(chord, kind_of_vertex_chord(chord), centre - polygon.vertex(vertex));
+  candidate.between_vertices = opposite != inside_edge;
+  return candidate;
 }
+
+Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
+                         const OppositeVertices& opposite) {
+  const Vec2 &v = polygon.vertex(opposite.v), &w = polygon.vertex(opposite.w);
+  const Vec2 direction = w - v;
+  const Chord chord = order_ends({w, opposite.w}, length(w - centre), {v, opposite.v},
+                                 length(v - centre), direction);
+  Candidate candidate = make_candidate(chord, kind_of_vertex_chord(chord), direction);
+  candidate.between_vertices = true;
+  return candidate;
+}
+
+bool reaches(const Chord& chord, double min_ratio) { return chord.ratio >= min_ratio - tau; }
 
 SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                        const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
   const SectionEnd end = section_end(polygon, centre, a, b, vertex_a, vertex_b);
-  const Chord chord = end_candidate(polygon, centre, a, b, end, CandidateKind::vertex).chord;
+  const Chord chord = end_candidate(polygon, centre, a, b, end).chord;
   // The chord's ends are in the order of the slope, not of a and b.
   const bool vertex_is_right = !points_right(centre - polygon.vertex(end.vertex));
   const bool a_is_right = vertex_is_right == end.on_a;
@@ -144,7 +169,6 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
                     const SeenEdge& b, const EdgePair& pair, double min_ratio) {
   const SectionEnd begin = section_end(polygon, centre, a, b, pair.begin_a, pair.begin_b);
   const SectionEnd end = section_end(polygon, centre, a, b, pair.end_a, pair.end_b);
-  const double least = min_ratio - tau;
 
   PairVerdict verdict;
   verdict.g0 = begin.g;
@@ -152,16 +176,16 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
   verdict.parallel = std::fabs(begin.g - end.g) <= tau * std::max(begin.g, end.g);
   if (verdict.parallel) {
     const Candidate candidate = midpoint_candidate(polygon, centre, a, b, begin, end);
-    if (candidate.chord.ratio >= least) verdict.candidate = candidate;
+    if (reaches(candidate.chord, min_ratio)) verdict.candidate = candidate;
     return verdict;
   }
   verdict.bisected = begin.excess * end.excess <= 0;
   if (verdict.bisected) {
     // At the very end of the section the bisecting chord is the vertex-chord, known more precisely.
     if (begin.excess == 0) {
-      verdict.candidate = end_candidate(polygon, centre, a, b, begin, CandidateKind::bisecting);
+      verdict.candidate = end_candidate(polygon, centre, a, b, begin);
     } else if (end.excess == 0) {
-      verdict.candidate = end_candidate(polygon, centre, a, b, end, CandidateKind::bisecting);
+      verdict.candidate = end_candidate(polygon, centre, a, b, end);
     } else {
       verdict.candidate =
           bisecting_candidate(centre, a.edge, b.edge, bisecting_offset(centre, a, b));
@@ -171,8 +195,8 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
   // g is monotonic and does not pass 1: the end nearer to 1 is the nearer to the bisecting chord.
   const bool begin_is_nearer = load_ratio(1.0, begin.g) > load_ratio(1.0, end.g);
   const SectionEnd& nearer = begin_is_nearer ? begin : end;
-  const Candidate candidate = end_candidate(polygon, centre, a, b, nearer, CandidateKind::vertex);
-  if (candidate.chord.ratio >= least) verdict.candidate = candidate;
+  const Candidate candidate = end_candidate(polygon, centre, a, b, nearer);
+  if (reaches(candidate.chord, min_ratio)) verdict.candidate = candidate;
   return verdict;
 }
 

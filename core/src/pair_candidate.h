@@ -46,6 +46,9 @@ struct SectionRim {
 SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                        const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b);
 
+// Whether a chord's ratio is at least the minimum, within tolerance. O(1).
+bool reaches(const Chord& chord, double min_ratio);
+
 // A direction or its opposite, whichever points from r1 to r2. O(1).
 Vec2 rightward(const Vec2& direction);
 

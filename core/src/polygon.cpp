@@ -11,6 +11,7 @@
 #include "evenlift/document.h"
 #include "evenlift/hull.h"
 #include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
 #include "simplicity.h"
 #include "sorted_indices.h"
 
@@ -212,15 +213,21 @@ Result<Polygon> Polygon::create(Points vertices) {
   polygon.vertices_ = std::move(vertices);
   polygon.convex_ = true;
   for (std::size_t i = 0; i < polygon.size() && polygon.convex_; ++i) {
-    polygon.convex_ = polygon.turn(i) != Turn::reflex;
+    polygon.convex_ = polygon.turn_side(i) >= 0;
   }
   return polygon;
 }
 
 Turn Polygon::turn(std::size_t i) const {
+  const Vec2 before = vertices_[i] - vertices_[previous(i)],
+             after = vertices_[next(i)] - vertices_[i];
+  if (directions_agree(before, after)) return Turn::straight;
+  return turn_side(i) > 0 ? Turn::convex : Turn::reflex;
+}
+
+double Polygon::turn_side(std::size_t i) const {
   const double side = orient(vertices_[previous(i)], vertices_[i], vertices_[next(i)]);
-  if (side == 0) return Turn::straight;
-  return (side > 0) == counter_clockwise_ ? Turn::convex : Turn::reflex;
+  return counter_clockwise_ ? side : -side;
 }
 
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given) {

@@ -57,7 +57,7 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
   for (const Candidate& candidate : candidates) {
     for (const LiftingPoint* point : {&candidate.chord.r1, &candidate.chord.r2}) {
       const Vec2 relative = point->position - centre;
-      ends_.push_back({relative, direction_key(relative), 0, {}});
+      ends_.push_back({relative, direction_key(relative), 0, {}, {}});
     }
   }
   // The keys beside the indices: twice as fast as looking each up.
@@ -101,17 +101,30 @@ void Selector::take(std::uint32_t candidate) {
 }
 
 double Selector::score(std::uint32_t candidate) {
-  for (End* end : {&ends_[2 * candidate], &ends_[2 * candidate + 1]}) {
-    if (!end->gain.exact())
-      end->gain = {wedges_[end->wedge].evaluate(end->position), Certainty::exact};
-  }
+  for (End* end : {&ends_[2 * candidate], &ends_[2 * candidate + 1]})
+    if (!end->gain.exact()) evaluate(*end);
   return bound(candidate);
+}
+
+double Selector::evaluate(const End& end, Index wedge) const {
+  return gains(wedges_[wedge], end.position) ? wedges_[wedge].evaluate(end.position) : 0;
+}
+
+// Finds the gain of an end. Of two wedges the one with the larger gain becomes the end's first.
+void Selector::evaluate(End& end) {
+  end.gain = {evaluate(end, end.wedge), Certainty::exact};
+  if (!end.other_wedge) return;
+  const double other = evaluate(end, *end.other_wedge);
+  if (other <= end.gain.value) return;
+  end.gain.value = other;
+  std::swap(end.wedge, *end.other_wedge);
 }
 
 // Brings what is known of a candidate that is not exact one step further: the worse known end.
 void Selector::sharpen(Index candidate) {
   End &first = ends_[2 * candidate], &second = ends_[2 * candidate + 1];
   End& end = first.gain.certainty <= second.gain.certainty ? first : second;
+  if (end.other_wedge) return evaluate(end);
   end.gain = wedges_[end.wedge].sharpen(end.position, end.gain);
 }
 
@@ -234,17 +247,42 @@ bool Selector::widen_base(Index candidate) {
   return true;
 }
 
-// Gives the ends that C sees in a new wedge over to it: from a little before its first corner, for
-// the ends that agree with its direction, to before the next.
+// Gives the ends that C sees in a new wedge over to it, those in the direction of a corner too:
+// they keep the wedge on the other side of the corner as well.
 void Selector::enter_wedge(Index index) {
   const Wedge& wedge = wedges_[index];
+  // Whether another wedge lies beyond the corner in whose direction the end is seen.
+  const auto is_beyond_corner = [&](Index other, SeenAt seen_at) {
+    if (other == index) return false;
+    return seen_at == SeenAt::first_corner ? wedges_[other].h2() == wedge.h1()
+                                           : wedges_[other].h1() == wedge.h2();
+  };
   for_each_between(
       by_direction_, [&](Index end) -> const End& { return ends_[end]; }, wedge.h1(), wedge.h2(),
-      [&](Index i) {
+      [&](Index i, SeenAt seen_at) {
         End& end = ends_[i];
+        std::optional<Index> other;
+        if (seen_at != SeenAt::between) {
+          if (end.other_wedge && is_beyond_corner(*end.other_wedge, seen_at))
+            other = end.other_wedge;
+          else if (is_beyond_corner(end.wedge, seen_at))
+            other = end.wedge;
+        }
         end.wedge = index;
-        end.gain = gains(wedge, end.position) ? wedge.estimate(end.position) : Gain{};
+        end.other_wedge = other;
+        end.gain = estimate(end);
       });
+}
+
+// What is known at once of the gain of an end.
+Gain Selector::estimate(const End& end) const {
+  const auto by = [&](Index wedge) {
+    return gains(wedges_[wedge], end.position) ? wedges_[wedge].estimate(end.position) : Gain{};
+  };
+  const Gain gain = by(end.wedge);
+  if (!end.other_wedge) return gain;
+  const double larger = std::max(gain.value, by(*end.other_wedge).value);
+  return {larger, larger == 0 ? Certainty::exact : Certainty::bound};
 }
 
 // Whether p, which C sees in the wedge, is outside H by more than the tolerance. Its line counts as

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "evenlift/candidates.h"
@@ -60,6 +61,9 @@ class Selector {
     Vec2 position;    // relative to C
     double key = 0;   // its direction
     Index wedge = 0;  // into wedges_
+    // In the direction of a corner of H the end belongs to the edges on both sides, and the larger
+    // gain counts, so that the mirror image of a shape has the same scores.
+    std::optional<Index> other_wedge;
     Gain gain;
   };
   Index best_first_team() const;
@@ -70,9 +74,12 @@ class Selector {
   bool exact(Index candidate) const {
     return ends_[2 * candidate].gain.exact() && ends_[2 * candidate + 1].gain.exact();
   }
+  double evaluate(const End& end, Index wedge) const;
+  void evaluate(End& end);
   void sharpen(Index candidate);
   bool widen_base(Index candidate);
   void enter_wedge(Index index);
+  Gain estimate(const End& end) const;
   bool gains(const Wedge& wedge, const Vec2& p) const;
   void line_up(Indices leaders);
 

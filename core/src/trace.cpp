@@ -14,10 +14,10 @@ constexpr std::string_view chapter_names[] = {"object",        "vertex_chords", 
                                               "pairs",         "candidates",    "first_team",
                                               "further_teams", "loads",         "grasp"};
 constexpr std::string_view kind_names[] = {
-    "polygon",  "centroid", "centre",     "radial",     "ray",          "slopes",
-    "sections", "outcome",  "duplicates", "candidates", "directions",   "scores",
-    "team",     "base",     "fewer",      "share",      "loads",        "coverage",
-    "contacts", "cut",      "slide",      "closure",    "second_order", "result"};
+    "polygon", "centroid", "centre",       "radial",     "ray",        "slopes",   "sections",
+    "outcome", "opposite", "duplicates",   "candidates", "directions", "scores",   "team",
+    "base",    "fewer",    "share",        "loads",      "coverage",   "contacts", "cut",
+    "slide",   "closure",  "second_order", "result"};
 static_assert(std::size(chapter_names) == chapter_count &&
               std::size(kind_names) == step_kind_count);
 
@@ -88,6 +88,7 @@ std::uint64_t write_blocks(Trace& trace) {
     blocks.add(Chapter::vertex_chords, {StepKind::ray}, trace.rays.vertices.size());
     blocks.add(Chapter::slopes, {StepKind::slopes});
     blocks.add(Chapter::pairs, {StepKind::sections, StepKind::outcome}, trace.pairs.size());
+    blocks.add(Chapter::pairs, {StepKind::opposite}, trace.opposite.size());
     blocks.add(Chapter::pairs, {StepKind::duplicates});
     blocks.add(Chapter::candidates, {StepKind::candidates});
     const auto choice = {StepKind::scores, StepKind::team, StepKind::base};
@@ -132,22 +133,26 @@ std::optional<InputError> collect(Trace& trace) {
   if (!chords) return chords.error();
   auto pairs = edge_pairs(trace.polygon, trace.centre);
   if (!pairs) return pairs.error();
-  auto candidates =
-      find_candidates(trace.polygon, trace.centre, min_ratio, &trace.candidate_of_pair);
-  if (!candidates) return candidates.error();
+  auto opposite = opposite_vertices(trace.polygon, trace.centre);
+  if (!opposite) return opposite.error();
+  auto traced = trace_candidates(trace.polygon, trace.centre, min_ratio);
+  if (!traced) return traced.error();
   trace.rays = make_rays(trace.polygon, trace.centre, *chords);
   trace.pairs = *std::move(pairs);
+  trace.opposite = *std::move(opposite);
+  trace.candidate_of_source = std::move(traced->of_source);
 
   const std::vector<bool> radial = radial_edges(trace.polygon, trace.centre);
   for (std::uint32_t edge = 0; edge < radial.size(); ++edge)
     if (radial[edge]) trace.radial_edges.push_back(edge);
 
-  for (const Candidate& candidate : *candidates) trace.pair_of_candidate.push_back(candidate.pair);
-  trace.first_pair_of_candidate.assign(candidates->size(), no_index);
-  for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
-    const std::uint32_t candidate = trace.candidate_of_pair[pair];
-    if (candidate != no_index && trace.first_pair_of_candidate[candidate] == no_index)
-      trace.first_pair_of_candidate[candidate] = pair;
+  for (const Candidate& candidate : traced->candidates)
+    trace.source_of_candidate.push_back(candidate.source);
+  trace.first_source_of_candidate.assign(traced->candidates.size(), no_index);
+  for (std::uint32_t source = 0; source < trace.candidate_of_source.size(); ++source) {
+    const std::uint32_t candidate = trace.candidate_of_source[source];
+    if (candidate != no_index && trace.first_source_of_candidate[candidate] == no_index)
+      trace.first_source_of_candidate[candidate] = source;
   }
   return std::nullopt;
 }
@@ -167,8 +172,18 @@ std::optional<StepKind> step_kind_from_name(std::string_view text) {
 Result<Trace> make_trace(const Placement& placement) {
   Result<Polygon> polygon = Polygon::create(placement.vertices);
   if (!polygon) return polygon.error();
-  Trace trace{placement, *std::move(polygon), placement.centre_of_mass, {}, {}, {}, {}, {}, {}, {},
-              {}};
+  Trace trace{.placement = placement,
+              .polygon = *std::move(polygon),
+              .centre = placement.centre_of_mass,
+              .rays = {},
+              .radial_edges = {},
+              .pairs = {},
+              .opposite = {},
+              .candidate_of_source = {},
+              .source_of_candidate = {},
+              .first_source_of_candidate = {},
+              .contacts = {},
+              .blocks = {}};
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
   std::vector<LiftingPoint> points;
@@ -217,9 +232,7 @@ std::optional<std::uint32_t> Trace::chapter_begin(Chapter chapter) const {
   return std::nullopt;
 }
 
-bool Trace::by_candidates() const {
-  return selects_candidates(placement.settings.metric);
-}
+bool Trace::by_candidates() const { return selects_candidates(placement.settings.metric); }
 
 std::uint32_t nearest_step(const Trace& trace, const Step& step) {
   if (const auto same = trace.find(step.kind, step.item)) return *same;
@@ -246,7 +259,7 @@ Done done(const Trace& trace, std::uint32_t k) {
   done.rays = number(StepKind::ray);
   done.slopes = number(StepKind::slopes) > 0;
   done.sections = number(StepKind::sections);
-  done.pairs = number(StepKind::outcome);
+  done.sources = number(StepKind::outcome) + number(StepKind::opposite);
   done.merged = number(StepKind::duplicates) > 0;
   done.teams = number(StepKind::team);
   done.base_teams = number(StepKind::base);

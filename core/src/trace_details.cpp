@@ -47,6 +47,9 @@ StepDetail look_at(const Trace& trace, std::uint32_t k) {
     case StepKind::outcome:
       detail.pair = look_at_pair(trace, item);
       break;
+    case StepKind::opposite:
+      detail.opposite = look_at_opposite(trace, item);
+      break;
     case StepKind::scores:
     case StepKind::team:
       if (trace.by_candidates()) detail.scores = look_at_scores(trace, item);

@@ -40,6 +40,9 @@ class Sheet {
       case StepKind::outcome:
         pair(*detail_.pair, detail_.step.kind == StepKind::outcome);
         break;
+      case StepKind::opposite:
+        opposite(*detail_.opposite);
+        break;
       case StepKind::duplicates:
         count("merged", with_candidate() - placement.candidates.size());
         count("candidates", placement.candidates.size());
@@ -130,9 +133,18 @@ class Sheet {
     if (pair.candidate != no_index) count("candidate", pair.candidate + 1);
   }
 
+  void opposite(const OppositeDetail& opposite) {
+    count("vertex_v", opposite.vertices.v + std::size_t{1});
+    count("vertex_w", opposite.vertices.w + std::size_t{1});
+    add("ratio", opposite.chord.ratio);
+    add("min_ratio", trace_.placement.settings.min_ratio);
+    if (opposite.candidate != no_index) count("candidate", opposite.candidate + 1);
+  }
+
   std::size_t with_candidate() const {
     std::size_t number = 0;
-    for (const std::uint32_t candidate : trace_.candidate_of_pair) number += candidate != no_index;
+    for (const std::uint32_t candidate : trace_.candidate_of_source)
+      number += candidate != no_index;
     return number;
   }
   std::size_t even() const {

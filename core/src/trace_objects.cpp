@@ -46,6 +46,9 @@ class Scene {
       case StepKind::outcome:
         pair(*detail_.pair, detail_.step.kind == StepKind::outcome);
         break;
+      case StepKind::opposite:
+        opposite(*detail_.opposite);
+        break;
       case StepKind::duplicates:
       case StepKind::candidates:
         candidates(no_index);
@@ -156,6 +159,12 @@ class Scene {
     if (pair.meeting)
       add(Mark::bisecting, {*pair.meeting, 2 * trace_.centre - *pair.meeting}, no_index, 1);
     chord(Mark::chosen, pair.chosen, pair.candidate, pair.chosen.ratio);
+  }
+
+  void opposite(const OppositeDetail& opposite) {
+    chord(Mark::chosen, opposite.chord, opposite.candidate, opposite.chord.ratio);
+    for (const std::uint32_t vertex : {opposite.vertices.v, opposite.vertices.w})
+      add(Mark::vertex, {trace_.polygon.vertex(vertex)}, vertex);
   }
 
   // All of them with their ratios, or those left for a team with their scores.

@@ -1,4 +1,5 @@
-// The detail of an edge-pair: what the stage of candidates decided about it, and from what.
+// The details of an edge-pair and of two opposite vertices: what the stage of candidates decided
+// about them, and from what.
 #include "evenlift/predicates.h"
 #include "evenlift/trace.h"
 #include "pair_candidate.h"
@@ -55,9 +56,20 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
   } else {
     detail.chosen = examine(polygon, centre, a, b, detail.pair, 0).candidate->chord;
   }
-  detail.candidate = trace.candidate_of_pair[index];
+  detail.candidate = trace.candidate_of_source[index];
   detail.stands =
-      detail.candidate != no_index && trace.pair_of_candidate[detail.candidate] == index;
+      detail.candidate != no_index && trace.source_of_candidate[detail.candidate] == index;
+  return detail;
+}
+
+OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index) {
+  const auto source = static_cast<std::uint32_t>(trace.pairs.size()) + index;
+  OppositeDetail detail;
+  detail.vertices = trace.opposite[index];
+  detail.chord = opposite_chord(trace.polygon, trace.centre, detail.vertices).chord;
+  detail.candidate = trace.candidate_of_source[source];
+  detail.stands =
+      detail.candidate != no_index && trace.source_of_candidate[detail.candidate] == source;
   return detail;
 }
 

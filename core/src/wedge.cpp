@@ -77,15 +77,16 @@ void Wedge::collect_outer_vertices() {
   const auto seen = [](const Surroundings::Seen& item) -> const Surroundings::Seen& {
     return item;
   };
-  for_each_between(surroundings_->vertices, seen, h1_, h2_, [&](const Surroundings::Seen& vertex) {
-    // What lies within H adds nothing. Vertices in the direction of h1 may lie beyond it on the
+  const auto note = [&](const Surroundings::Seen& vertex, SeenAt seen_at) {
+    // A vertex within H adds nothing. One in the direction of a corner may lie beyond it on the
     // edge's own line, if H is a segment: not outside that line, yet outside the new edge.
     const double distance = std::max(0.0, this->distance(vertex.position));
-    if (distance == 0 && !directions_agree(h1_, vertex.position)) return;
+    if (distance == 0 && seen_at == SeenAt::between) return;
     outer_.push_back({vertex.position, key_from(key1_, vertex.key), distance});
     sums_.push_back(sums_.back() + vertex.position);
     distance_sum_ += distance;
-  });
+  };
+  for_each_between(surroundings_->vertices, seen, h1_, h2_, note);
 }
 
 double Wedge::distance(const Vec2& p) const { return distance_outside(h1_, h2_, p); }
@@ -119,34 +120,47 @@ double Wedge::evaluate(const Vec2& p) const {
 
 double Wedge::area_gain(const Vec2& p) const { return area_left_of_both(outside_, h1_, p, h2_); }
 
-std::size_t Wedge::seen_up_to(const Vec2& p) const {
+Wedge::Split Wedge::split_at(const Vec2& p) const {
   const double key = key_from(key1_, direction_key(p));
-  auto end = std::upper_bound(outer_.begin(), outer_.end(), key,
-                              [](double value, const Outer& outer) { return value < outer.key; });
+  const auto at =
+      std::upper_bound(outer_.begin(), outer_.end(), key,
+                       [](double value, const Outer& outer) { return value < outer.key; });
+  auto begin = at, end = at;
+  while (begin != outer_.begin() && directions_agree(p, (begin - 1)->position)) --begin;
   while (end != outer_.end() && directions_agree(p, end->position)) ++end;
-  return static_cast<std::size_t>(end - outer_.begin());
+  return {static_cast<std::size_t>(begin - outer_.begin()),
+          static_cast<std::size_t>(end - outer_.begin())};
+}
+
+// Calls visit(vertex, distance outside the new edge, whether that is h1 p). A vertex in p's own
+// direction keeps the longer of its two arms, so that the mirror image of a shape has the same sum.
+template <class Visit>
+void Wedge::for_each_arm(const Vec2& p, Visit visit) const {
+  const Split split = split_at(p);
+  const Outside before(h1_, p), behind(p, h2_);
+  std::size_t k = 0;
+  for (; k < split.begin; ++k) visit(outer_[k], before.distance(outer_[k].position), true);
+  for (; k < split.end; ++k) {
+    const double up_to_p = before.distance(outer_[k].position);
+    const double from_p = behind.distance(outer_[k].position);
+    visit(outer_[k], std::max(up_to_p, from_p), up_to_p >= from_p);
+  }
+  for (; k < outer_.size(); ++k) visit(outer_[k], behind.distance(outer_[k].position), false);
 }
 
 double Wedge::distance_gain(const Vec2& p) const {
-  const std::size_t split = seen_up_to(p);
-  const Outside before(h1_, p), behind(p, h2_);
   double gain = 0;
-  for (std::size_t k = 0; k < outer_.size(); ++k) {
-    const double left = (k < split ? before : behind).distance(outer_[k].position);
-    gain += outer_[k].distance - std::max(0.0, left);
-  }
+  for_each_arm(p, [&](const Outer& outer, double left, bool) {
+    gain += outer.distance - std::max(0.0, left);
+  });
   return gain;
 }
 
 std::vector<Wedge::Arm> Wedge::arms(const Vec2& p) const {
-  const std::size_t split = seen_up_to(p);
-  const Outside before(h1_, p), behind(p, h2_);
   std::vector<Arm> arms;
-  for (std::size_t k = 0; k < outer_.size(); ++k) {
-    const Vec2& v = outer_[k].position;
-    const double left = (k < split ? before : behind).distance(v);
-    arms.push_back({v, outer_[k].distance, std::max(0.0, left), k < split});
-  }
+  for_each_arm(p, [&](const Outer& outer, double left, bool up_to_p) {
+    arms.push_back({outer.position, outer.distance, std::max(0.0, left), up_to_p});
+  });
   return arms;
 }
 
@@ -157,7 +171,7 @@ double Wedge::distance_bound(const Vec2& p) const {
     const Vec2 line = b - a;
     return -cross(line, sum - static_cast<double>(number) * a) / length(line);
   };
-  const std::size_t split = seen_up_to(p), n = outer_.size();
+  const std::size_t split = split_at(p).end, n = outer_.size();
   const double left1 = sum_outside(h1_, p, sums_[split], split);
   const double left2 = sum_outside(p, h2_, sums_[n] - sums_[split], n - split);
   return distance_sum_ - std::max(0.0, left1) - std::max(0.0, left2) + distance_room();
@@ -197,7 +211,7 @@ bool Wedge::prepare_close_bounds() {
 
 double Wedge::close_bound(const Vec2& p) const {
   if (area_bins_) return area_bins_->bound(p) * (1 + 1e-9);
-  const std::size_t split = seen_up_to(p);
+  const std::size_t split = split_at(p).end;
   return distance_sum_ - distance_blocks_->least_sum_beyond(h1_, p, 0, split) -
          distance_blocks_->least_sum_beyond(p, h2_, split, outer_.size()) + distance_room();
 }

@@ -61,7 +61,7 @@ class Wedge {
   struct Arm {
     Vec2 vertex;
     double before, after;
-    bool up_to_p;  // the new edge is h1 p, else p h2
+    bool up_to_p;  // `after` is the distance from h1 p, else from p h2
   };
   std::vector<Arm> arms(const Vec2& p) const;
 
@@ -74,7 +74,14 @@ class Wedge {
   bool prepare_close_bounds();
   double close_bound(const Vec2& p) const;
   double distance_room() const;
-  std::size_t seen_up_to(const Vec2& p) const;
+  // The outer vertices that C sees before p, in its direction, and after it: begin and end of those
+  // in the middle.
+  struct Split {
+    std::size_t begin, end;
+  };
+  Split split_at(const Vec2& p) const;
+  template <class Visit>
+  void for_each_arm(const Vec2& p, Visit visit) const;
 
   const Surroundings* surroundings_;
   Metric metric_;

@@ -42,7 +42,8 @@ WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
   answer.candidate = candidate;
   answer.why = Why::not_by_candidates;
   if (!trace.by_candidates()) return answer;
-  answer.pair = trace.pair_of_candidate[candidate];
+  const std::uint32_t source = trace.source_of_candidate[candidate];
+  if (source < trace.pairs.size()) answer.pair = source;
   answer.pair_ratio = answer.chord.ratio;
   answer.team = team_at(trace, k);
   if (trace.placement.teams.empty()) return answer;
@@ -120,6 +121,13 @@ WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Ch
   const std::vector<Candidate>& candidates = trace.placement.candidates;
   for (std::uint32_t i = 0; i < candidates.size(); ++i)
     if (same_chord(trace, *chord, candidates[i].chord)) return why_not(trace, k, i);
+
+  for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
+    const OppositeDetail detail = look_at_opposite(trace, i);
+    if (detail.candidate != no_index || !same_chord(trace, *chord, detail.chord)) continue;
+    answer.why = Why::opposite_too_uneven;
+    return answer;
+  }
 
   // The pairs that both ends lie on: one, or several if an end is at a vertex. The best tells most.
   answer.why = Why::no_pair;

@@ -1,5 +1,5 @@
-// Candidate chords: the one of each edge-pair, duplicates merged, in order of slope (algorithm.md,
-// Candidates; thesis 3.2, 3.3, 4.2).
+// Candidate chords: the one of each edge-pair and those between opposite vertices, duplicates
+// merged, in order of slope (algorithm.md, Candidates; thesis 3.2, 3.3, 4.2).
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ std::string_view name(CandidateKind kind);
 struct Candidate {
   Chord chord;
   CandidateKind kind = CandidateKind::bisecting;
-  std::uint32_t pair = 0;  // where find_candidates was asked to note it: index in edge_pairs()
+  bool between_vertices = false;  // both ends are vertices
+  std::uint32_t source = 0;       // of trace_candidates() only: where it came from, see there
   Vec2 direction = Vec2::Zero();  // from r1 to r2, not normalized; chords of one vertex share it
   double length = 0;              // |r1 r2|
 };
@@ -36,13 +37,26 @@ struct PairVerdict {
 PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                          double min_ratio);
 
+// The chord between two opposite vertices. It is a candidate if its ratio is at least the minimum.
+// O(1).
+Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
+                         const OppositeVertices& opposite);
+
 // All candidates in candidate order. `min_ratio` in [0, 1]. Refused if there are more than
-// max_edge_pairs pairs. O(n log n + K) for K edge-pairs, and O(l log l) for each line through C
-// with l candidates on it. With `of_pairs`, notes for each pair in the order of edge_pairs() the
-// index of the candidate that it led to, or no_candidate; and in each candidate its pair.
-inline constexpr std::uint32_t no_candidate = ~std::uint32_t{0};
+// max_edge_pairs edge-pairs and opposite vertices. O(n log n + K log K) at worst for K of them; O(n
+// log n + K) where few candidates lie on one line through C.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
-                                               double min_ratio,
-                                               std::vector<std::uint32_t>* of_pairs = nullptr);
+                                               double min_ratio);
+
+// The same candidates, and where they came from. Sources are numbered: the edge-pairs in the order
+// of edge_pairs(), then the opposite vertices in the order of opposite_vertices(). Each candidate
+// names as its `source` the one whose chord stands for it.
+inline constexpr std::uint32_t no_candidate = ~std::uint32_t{0};
+struct TracedCandidates {
+  std::vector<Candidate> candidates;
+  std::vector<std::uint32_t> of_source;  // the candidate that it led to, or no_candidate
+};
+Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
+                                          double min_ratio);
 
 }  // namespace evenlift

@@ -38,7 +38,14 @@ struct EdgePair {
   std::uint32_t end_a = inside_edge, end_b = inside_edge;
 };
 
-// Pairs beyond this number are refused (they would not fit in a browser's memory).
+// Two vertices on opposite sides of C, on one line with it within tolerance (tau L). A shape that
+// is exactly symmetric and all shapes near it have the same of them, however it lies.
+struct OppositeVertices {
+  std::uint32_t v = 0, w = 0;  // v < w
+};
+
+// Edge-pairs and opposite vertices beyond this number together are refused: they would not fit into
+// a browser's memory.
 inline constexpr std::uint64_t max_edge_pairs = std::uint64_t{1} << 23;
 
 // For each edge whether its line passes within tolerance (tau L) of C. O(n).
@@ -64,5 +71,11 @@ std::uint64_t count_edge_pairs(const Polygon& polygon, const Vec2& centre);
 // All edge-pairs, each once, in the order in which their ranges begin. O(n log n + K) for K pairs,
 // of a convex polygon O(n) after the sort; refused beyond max_edge_pairs.
 Result<std::vector<EdgePair>> edge_pairs(const Polygon& polygon, const Vec2& centre);
+
+// All opposite vertices, each two once, in the order in which C sees the nearer of the two. A
+// vertex within tolerance (tau L) of C has no direction and is opposite to none. Refused together
+// with the edge-pairs beyond max_edge_pairs. O(n log n) besides the vertices looked at: of each
+// vertex v those farther from C within the angle 2 tau L / |C v| of its line.
+Result<std::vector<OppositeVertices>> opposite_vertices(const Polygon& polygon, const Vec2& centre);
 
 }  // namespace evenlift

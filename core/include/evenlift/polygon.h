@@ -31,14 +31,15 @@ class Polygon {
   const Vec2& edge_end(std::size_t edge) const { return vertices_[next(edge)]; }
 
   bool counter_clockwise() const { return counter_clockwise_; }  // orientation as given; exact
-  bool convex() const { return convex_; }                        // no reflex vertex; exact
+  bool convex() const { return convex_; }  // no interior angle above 180 degrees at all; exact
   // L: of the bounding box, at least min_diagonal.
   double diagonal() const { return diagonal_; }
   // Rounded to doubles, but above 0 however thin the polygon is.
   double area() const { return area_; }
   const Vec2& centroid() const { return centroid_; }  // of the area, rounded to doubles
 
-  // Whether the interior angle at vertex i is below, at or above 180 degrees; exact. O(1).
+  // Whether the interior angle at vertex i is below, at or above 180 degrees. It is straight if the
+  // sine of the turn is at most tau; otherwise the sign is exact. O(1).
   Turn turn(std::size_t i) const;
 
   // Corners of the convex hull, counter-clockwise from the lowest of the leftmost, no straight
@@ -47,6 +48,8 @@ class Polygon {
 
  private:
   Polygon() = default;
+  double turn_side(std::size_t i) const;  // exact sign: positive at a convex vertex
+
   Points vertices_;
   Points hull_;
   Vec2 centroid_ = Vec2::Zero();

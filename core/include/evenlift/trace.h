@@ -35,7 +35,7 @@ enum class Chapter : std::uint8_t {
   object,         // the polygon and its centre of mass
   vertex_chords,  // from each vertex through C
   slopes,         // their order
-  pairs,          // edges that face each other, and the candidate of each pair
+  pairs,          // edges that face each other, opposite vertices, and the candidates of both
   candidates,     // the list
   first_team,
   further_teams,
@@ -55,7 +55,8 @@ enum class StepKind : std::uint8_t {
   slopes,        // 1: the chords in order of slope
   sections,      // pairs: two edges and their parts that face each other
   outcome,       // pairs: the bisecting chord or the nearer end, accepted or not
-  duplicates,    // 1: chords that several pairs gave
+  opposite,      // opposite: two vertices straight across C, their chord accepted or not
+  duplicates,    // 1: chords that were found more than once
   candidates,    // 1: the list
   directions,    // 1, distributed: the directions that have places on both sides
   scores,        // teams: every candidate's score and rank, by area, circle or distance
@@ -72,7 +73,7 @@ enum class StepKind : std::uint8_t {
   second_order,  // 1: only where form closure does not hold
   result,        // 1: all that place() reports
 };
-inline constexpr std::uint32_t step_kind_count = 24;
+inline constexpr std::uint32_t step_kind_count = 25;
 
 // "pairs", "first_team"; "outcome", "second_order": as in JSON, lessons and links. O(1).
 std::string_view name(Chapter chapter);
@@ -108,9 +109,12 @@ struct Trace {
 
   // Chapter 4, area, circle and distance only.
   std::vector<EdgePair> pairs;
-  std::vector<std::uint32_t> candidate_of_pair;  // no_index for a pair without
-  // Of each candidate the pair whose chord stands, and the first pair that led to it.
-  std::vector<std::uint32_t> pair_of_candidate, first_pair_of_candidate;
+  std::vector<OppositeVertices> opposite;
+  // The sources of candidates: source i is pair i, or opposite vertices i - pairs.size(). For each
+  // the candidate that it led to, or no_index.
+  std::vector<std::uint32_t> candidate_of_source;
+  // For each candidate the source whose chord stands, and the first source that led to it.
+  std::vector<std::uint32_t> source_of_candidate, first_source_of_candidate;
 
   std::vector<Contact> contacts;
 
@@ -148,7 +152,8 @@ inline RobotIndex robot_of(const Contact& contact) {
 }
 
 // The trace of a placement that place() gave. Refused where there are more than max_trace_steps
-// steps. The cost of place() without the selection: O(n log n + K log K) for K edge-pairs.
+// steps. The cost of place() without the selection: O(n log n + K log K) for K edge-pairs and
+// opposite vertices.
 Result<Trace> make_trace(const Placement& placement);
 
 // The step of `trace` that is nearest to a step of another trace (before an edit): the same kind
@@ -160,11 +165,12 @@ std::uint32_t nearest_step(const Trace& trace, const Step& step);
 struct Done {
   std::uint32_t rays = 0;
   bool slopes = false;
-  std::uint32_t sections = 0, pairs = 0;  // pairs shown, pairs decided
-  bool merged = false;                    // from here on the placement's own candidates
-  std::uint32_t teams = 0;                // teams taken
-  std::uint32_t base_teams = 0;           // teams that H is the hull of
-  std::uint32_t shares = 0;               // teams whose loads are known
+  std::uint32_t sections = 0;    // pairs shown
+  std::uint32_t sources = 0;     // pairs and, after all of these, opposite vertices decided
+  bool merged = false;           // from here on the placement's own candidates
+  std::uint32_t teams = 0;       // teams taken
+  std::uint32_t base_teams = 0;  // teams that H is the hull of
+  std::uint32_t shares = 0;      // teams whose loads are known
   bool coverage = false;
   std::uint32_t cuts = 0;  // contacts whose normal lines have cut the regions
   bool closure = false;    // all that place() reports
@@ -173,8 +179,8 @@ struct Done {
 // A pure function of k. O(1).
 Done done(const Trace& trace, std::uint32_t k);
 
-// Candidate c is known after step k if done(k).merged, or else if first_pair_of_candidate[c] <
-// done(k).pairs. H of the first `teams` teams: O(teams log teams).
+// Candidate c is known after step k if done(k).merged, or else if first_source_of_candidate[c] <
+// done(k).sources. H of the first `teams` teams: O(teams log teams).
 Points lifting_base(const Trace& trace, std::uint32_t teams);
 
 // What became of an edge-pair.
@@ -206,6 +212,16 @@ struct PairDetail {
 };
 // O(1).
 PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
+
+// What became of two opposite vertices.
+struct OppositeDetail {
+  OppositeVertices vertices;
+  Chord chord;                         // between them
+  std::uint32_t candidate = no_index;  // none if its load ratio is below the minimum
+  bool stands = false;                 // the candidate's chord is this one, not a pair's
+};
+// Of trace.opposite[index]. O(1).
+OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index);
 
 // How far an end of a candidate would push out H.
 struct EndGain {
@@ -250,6 +266,7 @@ struct StepDetail {
   std::uint32_t number = 0;
   Step step;
   std::optional<PairDetail> pair;          // sections, outcome
+  std::optional<OppositeDetail> opposite;  // opposite
   std::optional<TeamScores> scores;        // scores, team: by candidates
   Points base_before, base;                // scores, team, base: H without and with the team
   FreeRegion clockwise, counterclockwise;  // contacts, cut: what is left after it

@@ -11,21 +11,22 @@
 namespace evenlift {
 
 enum class Why : std::uint8_t {
-  no_chord,           // there is no boundary on both sides of C in that direction
-  not_by_candidates,  // the method does not choose among candidates
-  no_pair,            // its ends lie on edges that do not face each other (radial ones)
-  too_uneven,         // no chord of its pair has the minimum load ratio
-  not_best_of_pair,   // its pair's candidate is another chord
-  duplicate,          // its pair's candidate is within tolerance of another pair's, which stands
-  not_even,           // a candidate; the first team is chosen among the even ones only
-  behind,             // a candidate; another one won (see decided_by)
-  taken,              // a team has taken it
+  no_chord,             // there is no boundary on both sides of C in that direction
+  not_by_candidates,    // the method does not choose among candidates
+  no_pair,              // its ends lie on edges that do not face each other (radial ones)
+  too_uneven,           // no chord of its pair has the minimum load ratio
+  opposite_too_uneven,  // it lies between two opposite vertices, and its load ratio is too low
+  not_best_of_pair,     // its pair's candidate is another chord
+  duplicate,            // its pair's candidate is within tolerance of another pair's, which stands
+  not_even,             // a candidate; the first team is chosen among the even ones only
+  behind,               // a candidate; another one won (see decided_by)
+  taken,                // a team has taken it
 };
 
 struct WhyNot {
   Why why = Why::no_chord;
   Chord chord;                         // the one asked about
-  std::uint32_t pair = no_index;       // its edge-pair, where there is one
+  std::uint32_t pair = no_index;       // its edge-pair, where it comes from one
   double pair_ratio = 0;               // the best ratio in that pair
   std::uint32_t candidate = no_index;  // the candidate it is, or that its pair led to instead
   std::uint32_t team = 0;              // the choice that is spoken of; with `taken` the team itself

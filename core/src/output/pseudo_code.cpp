@@ -15,6 +15,7 @@ constexpr std::string_view candidate_lines[] = {
     "  else if C bisects a chord between a' and b': chord := that one",
     "  else: chord := the one at the end with the larger load ratio",
     "  if its load ratio ≥ the minimum: it is a candidate",
+    "likewise the chord between each two vertices opposite each other across C",
     "merge candidates that are the same chord",
     "keep the candidates in order of slope",
     "first team := the longest even candidate, else the most even one",
@@ -62,18 +63,20 @@ std::uint32_t line_by_candidates(const StepDetail& detail) {
         default:
           return 8;
       }
-    case StepKind::duplicates:
+    case StepKind::opposite:
       return 9;
-    case StepKind::candidates:
+    case StepKind::duplicates:
       return 10;
+    case StepKind::candidates:
+      return 11;
     case StepKind::scores:
-      return detail.step.item == 0 ? 11 : 14;
+      return detail.step.item == 0 ? 12 : 15;
     case StepKind::team:
-      return detail.step.item == 0 ? 11 : 15;
-    case StepKind::base:
       return detail.step.item == 0 ? 12 : 16;
+    case StepKind::base:
+      return detail.step.item == 0 ? 13 : 17;
     default:
-      return 13;  // fewer
+      return 14;  // fewer
   }
 }
 

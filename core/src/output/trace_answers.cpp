@@ -91,6 +91,11 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
           "the minimum #.",
           {ratio_text(answer.chord.ratio, least), edges_of(trace, answer.pair),
            ratio_text(answer.pair_ratio, least), exact(least)});
+    case Why::opposite_too_uneven:
+      return fill(
+          "Ratio too low: this chord between two opposite vertices has #, less than the "
+          "minimum #.",
+          {ratio_text(answer.chord.ratio, least), exact(least)});
     case Why::not_best_of_pair:
       return fill(
           "Not the best of its pair: this chord has a load ratio of #. # give one candidate, "
@@ -153,8 +158,9 @@ std::string object_text(const Trace& trace, const StepDetail& detail, const Obje
     case Mark::bisecting:
       return "The chord between the edges' lines that C bisects";
     case Mark::chosen:
-      return fill(object.item == no_index ? "The best chord of the pair, load ratio #"
-                                          : "The pair's candidate, load ratio #",
+      return fill(detail.opposite           ? "The chord between the two vertices, load ratio #"
+                  : object.item == no_index ? "The best chord of the pair, load ratio #"
+                                            : "The pair's candidate, load ratio #",
                   {ratio_text(object.value, least)});
     case Mark::candidate: {
       const double ratio = trace.placement.candidates[object.item].chord.ratio;

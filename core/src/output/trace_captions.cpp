@@ -53,6 +53,8 @@ class Caption {
         return sections(*detail_.pair);
       case StepKind::outcome:
         return outcome(*detail_.pair);
+      case StepKind::opposite:
+        return opposite(*detail_.opposite);
       case StepKind::duplicates:
         return duplicates();
       case StepKind::candidates:
@@ -243,18 +245,45 @@ class Caption {
         break;
     }
     if (pair.candidate == no_index || pair.stands) return text;
-    return text + fill(" Pair # has the same chord.",
-                       {counted_from_1(trace_.pair_of_candidate[pair.candidate])});
+    return text + same_chord(pair.candidate);
+  }
+
+  // Where the chord that stands for a candidate comes from.
+  std::string same_chord(std::uint32_t candidate) const {
+    const std::uint32_t source = trace_.source_of_candidate[candidate];
+    if (source < trace_.pairs.size())
+      return fill(" Pair # has the same chord.", {counted_from_1(source)});
+    const OppositeVertices& two = trace_.opposite[source - trace_.pairs.size()];
+    return fill(" The opposite vertices # and # have the same chord, and theirs stands.",
+                {counted_from_1(two.v), counted_from_1(two.w)});
+  }
+
+  std::string opposite(const OppositeDetail& opposite) const {
+    std::string text = fill(
+        "Vertices # and # are opposite each other: the line between them passes through C. Whether "
+        "the edges that meet there also face each other is a matter of rounding, so the chord "
+        "between the two vertices counts by itself. ",
+        {counted_from_1(opposite.vertices.v), counted_from_1(opposite.vertices.w)});
+    const Piece own = ratio(opposite.chord.ratio);
+    if (opposite.candidate == no_index)
+      return text + fill("Its load ratio is only #, less than #: no candidate.", {own, least()});
+    text += fill("Its load ratio is #, at least #: a candidate.", {own, least()});
+    return opposite.stands ? text : text + same_chord(opposite.candidate);
+  }
+
+  std::string sources() const {
+    if (trace_.opposite.empty()) return written(counted(trace_.pairs.size(), "pair"));
+    return fill("# of edges and # of opposite vertices",
+                {counted(trace_.pairs.size(), "pair"), counted(trace_.opposite.size(), "pair")});
   }
 
   std::string duplicates() const {
     std::size_t found = 0;
-    for (const std::uint32_t candidate : trace_.candidate_of_pair) found += candidate != no_index;
+    for (const std::uint32_t candidate : trace_.candidate_of_source) found += candidate != no_index;
     const std::size_t kept = placement_.candidates.size();
-    if (found == 0) return "No pair of edges has a candidate.";
+    if (found == 0) return "No pair of edges or of opposite vertices has a candidate.";
     if (found == kept)
-      return fill("No two pairs have the same chord: # for #.",
-                  {counted(kept, "candidate"), counted(trace_.pairs.size(), "pair")});
+      return fill("No chord was found twice: # from #.", {counted(kept, "candidate"), sources()});
     return fill(
         "# of the # chords found # the same as another one, as at a vertex, where two pairs meet. "
         "Each counts once: # left.",

@@ -31,7 +31,9 @@ class Formula {
         return fill("g = |C rb| / |C ra|: from # to #",
                     {ratio_text(detail_.pair->verdict.g0), ratio_text(detail_.pair->verdict.g1)});
       case StepKind::outcome:
-        return outcome(*detail_.pair);
+        return compared_with_minimum(detail_.pair->chosen, detail_.pair->candidate);
+      case StepKind::opposite:
+        return compared_with_minimum(detail_.opposite->chord, detail_.opposite->candidate);
       case StepKind::duplicates:
         return fill("#", {counted(placement_.candidates.size(), "candidate")});
       case StepKind::directions:
@@ -84,8 +86,8 @@ class Formula {
   }
   const Chord& chord(std::uint32_t i) const { return trace_.rays.chords[i].chord; }
 
-  std::string outcome(const PairDetail& pair) const {
-    return ratio(pair.chosen) + (pair.candidate == no_index ? " < " : " ≥ ") +
+  std::string compared_with_minimum(const Chord& chord, std::uint32_t candidate) const {
+    return ratio(chord) + (candidate == no_index ? " < " : " ≥ ") +
            written(exact(placement_.settings.min_ratio));
   }
 
