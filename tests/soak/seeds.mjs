@@ -22,6 +22,14 @@ const written = [
   '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}',
   '{"type":"Feature","properties":{"centre_of_mass":[1,1]},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}}',
 ];
+const settings = [
+  "teams=3\nmetric=circle\nmin_ratio=0.5\nweight=7\nseed=18446744073709551615\ncom=10,20\nstep=4\ncapacity=12.5",
+  "teams=max\ncom=centroid\nstep=none\ncapacity=none\noverlays=chords,hull",
+  "metric=distributed\nteams=1048576",
+  "weight=1e300\nmin_ratio=1",
+  "motion=0\ncapacity=20",
+];
+
 export const fuzzers = {
   link: {
     what: "links",
@@ -34,6 +42,7 @@ export const fuzzers = {
     seeds: async (root) => [...(await polygons(root)), ...written, ...(await column(root, "bad_polygons.txt", 2))],
   },
   lesson: { what: "lessons", longest: 4096, seeds: (root) => textsOf(path.join(root, "assets/lessons")) },
+  set: { what: "settings", longest: 512, seeds: async () => settings },
 };
 
 // Writes the fuzzer's seeds into a folder, and gives its name.

@@ -1,0 +1,40 @@
+// Any bytes as the lines that window.evenlift.set() gives: refused with the setting's name, or a
+// document whose settings are in range and which place() answers. And as the preferences that the
+// browser kept: whatever is read of them is written and read again without loss.
+#include "../random_documents.h"
+#include "evenlift/placement.h"
+#include "evenlift/settings_text.h"
+#include "fuzz.h"
+#include "set_settings.h"
+
+namespace {
+
+using namespace evenlift;
+
+Document document() {
+  Document d;
+  d.vertices = {{0, 0}, {400, 0}, {400, 150}, {150, 150}, {150, 300}, {0, 300}};
+  return d;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view lines = fuzz::text_of(data, size);
+  const view::Kept kept = view::read_kept(lines), back = view::read_kept(view::kept_text(kept));
+  fuzz::require(back.motion == kept.motion && back.capacity == kept.capacity);
+  const Result<view::Changeable> changed = view::with_settings({document(), std::nullopt}, lines);
+  if (!changed) {
+    fuzz::require(!changed.error().message.empty());
+    return 0;
+  }
+  fuzz::require(!check_settings(changed->document.settings));
+  fuzz::require(!changed->capacity || is_weight(*changed->capacity));
+  // Setting the same again changes nothing.
+  const Result<view::Changeable> again = view::with_settings(*changed, lines);
+  fuzz::require(again.ok() && again->capacity == changed->capacity &&
+                testing::same_document(again->document, changed->document));
+  const Result<Placement> placement = place(changed->document);
+  fuzz::require(placement.ok() || !placement.error().message.empty());
+  return 0;
+}
