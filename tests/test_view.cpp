@@ -1,6 +1,7 @@
 // The view without a window.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -13,11 +14,18 @@
 #include "catch.h"
 #include "drawing.h"
 #include "evenlift/formats.h"
+#include "evenlift/link.h"
+#include "evenlift/output/json.h"
 #include "evenlift/stability.h"
+#include "fill_rows.h"
 #include "heat.h"
 #include "history.h"
 #include "labels.h"
 #include "layout.h"
+#include "lesson.h"
+#include "opened.h"
+#include "pick.h"
+#include "set_settings.h"
 #include "summary.h"
 #include "theme.h"
 #include "triangulate.h"
@@ -56,8 +64,7 @@ TEST_CASE("every panel draws for every sample on every kind of screen, and then 
   Page page;
   for (const auto& path : assets()) {
     INFO(path.string());
-    page.app.commands.push_back(OpenDocument{document(asset(path))});
-    settle(page.app);
+    page.open(document(asset(path)));
     for (const auto& [width, height] : {std::pair{1280, 800}, {844, 390}, {390, 844}}) {
       for (const bool embed : {false, true}) {
         Screen& screen = page.app.state.screen;
@@ -69,6 +76,12 @@ TEST_CASE("every panel draws for every sample on every kind of screen, and then 
         page.frame();
         CHECK_FALSE(settle(page.app));  // nothing asks for another frame
         CHECK(page.app.commands.empty());
+        // The picture and each card have lists of their own, and none is empty.
+        const ImDrawData& drawn = *ImGui::GetDrawData();
+        CHECK(drawn.CmdListsCount >= (embed ? 2 : 4));
+        for (int list = 0; list < drawn.CmdListsCount; ++list)
+          CHECK(drawn.CmdLists[list]->VtxBuffer.Size > 0);
+        CHECK(drawn.TotalVtxCount > (embed ? 500 : 2000));
       }
     }
   }
@@ -115,14 +128,34 @@ TEST_CASE("a drag of a vertex is one step of undo", "[view]") {
 TEST_CASE("a refused polygon keeps the last good placement, link and reason", "[view]") {
   Page page;
   page.frame();
-  page.drag({400, 150}, {75, 350});
   const AppState& state = page.app.state;
+  Pointer held = page.at({400, 150});
+  page.frame(held);
+  held.pressed = held.down = true;
+  page.frame(held);
+  held.pressed = false;
+  // On the way there the polygon is accepted, further on its edges cross.
+  std::string last_link, last_json;
+  for (int i = 1; i <= 12; ++i) {
+    held.at = state.camera.to_screen(Vec2(400, 150) + (Vec2(75, 350) - Vec2(400, 150)) * i / 12);
+    held.moved = 4.0 * i;
+    page.frame(held);
+    if (state.refusal) continue;
+    last_link = encode_link(state.document).value();
+    last_json = placement_json(place(state.document).value(), true);
+  }
+  held.down = false;
+  held.released = true;
+  page.frame(held);
+  REQUIRE_FALSE(last_link.empty());
   REQUIRE(state.refusal);
   CHECK(state.refusal->code == ErrorCode::edges_cross);
-  REQUIRE(state.placement);
-  CHECK(check_settings(state.placement->settings) == std::nullopt);
+  CHECK(state.refusal->place.kind == Place::Kind::edge);
   CHECK(verdict(state).mood == Mood::refused);
-  CHECK(place(state.placed).ok());
+  CHECK(verdict(state).headline.find("cross") != std::string::npos);
+  CHECK(encode_link(state.placed).value() == last_link);
+  REQUIRE(state.placement);
+  CHECK(placement_json(*state.placement, true) == last_json);
   for (int i = 0; i < 3; ++i) page.frame();
   page.press({"z", true});
   CHECK_FALSE(state.refusal);
@@ -212,11 +245,16 @@ TEST_CASE("labels stand clear of each other, of robots and of what covers the dr
   const auto apart = [](const Rect& a, const Rect& b) {
     return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
   };
+  // There is room for all of them.
+  REQUIRE(places.size() == requests.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!places[i]) continue;
+    REQUIRE(places[i]);
     CHECK(apart(*places[i], covered));
-    for (std::size_t j = 0; j < i; ++j) {
-      if (places[j]) CHECK(apart(*places[i], *places[j]));
+    for (std::size_t j = 0; j < i; ++j) CHECK(apart(*places[i], *places[j]));
+    for (const LabelRequest& request : requests) {
+      const Rect robot{request.robot.x() - 15, request.robot.y() - 15, request.robot.x() + 15,
+                       request.robot.y() + 15};  // its mark
+      CHECK(apart(*places[i], robot));
     }
   }
 }
@@ -407,20 +445,30 @@ TEST_CASE("two methods stand side by side and follow the same polygon", "[view]"
 }
 
 TEST_CASE("a capacity tells how many robots are needed and who carries too much", "[view]") {
-  Page page;
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/grand-piano.txt"));
+  AppState& state = page.app.state;
+  Commands commands{SetCapacity{12.0}};
+  apply(state, commands);
+  REQUIRE(state.plan);
+  CHECK(need_in_words(state).find("6 robots carry more") == 0);
+  CHECK(verdict(state).mood == Mood::not_quite);
+  REQUIRE(state.plan->possible);
+  CHECK(state.plan->teams > 3);
+  Settings changed = state.document.settings;
+  changed.teams = state.plan->teams;
+  commands = {SetSettings{changed}};
+  apply(state, commands);
+  CHECK(need_in_words(state).find("stays within") != std::string::npos);
+  CHECK(verdict(state).mood != Mood::not_quite);
+}
+
+TEST_CASE("a capacity that no number of robots stays within says so", "[view]") {
+  Page page;  // it has three candidates
   Commands commands{SetCapacity{12.0}};
   apply(page.app.state, commands);
   REQUIRE(page.app.state.plan);
-  const std::string words = need_in_words(page.app.state);
-  CHECK(words.find("carry more") != std::string::npos);
-  CHECK(verdict(page.app.state).mood == Mood::not_quite);
-  Settings changed = page.app.state.document.settings;
-  changed.teams = page.app.state.plan->possible ? page.app.state.plan->teams : 1;
-  commands = {SetSettings{changed}};
-  apply(page.app.state, commands);
-  if (page.app.state.plan->possible) {
-    CHECK(need_in_words(page.app.state).find("stays within") != std::string::npos);
-  }
+  CHECK_FALSE(page.app.state.plan->possible);
+  CHECK(need_in_words(page.app.state).find("Not even all 3 teams") != std::string::npos);
 }
 
 TEST_CASE("a capacity is planned for anew only when the plan can change", "[view][capacity]") {
@@ -489,5 +537,241 @@ TEST_CASE("the heat map's bands are the polygon where the tipping force says so"
     }
     CHECK(std::abs(before - placed->coverage * area_of(shape.vertices)) <
           1e-6 * area_of(shape.vertices));
+  }
+}
+
+namespace {
+
+// How often what follows placed and traced.
+struct Count {
+  Computed before = computed();
+  std::uint64_t placements() const { return computed().placements - before.placements; }
+  std::uint64_t traces() const { return computed().traces - before.traces; }
+};
+
+Document changed(const AppState& state, const char* lines) {
+  const Result<Changeable> result = with_settings({state.placed, state.capacity}, lines);
+  REQUIRE(result.ok());
+  return result->document;
+}
+
+}  // namespace
+
+TEST_CASE("each action places the polygon once, however it comes in", "[view]") {
+  Page page;
+  page.frame();
+  AppState& state = page.app.state;
+  {
+    const Count count;
+    Result<Opened> read = read_document("(0,0)\n(300,0)\n(300,200)\n(0,200)\n");
+    REQUIRE(read);
+    page.app.commands.push_back(OpenDocument{std::move(read).value()});
+    settle(page.app);
+    page.frame();
+    CHECK(count.placements() == 1);
+    CHECK(count.traces() == 0);
+  }
+  {
+    const Count count;
+    const Document two = changed(state, "teams=2");
+    CHECK_FALSE(try_edit(state, two));
+    CHECK(count.placements() == 1);
+  }
+  {
+    const Count count;
+    page.press({"z", true});
+    CHECK(count.placements() == 1);
+  }
+  {
+    page.press({"d"});
+    const Count count;
+    for (const Vec2& corner : Points{{10, 10}, {250, 20}, {240, 180}}) page.click(corner);
+    CHECK(count.placements() == 0);
+    page.press({"Enter"});
+    REQUIRE(state.document.vertices.size() == 3);
+    CHECK(count.placements() == 1);
+  }
+  {
+    const Count count;
+    page.press({"k"});
+    CHECK(count.placements() == 1);  // of the other method
+    page.press({"t"});
+    CHECK(count.placements() == 3);  // of both
+  }
+  {
+    const Count count;
+    const Document refused = changed(state, "com=9999,9999");
+    CHECK(try_edit(state, refused));
+    CHECK(count.placements() == 1);
+  }
+}
+
+TEST_CASE("a lesson is traced once when it is opened, and its steps compute nothing", "[view]") {
+  Page page;
+  AppState& state = page.app.state;
+  {
+    const Count count;
+    const Document at = changed(state, "step=5");
+    CHECK_FALSE(try_edit(state, at));
+    CHECK(state.lesson.at == 5);
+    CHECK(count.placements() == 0);
+    CHECK(count.traces() == 1);
+  }
+  {
+    const Count count;
+    for (const char* change : {"step=9", "step=2", "step=none"}) {
+      const Document to = changed(state, change);
+      CHECK_FALSE(try_edit(state, to));
+    }
+    CHECK_FALSE(lesson_is_open(state));
+    CHECK_FALSE(state.placed.settings.step);
+    CHECK(count.placements() + count.traces() == 0);
+  }
+  {
+    const Count count;
+    const Document both = changed(state, "teams=2\nstep=3");
+    CHECK_FALSE(try_edit(state, both));
+    CHECK(state.lesson.at == 3);
+    CHECK(count.placements() == 1);
+    CHECK(count.traces() == 1);
+  }
+  {
+    const Count count;
+    const std::string text = "title: One stop\npolygon: l\nteams: 2\n\n[team 2]\nDone.\n";
+    CHECK_FALSE(open_script(state, text, l_shape));
+    CHECK(words_of_stop(state) == "Done.");
+    CHECK(count.placements() == 1);
+    CHECK(count.traces() == 1);
+  }
+}
+
+TEST_CASE("what is shown is changed without computing anything, and is no step of undo", "[view]") {
+  Page page;
+  page.frame();
+  AppState& state = page.app.state;
+  const std::uint64_t revision = state.revision;
+  const Count count;
+  for (const char* key : {"h", "c", "a", "r", "l", "f"}) {
+    page.press({key});
+    page.frame();
+  }
+  CHECK(count.placements() + count.traces() == 0);
+  CHECK(state.revision == revision);  // nothing that follows from the placement is made anew
+  CHECK_FALSE(state.history.can_undo());
+  const Overlays shown{true, false, false, false, false, true};
+  CHECK(settings(state).overlays == shown);
+  CHECK(state.placement->settings.overlays == shown);
+  CHECK(decode_link(encode_link(state.placed).value())->settings.overlays == shown);
+  // Undo is of edits, and leaves what is shown as it is.
+  page.press({"t"});
+  page.press({"z", true});
+  CHECK(settings(state).teams == 3u);
+  CHECK(settings(state).overlays == shown);
+}
+
+TEST_CASE("no way leads to a method beside itself", "[view]") {
+  Page page;
+  AppState& state = page.app.state;
+  const auto parted = [&] { return !state.compared || *state.compared != settings(state).metric; };
+  page.press({"k"});
+  REQUIRE(state.compared == Metric::circle);
+  page.press({"m"});  // takes the method that is compared: the two change sides
+  CHECK(settings(state).metric == Metric::circle);
+  CHECK(state.compared == Metric::area);
+  REQUIRE(state.other);
+  CHECK(state.other->settings.metric == Metric::area);
+  page.press({"z", true});
+  CHECK(parted());
+  const Document edited = changed(state, "metric=distance");
+  Commands commands{Compare{Metric::distance}};
+  apply(state, commands);
+  CHECK_FALSE(try_edit(state, edited));
+  CHECK(parted());
+  commands = {Compare{Metric::distance}};
+  apply(state, commands);
+  CHECK_FALSE(state.compared);
+  commands = {Compare{Metric::area}};
+  apply(state, commands);
+  page.open(document(l_shape));
+  CHECK(parted());
+  for (int i = 0; i < 12; ++i) {
+    page.press({i % 3 ? "m" : "k"});
+    CHECK(parted());
+  }
+}
+
+// As many as do not fit onto a stack of 8 MB while a line is drawn; tests/page/recovery.test.mjs
+// goes to the limit.
+TEST_CASE("very large polygons are drawn, in outline and filled, and as what is refused",
+          "[view]") {
+  constexpr int n = 400000;
+  Document large;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * 3.14159265358979 * i / n;
+    const double r = 4e5 + 5e4 * std::sin(9 * a);
+    large.vertices.emplace_back(r * std::cos(a), r * std::sin(a));
+  }
+  Page page;
+  page.open(large);
+  const auto drawn = [&](double ratio) {
+    page.app.state.screen.ratio = ratio;
+    page.frame();
+    return ImGui::GetDrawData()->TotalVtxCount;
+  };
+  // What is drawn is as much as can be seen, not as much as there is.
+  for (const double ratio : {1.0, 1.25, 1.5, 2.0, 3.0}) {
+    const int vertices = drawn(ratio);
+    CHECK(vertices > 10000);
+    CHECK(vertices < 600000);
+  }
+  page.app.commands.push_back(MoveVertex{0, Vec2(-6e5, 3)});
+  settle(page.app);
+  REQUIRE(page.app.state.refusal);
+  for (const double ratio : {1.0, 3.0}) CHECK(drawn(ratio) > 10000);
+}
+
+TEST_CASE("rows of pixels fill what triangles fill, and the heat map's bands alike", "[view]") {
+  const auto filled = [](const RowFill& rows) {
+    double area = 0;
+    for (const RowSpan& span : rows.spans) {
+      CHECK(span.left < span.right);
+      area += static_cast<double>(span.right - span.left) * static_cast<double>(rows.height);
+    }
+    return area;
+  };
+  for (const char* name : {"kidney-table", "horseshoe", "labyrinth", "gear"}) {
+    INFO(name);
+    const Points polygon =
+        document(asset(std::string(EVENLIFT_ASSETS_DIR "/polygons/") + name + ".txt")).vertices;
+    const Rect window{0, 0, 800, 600};
+    const Camera camera = fit(polygon, {20, 20, 780, 580});
+    const double whole = area_of(polygon) * camera.scale * camera.scale;
+    CHECK(filled(fill_rows(polygon, camera, window, 0.5)) == Approx(whole).epsilon(0.003));
+    // Half of it beside the window: what is seen is filled, and no more.
+    const Camera aside = pan(camera, {-400, 0});
+    const RowFill half = fill_rows(polygon, aside, window, 0.5);
+    CHECK(filled(half) < whole);
+    for (const RowSpan& span : half.spans) {
+      const Vec2 middle(static_cast<double>(span.left + span.right) / 2,
+                        static_cast<double>(span.top) + 0.25);
+      CHECK(inside(polygon, aside.to_world(middle)));
+    }
+  }
+}
+
+TEST_CASE("bands of a large polygon are the regions where the tipping force says so", "[view]") {
+  const Document shape = document(asset(EVENLIFT_ASSETS_DIR "/polygons/kidney-table.txt"));
+  const Result<Placement> result = place(shape);
+  REQUIRE(result);
+  const std::vector<HeatBand> bands = heat_bands(*result, {});
+  REQUIRE(bands.size() == std::size(heat_levels) + 2);
+  CHECK(bands[0].region.empty());  // all of it
+  for (std::size_t i = 1; i < bands.size(); ++i) {
+    CHECK(area_of(bands[i].region) > 0);
+    for (const Vec2& corner : bands[i].region) {
+      const Vec2 within = corner + (result->centre_of_mass - corner) * 1e-6;
+      const double force = tipping_force(result->hull, result->centre_of_mass, 1, within);
+      CHECK(force >= std::min(bands[i].share, 1e9) * (1 - 1e-6));
+    }
   }
 }

@@ -58,8 +58,7 @@ TEST_CASE("every step of every sample draws, and asks for no frame of its own", 
   Page page;
   for (const auto& path : assets()) {
     INFO(path.string());
-    page.app.commands.push_back(OpenDocument{document(asset(path))});
-    settle(page.app);
+    page.open(document(asset(path)));
     page.press({"b"});
     const std::uint32_t count = timeline(page.app.state).count;
     // All steps of small ones, of others some of each chapter.
@@ -104,9 +103,9 @@ TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
   const std::string words = summary(page.app.state);
   page.press({"b"});
   CHECK_FALSE(page.app.state.placed.settings.step);
-  const Result<Document> read = read_link(*link);
+  Result<Opened> read = read_link(*link);
   REQUIRE(read);
-  page.app.commands.push_back(OpenDocument{*read});
+  page.app.commands.push_back(OpenDocument{std::move(read).value()});
   settle(page.app);
   CHECK(lesson_is_open(page.app.state));
   CHECK(summary(page.app.state) == words);
@@ -120,8 +119,7 @@ TEST_CASE("a step that there is not is refused by name, and told of a link", "[v
   REQUIRE(problem);
   CHECK(problem->message.starts_with("must be less than "));
   CHECK_FALSE(lesson_is_open(page.app.state));
-  page.app.commands.push_back(OpenDocument{far});
-  settle(page.app);
+  page.open(far);
   CHECK(page.app.state.notice.text.starts_with("This lesson has no step 100000"));
   CHECK(page.app.state.lesson.at + 1 == timeline(page.app.state).count);
 }
@@ -221,8 +219,7 @@ TEST_CASE("tens of thousands of candidates are drawn, in the picture and in the 
   many.vertices = *comb;
   many.settings.overlays.candidates = true;
   Page page;
-  page.app.commands.push_back(OpenDocument{many});
-  settle(page.app);
+  page.open(many);
   CHECK(page.app.state.placement->candidates.size() > 10000);
   page.frame();
   page.press({"b"});

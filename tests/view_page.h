@@ -7,12 +7,14 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "actions.h"
 #include "app.h"
 #include "catch.h"
 #include "evenlift/formats.h"
+#include "opened.h"
 #include "theme.h"
 #include "update.h"
 
@@ -25,6 +27,13 @@ inline Document document(const std::string& text) {
   Result<Document> read = read_polygon(text);
   REQUIRE(read.ok());
   return *read;
+}
+
+// Placed, as it is opened.
+inline Opened placed(const Document& document) {
+  Result<Opened> result = opened(document);
+  REQUIRE(result.ok());
+  return std::move(result).value();
 }
 
 inline const std::string l_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
@@ -57,7 +66,7 @@ class Page {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    start_with(app.state, document(text), std::nullopt);
+    start_with(app.state, placed(document(text)), std::nullopt);
   }
   ~Page() { ImGui::DestroyContext(); }
   Page(const Page&) = delete;
@@ -107,6 +116,11 @@ class Page {
     p.down = false;
     p.released = true;
     frame(p);
+  }
+
+  void open(const Document& document) {
+    app.commands.push_back(OpenDocument{placed(document)});
+    settle(app);
   }
 
   void press(const Key& key) {

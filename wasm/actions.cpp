@@ -43,9 +43,9 @@ void change_ratio(const AppState& s, Commands& out, double steps) {
 
 template <bool Overlays::*overlay>
 void toggle(const AppState& s, Commands& out) {
-  Settings changed = settings(s);
-  changed.overlays.*overlay = !(changed.overlays.*overlay);
-  out.push_back(SetSettings{changed});
+  Overlays changed = settings(s).overlays;
+  changed.*overlay = !(changed.*overlay);
+  out.push_back(Show{changed});
 }
 
 template <class Asked>

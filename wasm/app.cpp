@@ -27,19 +27,23 @@ Pointer over_one_picture(App& app, Pointer pointer) {
   return pointer;
 }
 
-}  // namespace
-
-void draw_frame(App& app, const Pointer& pointer) {
-  frame_view(app.state);
-  interact(app.state, over_one_picture(app, pointer), app.commands);
-  settle(app);
-  const double now = ImGui::GetTime();
-  turn_over(app.state, now);
+void draw_picture(App& app, double now) {
   follow(app.scene, app.state, *app.state.placement, now);
   if (app.state.other) follow(app.other_scene, app.state, *app.state.other, now);
   if (app.scene.progress < 1 || (app.state.other && app.other_scene.progress < 1))
     browser::request_frame();
   draw_canvas(app.state, app.scene, app.other_scene, layout(app.state));
+}
+
+}  // namespace
+
+void draw_frame(App& app, const Pointer& pointer, bool picture) {
+  frame_view(app.state);
+  interact(app.state, over_one_picture(app, pointer), app.commands);
+  settle(app);
+  const double now = ImGui::GetTime();
+  turn_over(app.state, now);
+  if (picture) draw_picture(app, now);
   draw_panels(app.state, app.commands);
 }
 

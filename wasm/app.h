@@ -16,8 +16,10 @@ struct App {
 };
 
 // Everything between ImGui::NewFrame() and ImGui::Render(): what the pointer does takes effect at
-// once, what a panel asks for after the frame, by settle().
-void draw_frame(App& app, const Pointer& pointer);
+// once, what a panel asks for after the frame, by settle(). Without a `picture` only the panels are
+// laid out, to deal with input that came before a frame is due; that costs the same for every
+// polygon.
+void draw_frame(App& app, const Pointer& pointer, bool picture = true);
 
 // Applies what was asked for. Returns whether another frame is due.
 bool settle(App& app);

@@ -17,6 +17,9 @@ EM_JS(void, evenlift_announce, (const char* text),
       { Module["host"]["announce"](UTF8ToString(text)); })
 EM_JS(void, evenlift_open_page, (), { Module["host"]["openPage"](); })
 EM_JS(void, evenlift_measure_screen, (), { Module["host"]["measureScreen"](); })
+EM_JS(void, evenlift_schedule_frame, (), { Module["host"]["scheduleFrame"](); })
+EM_JS(void, evenlift_frame_after, (double seconds), { Module["host"]["frameAfter"](seconds); })
+EM_JS(void, evenlift_drop_frame_after, (), { Module["host"]["dropFrameAfter"](); })
 
 namespace evenlift::view::browser {
 
@@ -31,5 +34,8 @@ void open_dialog(Dialog dialog) {
 void announce(std::string_view text) { evenlift_announce(std::string(text).c_str()); }
 void open_page() { evenlift_open_page(); }
 void measure_screen() { evenlift_measure_screen(); }
+void request_frame_after(double seconds) { evenlift_frame_after(seconds); }
+void drop_frame_after() { evenlift_drop_frame_after(); }
+void schedule_frame() { evenlift_schedule_frame(); }
 
 }  // namespace evenlift::view::browser

@@ -36,4 +36,7 @@ void request_frame();
 void request_frame_after(double seconds);
 void drop_frame_after();
 
+// Asks the browser for page_frame() when it is time for a picture. For request_frame() alone.
+void schedule_frame();
+
 }  // namespace evenlift::view::browser

@@ -13,5 +13,6 @@ void measure_screen() {}
 void request_frame() {}
 void request_frame_after(double) {}
 void drop_frame_after() {}
+void schedule_frame() {}
 
 }  // namespace evenlift::view::browser

@@ -64,14 +64,18 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
     painter.outline(view.scene.hull_before, theme.hull_outline.at(1 - come), 2);
   }
   // Under the heat map the base is only outlined: its own green would mix with the map's colours.
-  if (view.scene.heat.empty()) painter.fill_convex(shape.points, theme.hull.at(come));
+  if (!view.scene.shows_heat()) painter.fill_convex(shape.points, theme.hull.at(come));
   painter.outline(shape.points, theme.hull_outline.at(come), 2);
 }
 
 void draw_object(const Painter& painter, const CanvasView& view, const Shape& shape) {
+  const RowFill rows = view.scene.triangles.empty() ? painter.rows(shape.points) : RowFill{};
   painter.fill(shape.points, view.scene.triangles, view.theme.object);
+  painter.fill(rows, view.theme.object);
+  if (!view.scene.shows_heat()) return;
   for (const HeatBand& band : view.scene.heat) {
     painter.triangles(band.triangles, heat_colour(view.theme, band.share));
+    painter.fill(rows, heat_colour(view.theme, band.share), band.region);
   }
 }
 

@@ -55,7 +55,10 @@ void draw_area(const Painter& painter, const Points& points, Colour fill, Colour
                float width) {
   if (points.size() == 2) return painter.line(points[0], points[1], line, width + 1);
   if (points.size() < 3) return;
-  painter.fill(points, triangulate(points), fill);
+  if (points.size() > most_triangulated)
+    painter.fill(painter.rows(points), fill);
+  else
+    painter.fill(points, triangulate(points), fill);
   if (width > 0) painter.outline(points, line, width);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "canvas_drawing.h"
 #include "evenlift/stability.h"
@@ -129,10 +130,42 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
   }
 }
 
+// Where thousands stand, each is a dot, and one is enough for all that stand in the same spot: what
+// a frame draws is bounded by the window.
+void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t teams) {
+  constexpr double spot = 3;  // CSS pixels
+  const Rect& window = view.window;
+  const auto across = static_cast<std::size_t>(window.width() / spot) + 1,
+             down = static_cast<std::size_t>(window.height() / spot) + 1;
+  std::vector<bool> taken(across * down);
+  const auto draw = [&](const Vec2& robot, Colour colour) {
+    const Vec2 at = view.camera.to_screen(robot);
+    if (!window.contains(at)) return;
+    const auto column = static_cast<std::size_t>((at.x() - window.left) / spot),
+               row = static_cast<std::size_t>((at.y() - window.top) / spot);
+    if (taken[row * across + column]) return;
+    taken[row * across + column] = true;
+    painter.list().AddRectFilled(vec(at.x() - 2, at.y() - 2), vec(at.x() + 2, at.y() + 2),
+                                 colour.packed());
+  };
+  // Those that carry too much first: they must not be hidden by others.
+  for (const bool over : {true, false}) {
+    for (std::size_t i = 0; i < teams; ++i) {
+      const Team& team = view.placement->teams[i];
+      for (std::size_t end = 0; end < 2; ++end) {
+        if ((view.state.capacity && team.loads[end] > *view.state.capacity) != over) continue;
+        draw(end == 0 ? team.chord.r1.position : team.chord.r2.position,
+             over ? view.theme.amber : view.theme.robot);
+      }
+    }
+  }
+}
+
 // Those that stand there already, with their loads once all are known.
 void draw_robots_of_lesson(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
   const Done& known = view.state.lesson.known;
+  if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
   const RobotSize size = robot_size(placement.teams.size());
   if (known.shares > 0 && known.shares == placement.teams.size() && size.labelled)
     draw_loads(painter, view, size);
@@ -149,6 +182,8 @@ void draw_robots_of_lesson(const Painter& painter, const CanvasView& view) {
 void draw_robots(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
   if (placement.teams.empty()) return;
+  if (placement.teams.size() > most_single_robots)
+    return draw_swarm(painter, view, placement.teams.size());
   const RobotSize size = robot_size(placement.teams.size());
   const bool at_rest = view.scene.progress >= 1;
   if (size.labelled && at_rest) draw_loads(painter, view, size);

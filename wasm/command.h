@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "browser.h"
+#include "opened.h"
 #include "state.h"
 
 namespace evenlift::view {
@@ -32,7 +33,7 @@ struct RemoveVertex {
   std::size_t vertex;
 };
 struct OpenDocument {
-  Document document;
+  Opened opened;  // applying the command moves it out
 };
 struct SetWhole {
   Points vertices;
@@ -43,7 +44,10 @@ struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
-// The rest leaves the document alone.
+// The rest leaves the polygon and its placement alone.
+struct Show {
+  Overlays overlays;
+};
 struct SetTool {
   Tool tool;
 };
@@ -147,7 +151,7 @@ struct ShowNotice {
 
 using Command =
     std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-                 OpenDocument, SetWhole, EndEdit, Undo, Redo, SetTool, GripWhole, AddPoint,
+                 OpenDocument, SetWhole, EndEdit, Undo, Redo, Show, SetTool, GripWhole, AddPoint,
                  TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, SetSnap, Compare,
                  SetCapacity, SetMotion, OpenLesson, CloseLesson, GoToStep, MoveSteps, MoveChapters,
                  SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverMark,

@@ -48,9 +48,11 @@ std::string open_with_these_settings(std::string_view text) {
   Document document = std::move(read).value();
   document.settings = settings(app().state);
   document.settings.step.reset();  // of another polygon's lesson
-  const Result<Placement> placement = place(document);
-  if (!placement) return sentence(placement.error());
-  carry_out({OpenDocument{std::move(document)}});
+  Result<Opened> polygon = opened(std::move(document));
+  if (!polygon) return sentence(polygon.error());
+  Commands commands;
+  commands.push_back(OpenDocument{std::move(polygon).value()});
+  carry_out(std::move(commands));
   return {};
 }
 

@@ -15,11 +15,15 @@ struct Side {
   double beyond(const Vec2& p) const { return -cross(along, p - a) / within; }
 };
 
+// A base of thousands of corners is as good as round: its sides need not all be looked at.
+constexpr std::size_t most_sides = 1000;
+
 // Those sides that some vertex lies beyond: the others cut nothing off.
 std::vector<Side> cutting_sides(const Placement& placement) {
   std::vector<Side> sides;
   const Points& hull = placement.hull;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
+  const std::size_t step = (hull.size() + most_sides - 1) / most_sides;
+  for (std::size_t i = 0; i < hull.size(); i += step) {
     const Vec2 along = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
     const Side side{hull[i], along, cross(along, placement.centre_of_mass - hull[i])};
     if (!(side.within > 0)) continue;
@@ -42,10 +46,31 @@ void cut(std::vector<Vec2>& area, const Side& side, double most, std::vector<Vec
   area.swap(kept);
 }
 
+// A rectangle that holds all of the polygon, counter-clockwise.
+Points box_around(const Points& polygon) {
+  Vec2 low = polygon[0], high = low;
+  for (const Vec2& p : polygon) {
+    low = {std::min(low.x(), p.x()), std::min(low.y(), p.y())};
+    high = {std::max(high.x(), p.x()), std::max(high.y(), p.y())};
+  }
+  const Vec2 more = high - low;
+  low -= more;
+  high += more;
+  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
 HeatBand band(const Placement& placement, const std::vector<std::uint32_t>& triangles,
               const std::vector<Side>& sides, double share) {
-  HeatBand result{share, {}};
+  HeatBand result{share, {}, {}};
   const double most = share > 0 ? 1 / share : std::numeric_limits<double>::infinity();
+  if (triangles.empty() && share > 0) {
+    std::vector<Vec2> spare;
+    result.region = box_around(placement.vertices);
+    for (const Side& side : sides) {
+      if (!result.region.empty()) cut(result.region, side, most, spare);
+    }
+    return result;
+  }
   std::vector<Vec2> area, spare;
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
     area.assign({placement.vertices[triangles[i]], placement.vertices[triangles[i + 1]],

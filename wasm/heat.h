@@ -16,12 +16,15 @@ inline constexpr double heat_levels[] = {0.1, 0.2, 0.5, 1, 2};
 struct HeatBand {
   double share = 0;
   std::vector<Vec2> triangles;
+  // Of a polygon without triangles, which is filled by rows: the convex region, counter-clockwise,
+  // whose part within the polygon this is; none for all of it.
+  Points region;
 };
 
 // From the outermost, which is all of the polygon (share 0), inwards: each is painted over the one
-// before. `triangles` are the polygon's, as triangulate() gives them. Where a force tips is an
-// intersection of half-planes, the sides of H moved outwards (algorithm.md, Stability). O(levels n
-// h), h the sides of H beyond which some of the polygon lies.
+// before. `triangles` are the polygon's, as triangulate() gives them, or none. Where a force tips
+// is an intersection of half-planes, the sides of H moved outwards (algorithm.md, Stability).
+// O(levels n h), h the sides of H beyond which some of the polygon lies.
 std::vector<HeatBand> heat_bands(const Placement& placement,
                                  const std::vector<std::uint32_t>& triangles);
 

@@ -6,6 +6,7 @@
 #include "browser.h"
 #include "evenlift/formats.h"
 #include "format.h"
+#include "opened.h"
 #include "pick.h"
 #include "update.h"
 
@@ -96,8 +97,8 @@ void enter(AppState& state, std::uint32_t step) {
 }
 
 // Traces the placement. False, with a notice, if it cannot be shown step by step.
-bool trace_it(AppState& state) {
-  Result<Trace> trace = make_trace(*state.placement);
+bool trace_it(AppState& state, std::optional<Trace> made = std::nullopt) {
+  Result<Trace> trace = made ? Result<Trace>(std::move(*made)) : compute_trace(*state.placement);
   if (!trace) {
     state.notice = {Notice::Kind::problem, sentence(trace.error()) + "."};
     browser::announce(state.notice.text);
@@ -159,18 +160,15 @@ std::optional<InputError> join_script(AppState& state, Script script) {
 
 }  // namespace
 
-std::optional<InputError> check_step(const Document& document, const Placement& placement) {
-  if (!document.settings.step) return std::nullopt;
-  const Result<Trace> trace = make_trace(placement);
-  if (!trace) return trace.error();
-  if (*document.settings.step < trace->size()) return std::nullopt;
+std::optional<InputError> check_step(std::uint32_t step, const Trace& trace) {
+  if (step < trace.size()) return std::nullopt;
   return InputError{
       ErrorCode::bad_setting,
-      "must be less than " + std::to_string(trace->size()) + ", the number of steps of this lesson",
+      "must be less than " + std::to_string(trace.size()) + ", the number of steps of this lesson",
       {Place::Kind::option, 0, 0, "step"}};
 }
 
-void follow_placement(AppState& state) {
+void follow_placement(AppState& state, std::optional<Trace> made) {
   LessonState& lesson = state.lesson;
   const std::optional<std::uint32_t> wanted = state.document.settings.step;
   if (!wanted) {
@@ -181,7 +179,7 @@ void follow_placement(AppState& state) {
   const bool moved = !lesson.trace || *wanted != lesson.at;
   const std::optional<Step> before =
       moved ? std::nullopt : std::optional<Step>(lesson.trace->step(lesson.at));
-  if (!trace_it(state)) return;
+  if (!trace_it(state, std::move(made))) return;
   if (before) {
     enter(state, nearest_step(*lesson.trace, *before));
     return;
@@ -362,15 +360,18 @@ std::optional<InputError> open_script(AppState& state, const std::string& text,
   }
   Result<Document> document = lesson_document(*lesson, sample);
   if (!document) return document.error();
-  const Result<Placement> placement = place(*document);
-  if (!placement) return placement.error();
-  const Result<Trace> trace = make_trace(*placement);
+  Result<Opened> of_it = opened(std::move(document).value());
+  if (!of_it) return of_it.error();
+  Result<Trace> trace = compute_trace(of_it->placement);
   if (!trace) return trace.error();
   if (const auto problem = check_lesson(*lesson, *trace)) return problem;
-  Script script{std::move(lesson).value(), {}, 0, document->vertices, 0};
+  Script script{std::move(lesson).value(), {}, 0, of_it->document.vertices, 0};
   if (join) return join_script(state, std::move(script));
-  document->settings.step = find_step(*trace, script.lesson.steps[0].address);
-  Commands commands{OpenDocument{std::move(document).value()}};
+  const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
+  of_it->document.settings.step = of_it->placement.settings.step = first;
+  of_it->trace = std::move(trace).value();
+  Commands commands;
+  commands.push_back(OpenDocument{std::move(of_it).value()});
   apply(state, commands);
   begin_script(state, std::move(script));
   return std::nullopt;

@@ -13,12 +13,11 @@ namespace evenlift::view {
 inline bool lesson_is_open(const AppState& state) { return state.lesson.trace.has_value(); }
 
 // After each change of the placement: traces it anew if a lesson is open, and keeps the place as
-// well as it can. The cost of make_trace().
-void follow_placement(AppState& state);
+// well as it can. The cost of make_trace(), unless it was `made` before.
+void follow_placement(AppState& state, std::optional<Trace> made = std::nullopt);
 
-// Why the step that an edited document asks for cannot be shown; nothing if it can, or none is
-// asked for.
-std::optional<InputError> check_step(const Document& document, const Placement& placement);
+// Why a step that is asked for cannot be shown; nothing if it can. O(1).
+std::optional<InputError> check_step(std::uint32_t step, const Trace& trace);
 
 void open_lesson(AppState& state);
 void close_lesson(AppState& state);

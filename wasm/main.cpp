@@ -2,6 +2,12 @@
 // A frame is drawn only when something asked for one. Dear ImGui's own backend for SDL2 is not
 // used: it reads the mouse where it is now, not where it was pressed, draws at whole CSS pixels and
 // brings gamepads along.
+//
+// Order: what comes in is dealt with in the order in which it came, however long a frame takes. The
+// pointer's events wait in one queue (sdl_input.h). They are dealt with in passes: a pass lays out
+// the panels and lets the pointer act on them and on the drawing, up to its next press or release.
+// A frame makes as many passes as there is input and draws the last one. A key or a call, which is
+// answered at once, first makes the passes that are waiting (page_catch_up), without a picture.
 #include <SDL.h>
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
@@ -9,12 +15,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "browser.h"
+#include "evenlift/formats.h"
 #include "page_api.h"
 #include "sdl_input.h"
 #include "theme.h"
 #include "webgl_renderer.h"
+#include "widgets.h"
 
 namespace evenlift::view {
 namespace {
@@ -31,28 +41,21 @@ struct Page {
   int frames_due = 0;
   bool frame_scheduled = false;
   bool context_lost = false;
+  bool passing = false;  // a pass is under way: calls that it makes to the page may call back
+  int passes_due = 0;    // until the panels stand as they will be: no press is dealt with before
   double fonts_for_ratio = 0;
   double last_frame_at = 0;  // seconds
   double frames = 0;
-  long frame_after = 0;  // the timer of request_frame_after()
+  double press_time = 0;  // of the press that the browser is telling of: page_press()
+  int press_clicks = 0;
   ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
 };
 Page page;
 
-void draw();
-
-EM_BOOL on_frame(double, void*) {
-  if (page.context_lost) return EM_FALSE;
-  page.frame_scheduled = false;
-  page.frames_due = std::max(0, page.frames_due - 1);
-  draw();
-  return EM_FALSE;
-}
-
 void schedule() {
   if (page.frame_scheduled || page.context_lost) return;
   page.frame_scheduled = true;
-  emscripten_request_animation_frame(on_frame, nullptr);
+  browser::schedule_frame();
 }
 
 void ask_for_frames(int count) {
@@ -60,8 +63,14 @@ void ask_for_frames(int count) {
   schedule();
 }
 
-// SDL_PollEvent() itself puts a sentinel into the queue: waking at that would never end.
+// SDL_PollEvent() itself puts a sentinel into the queue: waking at that would never end. SDL stamps
+// events with the time at which it hears of them, which a slow frame delays; a press keeps the time
+// at which it was made, and the browser's own count of clicks.
 int SDLCALL on_event(void*, SDL_Event* event) {
+  if (event->type == SDL_MOUSEBUTTONDOWN)
+    event->button.clicks = static_cast<Uint8>(std::clamp(page.press_clicks, 0, 255));
+  if (event->type == SDL_FINGERDOWN)
+    event->common.timestamp = static_cast<Uint32>(std::llround(page.press_time));
   if (event->type != SDL_POLLSENTINEL) ask_for_frames(frames_after_input);
   return 0;
 }
@@ -82,7 +91,7 @@ void fit_canvas() {
   }
 }
 
-void begin_frame(const Screen& screen) {
+void begin_pass(const Screen& screen) {
   ImGuiIO& io = ImGui::GetIO();
   const double now = emscripten_get_now() / 1000;
   io.DeltaTime = page.last_frame_at > 0
@@ -93,11 +102,12 @@ void begin_frame(const Screen& screen) {
   io.DisplaySize = ImVec2(width, height);
   io.DisplayFramebufferScale = ImVec2(static_cast<float>(page.canvas_width) / width,
                                       static_cast<float>(page.canvas_height) / height);
-  page.input.feed();
+  page.input.feed(page.passes_due == 0);
+  page.passes_due = std::max(0, page.passes_due - 1);
   ImGui::NewFrame();
 }
 
-void end_frame(const Colour& ground) {
+void show_frame(const Colour& ground) {
   ImGui::Render();
   page.renderer.draw(*ImGui::GetDrawData(), ground);
 }
@@ -114,23 +124,54 @@ void show_cursor() {
   SDL_SetCursor(shown[shape]);
 }
 
-void draw() {
+// What a press opens is measured in the next pass and can be hit in the one after.
+constexpr int passes_after_change = 2;
+void panels_change() { page.passes_due = passes_after_change; }
+
+// Deals with the next of the input. Draws, if it may, once none is left; returns whether it did.
+bool pass(bool may_draw) {
   App& a = app();
-  if (page.context_lost || page.canvas_width <= 0 || !a.state.placement) return;
-  // Not every browser tells at once that the window went to another screen.
-  if (emscripten_get_device_pixel_ratio() != a.state.screen.ratio) browser::measure_screen();
+  page.passing = true;
+  begin_pass(a.state.screen);
+  const bool draws = may_draw && !page.input.waiting();
+  const Pointer pointer = page.input.pointer();
+  if (pointer.pressed || pointer.released) panels_change();
+  draw_frame(a, pointer, draws);
+  if (draws)
+    show_frame(theme(a.state).ground);
+  else
+    ImGui::EndFrame();
+  if (settle(a)) ask_for_frames(2);
+  page.passing = false;
+  return draws;
+}
+
+void take_input() {
+  App& a = app();
   page.input.take(a.state.screen);
   a.state.screen.touch = page.input.touch();
+}
+
+void draw() {
+  App& a = app();
+  if (page.passing || page.context_lost || page.canvas_width <= 0 || !a.state.placement) return;
+  // Not every browser tells at once that the window went to another screen.
+  if (emscripten_get_device_pixel_ratio() != a.state.screen.ratio) browser::measure_screen();
+  take_input();
   fit_canvas();
   load_fonts_for(a.state.screen.ratio);
-  begin_frame(a.state.screen);
-  draw_frame(a, page.input.pointer());
-  end_frame(theme(a.state).ground);
+  while (!pass(true)) {
+  }
   show_cursor();
   page.frames += 1;
-  if (settle(a)) ask_for_frames(2);
-  if (page.input.waiting()) ask_for_frames(frames_after_input);
   if (page.frames_due > 0) schedule();
+}
+
+// Before the first frame there are no panels yet to be hit.
+void catch_up() {
+  if (page.passing || page.frames == 0) return;
+  take_input();
+  while (page.input.waiting()) pass(false);
 }
 
 // The canvas's WebGL 2 context, without the buffers that flat drawing does not need.
@@ -162,13 +203,10 @@ bool start() {
 
 }  // namespace
 
-void browser::request_frame() { ask_for_frames(2); }
-void browser::request_frame_after(double seconds) {
-  drop_frame_after();
-  page.frame_after =
-      emscripten_set_timeout([](void*) { ask_for_frames(1); }, seconds * 1000 + 1, nullptr);
+void browser::request_frame() {
+  panels_change();
+  ask_for_frames(2);
 }
-void browser::drop_frame_after() { emscripten_clear_timeout(page.frame_after); }
 
 }  // namespace evenlift::view
 
@@ -213,6 +251,42 @@ EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
 }
 
 EMSCRIPTEN_KEEPALIVE double page_frames() { return page.frames; }
+
+// The frame that was scheduled; and after some time one that was asked for.
+EMSCRIPTEN_KEEPALIVE void page_frame() {
+  if (page.context_lost) return;
+  page.frame_scheduled = false;
+  page.frames_due = std::max(0, page.frames_due - 1);
+  draw();
+}
+EMSCRIPTEN_KEEPALIVE void page_wake() { ask_for_frames(1); }
+
+// Deals with all input that came before. web/program.js calls it before each call but page_frame().
+EMSCRIPTEN_KEEPALIVE void page_catch_up() { catch_up(); }
+
+// The press of which SDL hears next: when it was made, in milliseconds, and the how manyth in one
+// place it is, 0 if the browser does not count.
+EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
+  page.press_time = time;
+  page.press_clicks = clicks;
+}
+
+// Where a control of the panels stands, as `left top width height`, or nothing if there is none of
+// that name now.
+EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
+  static std::string place;
+  place.clear();
+  if (page.passing || page.frames == 0) return place.c_str();
+  do pass(false);
+  while (page.passes_due > 0);
+  seek_control(name);
+  pass(false);
+  if (const std::optional<Rect> found = found_control()) {
+    for (const double value : {found->left, found->top, found->width(), found->height()})
+      place += evenlift::shortest(value) + " ";
+  }
+  return place.c_str();
+}
 
 }  // extern "C"
 

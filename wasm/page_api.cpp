@@ -30,13 +30,16 @@ const char* hand_over(std::string text) {
 
 const char* no_error() { return ""; }
 
-void open_undoably(Document document) {
+void open_undoably(Opened opened) {
   AppState& state = app().state;
-  Commands commands{OpenDocument{std::move(document)}};
+  Commands commands;
+  commands.push_back(OpenDocument{std::move(opened)});
   apply(state, commands);
   frame_view(state);
   browser::request_frame();
 }
+
+Result<Opened> no_document() { return InputError{ErrorCode::bad_syntax, "there is none", {}}; }
 
 std::string link_or_nothing(const Document& document) {
   Result<std::string> link = encode_link(document);
@@ -68,27 +71,28 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* wo
   AppState& state = app().state;
   state.screen.embed = embed != 0;
   std::string problem;
-  std::optional<Document> linked, kept;
+  Result<Opened> linked = no_document(), kept = no_document();
   if (*fragment) {
-    Result<Document> read = read_link(fragment);
-    if (read)
-      linked = std::move(read).value();
-    else
-      problem = sentence(read.error());
-  }
-  if (*work) {
-    Result<Document> read = read_document(work);
-    if (read) kept = std::move(read).value();
+    linked = read_link(fragment);
+    if (!linked) problem = sentence(linked.error());
   }
   if (linked) {
-    start_with(state, std::move(*linked), kept);
-  } else if (kept) {
-    start_with(state, std::move(*kept), std::nullopt);
-    const Result<Document> edited = evenlift::decode_link(draft);
-    if (edited) open_undoably(*edited);
-  } else {
-    start_with(state, std::move(read_document(opening_sample())).value(), std::nullopt);
+    // The kept work is one undo away, and not computed before somebody goes there.
+    const Result<Document> before = parse_document(work);
+    start_with(state, std::move(linked).value(),
+               before ? std::optional<Document>(*before) : std::nullopt);
+    return hand_over(problem);
   }
+  if (*work) kept = read_document(work);
+  if (!kept) {
+    start_with(state, std::move(read_document(opening_sample())).value(), std::nullopt);
+    return hand_over(problem);
+  }
+  start_with(state, std::move(kept).value(), std::nullopt);
+  if (Result<Document> draft_of_it = evenlift::decode_link(draft))
+    resume_draft(state, std::move(draft_of_it).value());
+  frame_view(state);
+  browser::request_frame();
   return hand_over(problem);
 }
 
@@ -101,7 +105,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_state() {
 
 // Returns why it was refused, or nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
-  Result<Document> document = read_document(text);
+  Result<Opened> document = read_document(text);
   if (!document) return hand_over(sentence(document.error()));
   open_undoably(std::move(document).value());
   return no_error();
@@ -109,7 +113,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
 
 // The same for a fragment, which is a link or nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
-  Result<Document> document = read_link(fragment);
+  Result<Opened> document = read_link(fragment);
   if (!document) return hand_over(sentence(document.error()));
   open_undoably(std::move(document).value());
   return no_error();

@@ -9,6 +9,15 @@ namespace {
 
 constexpr double margin = 40;  // CSS pixels beyond the window that are still drawn: widths, fringes
 
+// Dear ImGui keeps 40 bytes a point on the stack while it draws a line, and a polygon may have a
+// million points: a bounded number of them at a time.
+constexpr std::size_t most_at_once = 4096;
+
+// Of fewer points all are drawn. Of more only those that can be told apart are: they lie farther
+// from each other than this share of a device pixel.
+constexpr std::size_t few = 2048;
+constexpr double same_spot = 0.25;
+
 ImVec2 vec(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
 
 // Sutherland and Hodgman's step: what lies on the side where `inside` is at least 0.
@@ -39,6 +48,49 @@ void Painter::fill(const Points& polygon, const std::vector<std::uint32_t>& tria
   for (const Vec2& p : polygon) list_.PrimWriteVtx(at(p), uv, packed);
 }
 
+RowFill Painter::rows(const Points& polygon) const {
+  return fill_rows(polygon, camera_, window_, static_cast<double>(list_._FringeScale));
+}
+
+std::vector<std::pair<float, float>> Painter::reach(const Points& convex, float row_height) const {
+  const double height = static_cast<double>(row_height);
+  const auto count = static_cast<std::size_t>(window_.height() / height) + 2;
+  std::vector<std::pair<float, float>> rows(count, {1e9f, -1e9f});
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    Vec2 a = camera_.to_screen(convex[i]),
+         b = camera_.to_screen(convex[i + 1 == convex.size() ? 0 : i + 1]);
+    if (a.y() > b.y()) std::swap(a, b);
+    const auto row_after = [&](double y) {
+      return static_cast<std::size_t>(
+          std::clamp(std::ceil((y - window_.top) / height - 0.5), 0.0, static_cast<double>(count)));
+    };
+    for (std::size_t row = row_after(a.y()); row < row_after(b.y()); ++row) {
+      const double y = window_.top + (static_cast<double>(row) + 0.5) * height;
+      const auto x = static_cast<float>(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+      rows[row] = {std::min(rows[row].first, x), std::max(rows[row].second, x)};
+    }
+  }
+  return rows;
+}
+
+void Painter::fill(const RowFill& rows, Colour colour, const Points& within) const {
+  const ImU32 packed = colour.at(strength_).packed();
+  const std::vector<std::pair<float, float>> limits =
+      within.empty() ? std::vector<std::pair<float, float>>() : reach(within, rows.height);
+  for (const RowSpan& span : rows.spans) {
+    float left = span.left, right = span.right;
+    if (!limits.empty()) {
+      const auto row = static_cast<std::size_t>(std::lround(
+          (static_cast<double>(span.top) - window_.top) / static_cast<double>(rows.height)));
+      left = std::max(left, limits[row].first);
+      right = std::min(right, limits[row].second);
+    }
+    if (!(left < right)) continue;
+    list_.PrimReserve(6, 4);
+    list_.PrimRect(ImVec2(left, span.top), ImVec2(right, span.top + rows.height), packed);
+  }
+}
+
 void Painter::triangles(const std::vector<Vec2>& corners, Colour colour) const {
   // A bounded number at a time: Dear ImGui's indices may have 16 bits.
   constexpr std::size_t most = 3 * 4096;
@@ -66,18 +118,57 @@ Points Painter::clipped(const Points& counter_clockwise) const {
   return cut(area, [&](const Vec2& p) { return window_.bottom + margin - p.y(); });
 }
 
+double Painter::least_step() const { return same_spot * static_cast<double>(list_._FringeScale); }
+
 void Painter::fill_convex(const Points& counter_clockwise, Colour colour) const {
   const Points area = clipped(counter_clockwise);
   if (area.size() < 3) return;
-  for (const Vec2& p : area) list_.PathLineTo(vec(p));
+  // The window bounds how many are left once those in the same spot are one.
+  const double least = area.size() > few ? least_step() : -1;
+  Vec2 last = area.back();
+  for (const Vec2& p : area) {
+    if (!(length(p - last) > least)) continue;
+    list_.PathLineTo(vec(p));
+    last = p;
+  }
   list_.PathFillConvex(colour.at(strength_).packed());
 }
 
 void Painter::outline(const Points& polygon, Colour colour, float width, bool closed) const {
   if (polygon.empty()) return;
+  if (polygon.size() > few) return long_outline(polygon, colour, width, closed);
   for (const Vec2& p : polygon) list_.PathLineTo(at(p));
   list_.PathStroke(colour.at(strength_).packed(), closed ? ImDrawFlags_Closed : ImDrawFlags_None,
                    width);
+}
+
+// In pieces that each begin where the last one ended, without what is beside the window.
+void Painter::long_outline(const Points& polygon, Colour colour, float width, bool closed) const {
+  const ImU32 packed = colour.at(strength_).packed();
+  const double least = least_step();
+  const auto stroke = [&] { list_.PathStroke(packed, ImDrawFlags_None, width); };
+  Vec2 last = camera_.to_screen(polygon[0]);
+  const std::size_t edges = closed ? polygon.size() : polygon.size() - 1;
+  for (std::size_t i = 1; i <= edges; ++i) {
+    const Vec2 next = camera_.to_screen(polygon[i == polygon.size() ? 0 : i]);
+    if (i < edges && length(next - last) < least) continue;
+    if (seen(last, next)) {
+      if (list_._Path.Size == 0) list_.PathLineTo(vec(last));
+      list_.PathLineTo(vec(next));
+      if (static_cast<std::size_t>(list_._Path.Size) >= most_at_once) stroke();
+    } else if (list_._Path.Size > 0) {
+      stroke();
+    }
+    last = next;
+  }
+  if (list_._Path.Size > 0) stroke();
+}
+
+bool Painter::seen(const Vec2& a, const Vec2& b) const {
+  return std::max(a.x(), b.x()) >= window_.left - margin &&
+         std::min(a.x(), b.x()) <= window_.right + margin &&
+         std::max(a.y(), b.y()) >= window_.top - margin &&
+         std::min(a.y(), b.y()) <= window_.bottom + margin;
 }
 
 bool Painter::clip(Vec2& a, Vec2& b) const {

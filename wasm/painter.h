@@ -4,9 +4,11 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "camera.h"
+#include "fill_rows.h"
 #include "theme.h"
 
 namespace evenlift::view {
@@ -22,6 +24,9 @@ class Painter {
 
   void fill(const Points& polygon, const std::vector<std::uint32_t>& triangles,
             Colour colour) const;
+  // What of a large polygon the window shows, filled by rows; `within` a convex area, if given.
+  RowFill rows(const Points& polygon) const;
+  void fill(const RowFill& rows, Colour colour, const Points& within = {}) const;
   void triangles(const std::vector<Vec2>& corners, Colour colour) const;
   void fill_convex(const Points& counter_clockwise, Colour colour) const;
   void outline(const Points& polygon, Colour colour, float width, bool closed = true) const;
@@ -35,6 +40,13 @@ class Painter {
   Points clipped(const Points& counter_clockwise) const;
   // The part of a segment near the window; false if there is none.
   bool clip(Vec2& a, Vec2& b) const;
+  // Whether the window may show something of a segment. O(1).
+  bool seen(const Vec2& a, const Vec2& b) const;
+  void long_outline(const Points& polygon, Colour colour, float width, bool closed) const;
+  // Points closer together, in CSS pixels, look like one.
+  double least_step() const;
+  // From where to where a convex area reaches in each of the rows.
+  std::vector<std::pair<float, float>> reach(const Points& convex, float row_height) const;
 
   ImDrawList& list_;
   const Camera& camera_;

@@ -69,9 +69,9 @@ void draw_overlays(const Ui& ui) {
     if (!first && ImGui::GetItemRectMax().x + 6 + wide <= left + width) ImGui::SameLine(0, 6);
     first = false;
     if (chip(ui, overlay.label, overlay.swatch, overlay.label, on)) {
-      Settings changed = settings(ui.state);
-      changed.overlays.*overlay.shown = !on;
-      ui.push(SetSettings{changed});
+      Overlays changed = settings(ui.state).overlays;
+      changed.*overlay.shown = !on;
+      ui.push(Show{changed});
     }
     if (ImGui::IsItemHovered()) tip(ui, overlay.about);
   }

@@ -4,6 +4,7 @@
 #include <SDL.h>
 #include <imgui.h>
 
+#include <optional>
 #include <vector>
 
 #include "pointer.h"
@@ -15,27 +16,31 @@ class SdlInput {
   // Takes all waiting events.
   void take(const Screen& screen);
 
-  // Hands Dear ImGui the pointer's events up to the next press or release: two of them in one frame
-  // would be lost. Call before ImGui::NewFrame().
-  void feed();
+  // Hands Dear ImGui the pointer's next events, in the order in which they came: up to and with the
+  // next press, release or turn of the wheel, since two of them in one pass would be lost. A press
+  // waits until the panels are `laid_out`. Call before ImGui::NewFrame().
+  void feed(bool laid_out);
 
   // Two fingers of a trackpad, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
-  // After ImGui::NewFrame(): the frame's pointer.
+  // After ImGui::NewFrame(): the pointer in this pass.
   Pointer pointer();
 
   bool waiting() const { return !queue_.empty(); }
   bool touch() const { return touch_; }
 
  private:
-  enum class What { move, down, up, leave };
+  enum class What { move, down, up, leave, wheel, pinch };
   struct Event {
     What what;
     Vec2 at;
-    bool touch;
-    Uint32 time;  // milliseconds, when it came: a slow frame must not part the two presses of a
-                  // double one
+    bool touch = false;
+    Uint32 time = 0;            // of a finger's press: when it was made, milliseconds
+    int clicks = 0;             // of a mouse's press: how many there were in one place
+    float wheel = 0;            // steps
+    Vec2 moved = Vec2::Zero();  // of a pinch: its middle
+    double factor = 1;
   };
   struct Finger {
     SDL_FingerID id;
@@ -46,19 +51,22 @@ class SdlInput {
   bool is_second(const Event& press) const;
   void begin_pinch();
   void follow_pinch();
+  bool ends_pass(const Event& next, bool laid_out) const;
+  void deal_with(const Event& event);
 
   std::vector<Event> queue_;  // short: what came since the last frame
   std::vector<Finger> fingers_;
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false;
-  bool second_press_ = false;  // of a double press, in this frame
   Vec2 pressed_at_ = Vec2::Zero();
-  Uint32 pressed_time_ = 0;  // 0: the next press is a first one
-  float wheel_ = 0;
+  std::optional<Uint32> pressed_time_;  // none: a finger's next press is a first one
   bool two_fingers_ = false;  // until all are lifted: the last finger of a pinch drags nothing
-  bool pinched_ = false;      // since the last frame
-  Vec2 pinch_middle_ = Vec2::Zero(), pinch_moved_ = Vec2::Zero();
-  double pinch_spread_ = 1, pinch_factor_ = 1;
+  Vec2 pinch_middle_ = Vec2::Zero();
+  double pinch_spread_ = 1;
+
+  // What this pass has dealt with.
+  bool dragged_ = false, ended_ = false, second_press_ = false;
+  std::optional<Event> wheel_, pinch_;  // several in a row count as one
 };
 
 }  // namespace evenlift::view

@@ -13,8 +13,9 @@
 namespace evenlift::view {
 
 // Indices of vertices, three a triangle. For drawing only: plain doubles, always ends, and what is
-// not simple (an edit passes through such states) gives some triangles. About O(n log n) for the
-// shapes that people draw: ears are looked for only among the vertices near them, found by Z-order.
+// not simple (an edit passes through such states) gives some triangles. Ears are looked for only
+// among the vertices near them, found by Z-order: little more than O(n) for most shapes, O(n²) for
+// some, so large polygons are filled by rows instead (fill_rows.h).
 std::vector<std::uint32_t> triangulate(const Points& vertices);
 
 }  // namespace evenlift::view

@@ -9,6 +9,7 @@
 #include "format.h"
 #include "layout.h"
 #include "lesson.h"
+#include "opened.h"
 
 namespace evenlift::view {
 namespace {
@@ -22,9 +23,18 @@ void show(AppState& state, Notice notice) {
   state.notice = std::move(notice);
 }
 
+// A method beside itself would show nothing: where the document takes the method that is compared,
+// the two change sides.
+void part_methods(AppState& state, Metric former) {
+  const Metric now = state.document.settings.metric;
+  if (state.compared != now) return;
+  state.compared = former == now ? std::nullopt : std::optional<Metric>(former);
+}
+
 // Takes over what place() says of the document.
 void adopt(AppState& state, Result<Placement> placement) {
   ++state.revision;
+  part_methods(state, state.placed.settings.metric);
   const std::string before = state.refusal ? sentence(*state.refusal) : std::string();
   if (placement) {
     state.plan_due |= !state.placement || !same_plan(*state.placement, *placement);
@@ -53,7 +63,8 @@ void follow_up(AppState& state) {
     if (all)
       document.settings.teams =
           static_cast<std::uint32_t>(std::max<std::size_t>(state.placement->teams.size(), 1));
-    if (Result<Placement> placement = place(document)) state.other = std::move(placement).value();
+    if (Result<Placement> placement = compute_placement(document))
+      state.other = std::move(placement).value();
   }
   if (state.edit_open || !state.plan_due) return;
   state.plan.reset();
@@ -62,7 +73,7 @@ void follow_up(AppState& state) {
 }
 
 void recompute(AppState& state) {
-  adopt(state, place(state.document));
+  adopt(state, compute_placement(state.document));
   follow_up(state);
   follow_placement(state);
 }
@@ -85,9 +96,8 @@ void begin_edit(AppState& state, bool live) {
 
 void fit_view(AppState& state) { state.camera_follows = state.fit_due = true; }
 
-void open(AppState& state, Document document) {
-  begin_edit(state, false);
-  state.document = std::move(document);
+// Lets go of all that belonged to the document before.
+void forget_former(AppState& state) {
   if (state.tool == Tool::draw) state.tool = Tool::parts;
   state.drawing = {};
   state.selected.reset();
@@ -99,7 +109,20 @@ void open(AppState& state, Document document) {
   state.lesson.visited.clear();
   state.lesson.at = 0;
   fit_view(state);
-  recompute(state);
+}
+
+// Shows an opened document in place of the one that is open; what to undo is the caller's business.
+void show_opened(AppState& state, Opened opened) {
+  forget_former(state);
+  state.document = std::move(opened.document);
+  adopt(state, std::move(opened.placement));
+  follow_up(state);
+  follow_placement(state, std::move(opened.trace));
+}
+
+void open(AppState& state, Opened opened) {
+  begin_edit(state, false);
+  show_opened(state, std::move(opened));
 }
 
 // The polygon that was drawn, with the settings in force.
@@ -108,12 +131,12 @@ void finish_drawing(AppState& state) {
   drawn.vertices = state.drawing.points;
   drawn.settings = state.document.settings;
   drawn.settings.step.reset();
-  const Result<Placement> placement = place(drawn);
-  if (!placement) {
-    show(state, {Notice::Kind::problem, sentence(placement.error()) + "."});
+  Result<Opened> polygon = opened(std::move(drawn));
+  if (!polygon) {
+    show(state, {Notice::Kind::problem, sentence(polygon.error()) + "."});
     return;
   }
-  open(state, std::move(drawn));
+  open(state, std::move(polygon).value());
 }
 
 // Whether the camera shows all of the points, and not from afar.
@@ -135,6 +158,7 @@ void step_back(AppState& state, Document document) {
     state.lesson.script.reset();
   else
     document.settings.step = state.document.settings.step;
+  document.settings.overlays = state.document.settings.overlays;  // showing is no edit either
   state.document = std::move(document);
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);
@@ -197,7 +221,7 @@ struct Applier {
     state.hover = state.held = {};
     recompute(state);
   }
-  void operator()(const OpenDocument& c) const { open(state, c.document); }
+  void operator()(OpenDocument& c) const { open(state, std::move(c.opened)); }
   void operator()(const SetWhole& c) const {
     if (c.vertices == state.document.vertices) return;
     begin_edit(state, c.live);
@@ -217,6 +241,13 @@ struct Applier {
     if (state.history.can_redo()) step_back(state, state.history.redo(state.document));
   }
 
+  // Showing is not editing: it computes nothing, and there is nothing to undo. Links carry it.
+  void operator()(const Show& c) const {
+    if (c.overlays == state.document.settings.overlays) return;
+    state.document.settings.overlays = state.placed.settings.overlays = c.overlays;
+    if (state.placement) state.placement->settings.overlays = c.overlays;
+    browser::document_changed();
+  }
   void operator()(const SetTool& c) const {
     if (c.tool == Tool::draw && lesson_is_open(state)) close_lesson(state);
     state.tool = c.tool;
@@ -273,7 +304,7 @@ struct Applier {
   void operator()(const SetDrawCursor& c) const { state.drawing.cursor = c.at; }
   void operator()(const SetSnap& c) const { state.snap = c.snap; }
   void operator()(const Compare& c) const {
-    state.compared = c.metric;
+    state.compared = c.metric == state.document.settings.metric ? std::nullopt : c.metric;
     state.hover = state.held = {};
     follow_up(state);
     ++state.revision;
@@ -332,7 +363,7 @@ struct Applier {
 
 bool apply(AppState& state, Commands& commands) {
   if (commands.empty()) return false;
-  for (const Command& command : commands) std::visit(Applier{state}, command);
+  for (Command& command : commands) std::visit(Applier{state}, command);
   commands.clear();
   return true;
 }
@@ -347,44 +378,71 @@ void frame_view(AppState& state) {
   state.fit_due = false;
 }
 
-Result<Document> read_link(std::string_view link) {
-  Result<Document> document = decode_link(link);
-  if (!document) return document;
-  const Result<Placement> placement = place(*document);
-  if (!placement) return placement.error();
-  return document;
+void start_with(AppState& state, Opened opened, const std::optional<Document>& work) {
+  if (work) {
+    state.document = *work;
+    open(state, std::move(opened));
+  } else {
+    show_opened(state, std::move(opened));
+  }
 }
 
-Result<Document> read_document(std::string_view text) {
-  if (looks_like_link(text)) return read_link(text);
-  Result<Document> document = read_polygon(text);
-  if (!document) return document;
-  const Result<Placement> placement = place(*document);
-  if (!placement) return placement.error();
-  return document;
-}
-
-void start_with(AppState& state, Document document, const std::optional<Document>& work) {
-  state.document = work ? *work : document;
-  fit_view(state);
+void resume_draft(AppState& state, Document draft) {
+  begin_edit(state, false);
+  forget_former(state);
+  state.document = std::move(draft);
   recompute(state);
-  if (work) open(state, std::move(document));
 }
 
-std::optional<InputError> try_edit(AppState& state, const Document& edited) {
-  Result<Placement> placement = place(edited);
-  if (!placement) return placement.error();
-  if (const auto problem = check_step(edited, *placement)) return problem;
+namespace {
+
+// Whether an edited document differs in the lesson's step alone: then nothing is to be computed.
+bool only_steps(const AppState& state, const Document& edited) {
   Settings but_step = edited.settings;
   but_step.step = state.document.settings.step;
-  const bool moved_only = edited.vertices == state.document.vertices &&
-                          edited.centre_of_mass == state.document.centre_of_mass &&
-                          but_step == state.document.settings;
-  if (!moved_only) begin_edit(state, false);
+  return !state.refusal && edited.vertices == state.document.vertices &&
+         edited.centre_of_mass == state.document.centre_of_mass &&
+         but_step == state.document.settings;
+}
+
+// Goes to another step of the lesson of the document that is open, or leaves the lesson.
+std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t> step) {
+  std::optional<Trace> made;
+  if (step && !lesson_is_open(state)) {
+    Result<Trace> trace = compute_trace(*state.placement);
+    if (!trace) return trace.error();
+    made = std::move(trace).value();
+  }
+  if (step) {
+    if (const auto problem = check_step(*step, made ? *made : *state.lesson.trace)) return problem;
+  }
+  if (step && !made) {
+    go_to_step(state, *step);
+    return std::nullopt;
+  }
+  state.document.settings.step = state.placed.settings.step = step;
+  follow_placement(state, std::move(made));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<InputError> try_edit(AppState& state, const Document& edited) {
+  if (only_steps(state, edited)) return try_step(state, edited.settings.step);
+  Result<Placement> placement = compute_placement(edited);
+  if (!placement) return placement.error();
+  std::optional<Trace> trace;
+  if (edited.settings.step) {
+    Result<Trace> made = compute_trace(*placement);
+    if (!made) return made.error();
+    if (auto problem = check_step(*edited.settings.step, *made)) return problem;
+    trace = std::move(made).value();
+  }
+  begin_edit(state, false);
   state.document = edited;
   adopt(state, std::move(placement));
   follow_up(state);
-  follow_placement(state);
+  follow_placement(state, std::move(trace));
   return std::nullopt;
 }
 

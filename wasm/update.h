@@ -1,10 +1,9 @@
 // Applies commands to the state and recomputes what follows from the document.
 #pragma once
 
-#include <string_view>
-
 #include "command.h"
 #include "evenlift/result.h"
+#include "opened.h"
 #include "state.h"
 
 namespace evenlift::view {
@@ -17,16 +16,15 @@ bool apply(AppState& state, Commands& commands);
 // panels changed until somebody pans or zooms. Never while a vertex is dragged.
 void frame_view(AppState& state);
 
-// The document that a link, or a link or a polygon's text, holds, if it can be placed; else the
-// first error.
-Result<Document> read_link(std::string_view link);
-Result<Document> read_document(std::string_view text);
-
 // Opens a document as it is at the start of the page: nothing to undo. `work` is an older document
-// to which undo leads back, if there is one.
-void start_with(AppState& state, Document document, const std::optional<Document>& work);
+// to which undo leads back, if there is one; it is not placed before.
+void start_with(AppState& state, Opened opened, const std::optional<Document>& work);
+
+// Goes on with what was being edited when it was refused, as one step of undo.
+void resume_draft(AppState& state, Document draft);
 
 // Takes over an edited document as one step of undo, or says why it is refused and changes nothing.
+// Another step of the lesson alone is no edit, and computes nothing.
 std::optional<InputError> try_edit(AppState& state, const Document& edited);
 
 }  // namespace evenlift::view

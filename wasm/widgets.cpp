@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "browser.h"
 
@@ -20,7 +22,23 @@ struct Area {
   ImVec2 middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 };
 
-Area area(const Ui& ui, const char* id, ImVec2 size, bool enabled = true) {
+struct Sought {
+  std::string name;  // empty: nothing is sought
+  std::optional<Rect> found;
+};
+Sought sought;
+
+void offer_control(std::string_view group, std::string_view id) {
+  if (sought.name.empty() || sought.found) return;
+  const std::string name =
+      group.empty() ? std::string(id) : std::string(group) + ' ' + std::string(id);
+  if (name != sought.name) return;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  sought.found = Rect{low.x, low.y, high.x, high.y};
+}
+
+Area area(const Ui& ui, const char* id, ImVec2 size, bool enabled = true,
+          std::string_view group = {}) {
   Area a;
   a.pressed = tapped(ui, ImGui::InvisibleButton(id, size)) && enabled;
   a.low = ImGui::GetItemRectMin();
@@ -28,6 +46,7 @@ Area area(const Ui& ui, const char* id, ImVec2 size, bool enabled = true) {
   a.hovered = ImGui::IsItemHovered() && enabled;
   a.active = ImGui::IsItemActive() && enabled;
   a.focused = ImGui::IsItemFocused();
+  offer_control(group, id);
   if (a.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   return a;
 }
@@ -102,6 +121,14 @@ void draw_swatch(const Ui& ui, Swatch swatch, ImVec2 low, bool on) {
 }
 
 }  // namespace
+
+void seek_control(std::string name) { sought = {std::move(name), std::nullopt}; }
+
+std::optional<Rect> found_control() {
+  const std::optional<Rect> found = sought.found;
+  sought = {};
+  return found;
+}
 
 void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options) {
   ImGui::SetNextWindowPos(vec(place.left, place.top));
@@ -222,7 +249,7 @@ int stepper(const Ui& ui, const char* id, const std::string& value, bool can_low
   list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
   int change = 0;
   const auto end = [&](const char* name, Icon icon, bool enabled, int by) {
-    const Area a = area(ui, name, ImVec2(side, height), enabled);
+    const Area a = area(ui, name, ImVec2(side, height), enabled, id);
     if (a.hovered || a.active) list.AddRectFilled(a.low, a.high, ui.theme.panel_line.packed(), 7);
     draw_icon(list, icon, a.middle(), 16, enabled ? ui.theme.text : ui.theme.quiet.at(0.6f));
     if (enabled && repeats(a)) change = by;

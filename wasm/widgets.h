@@ -1,6 +1,7 @@
 // The page's controls. All sizes are CSS pixels; `id` is unique within its window.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "icons.h"
@@ -23,6 +24,12 @@ void scroll_by_finger(const Ui& ui);
 
 // Whether a press was meant as one, and did not scroll.
 bool tapped(const Ui& ui, bool pressed);
+
+// For scripts and tests: where a control stands. The first one of that name that is laid out after
+// seek_control() is found. A control's name is its id; the two ends of a stepper are "id -" and
+// "id +".
+void seek_control(std::string name);
+std::optional<Rect> found_control();
 
 // Under what floats.
 void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high);

@@ -1,4 +1,5 @@
 import { isLesson, unreadable } from "./lesson_text.js";
+import { idle } from "./work.js";
 
 // window.evenlift, the page's scripting interface (docs/page.md).
 
@@ -48,6 +49,13 @@ function point(x, y) {
   return Object.assign([x, y], { x, y });
 }
 
+// Where a control stands; null if there is none of that name now.
+function place(text) {
+  if (!text) return null;
+  const [x, y, width, height] = text.trim().split(" ").map(Number);
+  return { x, y, width, height };
+}
+
 export function createApi() {
   let program;
   let resolve;
@@ -77,9 +85,11 @@ export function createApi() {
     get frames() {
       return program ? program.number("page_frames") : 0;
     },
+    idle: () => ready.then(idle),
     view: Object.freeze({
       to_screen: (x, y) => point(running().number("page_screen_x", x, y), program.number("page_screen_y", x, y)),
       to_world: (px, py) => point(running().number("page_world_x", px, py), program.number("page_world_y", px, py)),
+      control: (name) => place(running().text("page_control", String(name))),
     }),
   };
   return {

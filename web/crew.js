@@ -1,4 +1,6 @@
 // The workers of an experiment, and what they are given to do.
+import { underWay } from "./under_way.js";
+
 class Hand {
   #worker;
   #waiting = new Map();
@@ -21,7 +23,7 @@ class Hand {
 
   ask(task, given) {
     return new Promise((done, fail) => {
-      if (this.#ended) fail(this.#ended);
+      if (this.#ended) return fail(this.#ended);
       this.#waiting.set(++this.#last, { done, fail });
       this.#worker.postMessage({ id: this.#last, task, ...given });
     });
@@ -42,7 +44,11 @@ const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) 
 // polygon, whose text `read()` gives or fails to give, to be measured with one method, or with all if none is named. With
 // `onePolygon` the results are those of one polygon by itself, and one worker is enough. `progress(done, title)` is told
 // of each finished task. Ended by `signal`, it fails with the signal's reason.
-export async function runExperiment(tasks, { settings, onePolygon, signal, progress }) {
+export function runExperiment(tasks, options) {
+  return underWay(run(tasks, options));
+}
+
+async function run(tasks, { settings, onePolygon, signal, progress }) {
   const hands = onePolygon ? 1 : Math.min(most(), Math.max(1, tasks.length));
   const crew = Array.from({ length: hands }, () => new Hand());
   const stop = (why) => crew.forEach((hand) => hand.end(why));

@@ -1,3 +1,5 @@
+import { underWay } from "./under_way.js";
+
 // The page's own data files, each fetched once, when first asked for; a failure may be tried again.
 const fetched = new Map();
 
@@ -14,7 +16,7 @@ export function fetchJson(name) {
 export async function ask(url, options) {
   let answer;
   try {
-    answer = await fetch(url, options);
+    answer = await underWay(fetch(url, options));
   } catch {
     throw new Error("the server cannot be reached");
   }

@@ -1,13 +1,25 @@
 // What the program asks of the browser (wasm/browser.cpp), and what the page's own windows need of the page.
 import { readAddress, withLesson } from "./address.js";
 import { connectIntake } from "./intake.js";
+import { underWay } from "./under_way.js";
+import { begin, end } from "./work.js";
 
 // Some programs cut longer links: mail, chats, older browsers.
 const longLink = 2000;
 
-export function createHost(publisher) {
+// `onFrame` is told of each picture.
+export function createHost(publisher, onFrame) {
+  let running;  // the program
   let screen;
   let page;
+  let alarm = 0;
+  function dropFrameAfter() {
+    if (!alarm) return;
+    clearTimeout(alarm);
+    alarm = 0;
+    end();
+  }
+
   async function copy(text) {
     try {
       await navigator.clipboard.writeText(text);
@@ -40,6 +52,10 @@ export function createHost(publisher) {
   }
 
   return {
+    // Before the program is called for the first time.
+    attach(program) {
+      running = program;
+    },
     // Once the program runs.
     connect(program, connected, { embed }) {
       screen = connected;
@@ -55,11 +71,32 @@ export function createHost(publisher) {
       const { lesson, challenge } = readAddress();
       if (!lesson && !challenge) return;
       publisher.holdLesson(true);
-      const all = await windows().catch(() => undefined);
-      await all?.beginFromAddress(page, { lesson, challenge, join });
+      const all = await underWay(windows()).catch(() => undefined);
+      if (all) await underWay(all.beginFromAddress(page, { lesson, challenge, join }));
       publisher.holdLesson(false);
     },
     measureScreen: () => screen?.measure(),
+    scheduleFrame() {
+      begin();
+      requestAnimationFrame(() => {
+        try {
+          running.call("page_frame");
+        } catch {
+          return;  // the program has stopped, and the page knows
+        }
+        onFrame();
+        end();
+      });
+    },
+    frameAfter(seconds) {
+      dropFrameAfter();
+      begin();
+      alarm = setTimeout(() => {
+        dropFrameAfter();
+        running.call("page_wake");
+      }, seconds * 1000 + 1);
+    },
+    dropFrameAfter,
     documentChanged() {
       publisher.changed();
       document.dispatchEvent(new Event("evenlift-change"));
@@ -67,12 +104,12 @@ export function createHost(publisher) {
     preferencesChanged: () => publisher.keepPreferences(),
     async copyAddress(link) {
       const url = address(link);
-      const done = await copy(url);
+      const done = await underWay(copy(url));
       publisher.notice(done ? `The link is copied. ${lengthOf(url)}`
         : "The browser did not let the page copy. The address bar holds the same link.", !done);
     },
     openDialog(name) {
-      windows().then((all) => all[name](page), () => {});
+      underWay(windows().then((all) => all[name](page)).catch(() => {}));
     },
     announce(text) {
       document.getElementById("alert").textContent = text;

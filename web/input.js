@@ -2,6 +2,7 @@
 export function connectInput(program, { embed }) {
   const canvas = document.getElementById("canvas");
   connectKeys(program, canvas);
+  connectPresses(program);
 
   const root = document.documentElement;
   addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
@@ -26,6 +27,13 @@ export function connectInput(program, { embed }) {
       event.stopImmediatePropagation();
     }
   }, { capture: true, passive: false });
+}
+
+// When a press was made and the how manyth it is; SDL knows only when it heard of it.
+function connectPresses(program) {
+  for (const type of ["mousedown", "touchstart"]) {
+    addEventListener(type, (event) => program.press(event.timeStamp, event.detail), { capture: true, passive: true });
+  }
 }
 
 function connectKeys(program, canvas) {

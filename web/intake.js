@@ -1,4 +1,6 @@
 // Files and texts that are dropped or pasted anywhere on the page.
+import { underWay } from "./under_way.js";
+
 const typesIn = "input, textarea";
 
 export function connectIntake(page) {
@@ -10,7 +12,7 @@ export function connectIntake(page) {
   addEventListener("paste", (event) => {
     if (event.target.closest?.(typesIn)) return;
     event.preventDefault();
-    take(event.clipboardData, "pasted");
+    underWay(take(event.clipboardData, "pasted"));
   });
 
   const opens = (event) => event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain") &&
@@ -19,14 +21,14 @@ export function connectIntake(page) {
     if (!opens(event)) return;
     event.preventDefault();
     event.dataTransfer.dropEffect = "copy";
-    hint(page, true);
+    underWay(hint(page, true));
   });
-  addEventListener("dragleave", (event) => event.relatedTarget === null && hint(page, false));
+  addEventListener("dragleave", (event) => event.relatedTarget === null && underWay(hint(page, false)));
   addEventListener("drop", (event) => {
-    hint(page, false);
+    underWay(hint(page, false));
     if (!opens(event)) return;
     event.preventDefault();
-    take(event.dataTransfer, "dropped");
+    underWay(take(event.dataTransfer, "dropped"));
   });
 }
 

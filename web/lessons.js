@@ -3,6 +3,7 @@ import { openWindow, problemLine } from "./dialogs.js";
 import { button, el, lowered } from "./elements.js";
 import { fetchJson } from "./fetched.js";
 import { openLessonText, openReadyMade } from "./lesson_source.js";
+import { underWay } from "./under_way.js";
 
 export async function show(page) {
   const problem = problemLine();
@@ -12,7 +13,7 @@ export async function show(page) {
     const [chosen] = file.files;
     file.value = "";  // the same file may be chosen again
     if (!chosen) return;
-    const why = await openFile(page, chosen);
+    const why = await underWay(openFile(page, chosen));
     if (why) problem.say(`“${chosen.name}” cannot be opened: ${lowered(why)}`);
     else root?.close();
   });

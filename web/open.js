@@ -5,6 +5,7 @@ import { button, el, lowered, number } from "./elements.js";
 import { openLessonText } from "./lesson_source.js";
 import { isLesson } from "./lesson_text.js";
 import { svgToText } from "./svg_import.js";
+import { underWay } from "./under_way.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
 const tooLong = (bytes) => bytes > mostBytes && `It has ${number(Math.ceil(bytes / 1048576))} MiB, more than the 64 that evenlift reads`;
@@ -63,13 +64,13 @@ export async function show(page, { edited } = {}) {
     root?.close();
     page.notice(message);
   };
-  const apply = async () => done(await openText(page, text.value, edited === undefined ? "page_load" : "page_open_sample"), `The text is opened. ${undo}`);
+  const apply = async () => done(await underWay(openText(page, text.value, edited === undefined ? "page_load" : "page_open_sample")), `The text is opened. ${undo}`);
   const file = el("input", { type: "file", id: "open-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,.wkt,.json,.geojson,.svg,text/plain,application/geo+json,image/svg+xml" });
   file.addEventListener("change", async () => {
     const [chosen] = file.files;
     file.value = "";  // the same file may be chosen again
     if (!chosen) return;
-    const why = await openFile(page, chosen);
+    const why = await underWay(openFile(page, chosen));
     done(why && `“${chosen.name}” cannot be opened: ${lowered(why)}`, `“${chosen.name}” is opened. ${undo}`);
   });
   text.addEventListener("keydown", (event) => {

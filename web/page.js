@@ -5,6 +5,7 @@ import { createHost } from "./host.js";
 import { connectInput } from "./input.js";
 import { Program } from "./program.js";
 import { Publisher } from "./publisher.js";
+import { beginStart, prepareRestart, whyStartedAnew, workGoesOn } from "./recovery.js";
 import { connectScreen } from "./screen.js";
 
 const cover = document.getElementById("cover");
@@ -24,17 +25,16 @@ function missing() {
   return "";
 }
 
-function showProblem(reason) {
+const cannotRun = ["The page cannot run here.", "A current Firefox, Chrome, Edge or Safari with graphics acceleration switched on can show it. " +
+  "The link in the address bar keeps everything: it opens there as it would have here."];
+const hasStopped = ["The page has stopped.", "Nothing that was drawn is lost. Load the page again to go on."];
+
+function showProblem(reason, [heading, advice] = cannotRun) {
   document.getElementById("progress").hidden = true;
   const problem = document.getElementById("problem");
   const strong = document.createElement("strong");
-  strong.textContent = "The page cannot run here.";
-  const why = document.createElement("p");
-  why.textContent = reason;
-  const advice = document.createElement("p");
-  advice.textContent = "A current Firefox, Chrome, Edge or Safari with graphics acceleration switched on can show it. " +
-    "The link in the address bar keeps everything: it opens there as it would have here.";
-  problem.replaceChildren(strong, why, advice);
+  strong.textContent = heading;
+  problem.replaceChildren(strong, ...[reason, advice].map((text) => Object.assign(document.createElement("p"), { textContent: text })));
   problem.hidden = false;
   cover.classList.remove("done", "see-through");
 }
@@ -53,42 +53,77 @@ function lowered(sentence) {
   return sentence.charAt(0).toLowerCase() + sentence.slice(1);
 }
 
+// The module, called for the first time.
+async function load(host) {
+  const { default: createModule } = await import("./evenlift.js");
+  const program = new Program(await createModule({ canvas: document.getElementById("canvas"), host }));
+  host.attach(program);
+  return program;
+}
+
+let started;  // what beginStart() gave
+
 async function start() {
   const reason = missing();
   if (reason) throw new Error(reason);
-  const { default: createModule } = await import("./evenlift.js");
   const publisher = new Publisher({ embed });
-  const host = createHost(publisher);
-  const module = await createModule({
-    canvas: document.getElementById("canvas"),
-    host,
-    onAbort: (why) => fail(new Error(`The program stopped: ${why}`)),
+  let pictureIsThere;
+  const firstPicture = new Promise((done) => {
+    pictureIsThere = done;
   });
-  const program = new Program(module);
-  api.connect(program);
+  const host = createHost(publisher, () => {
+    pictureIsThere();
+    publisher.drawn();
+    opening = "";
+  });
+  let opening = "";
+  const program = await load(host);
   const fragment = location.hash.slice(1);
   const kept = publisher.kept(fragment);
-  const problem = program.text("page_start", kept.own ? "" : fragment, kept.work, kept.draft, embed ? 1 : 0);
+  const asked = { ...kept, fragment: kept.own ? "" : fragment };
+  started = embed ? asked : await beginStart(asked);
+  const stopped = new Promise((_, fail) => {
+    program.onStop = fail;
+  });
+  stopped.catch(() => {});
+  if (!embed && kept.work && !started.work) publisher.forget();
+  api.connect(program);
+  const problem = program.text("page_start", started.fragment, started.work, started.draft, embed ? 1 : 0);
   publisher.connect(program);
   publisher.restorePreferences();
-  if (kept.own) publisher.changed();
-  if (kept.own || !fragment) publisher.resumeDrawing();
+  if (kept.own || started.problem) publisher.changed();  // the address names what is open
+  if (!started.fragment) publisher.resumeDrawing(started.drawing);
   host.connect(program, connectScreen(program), { embed });
   connectInput(program, { embed });
   followAddress(program, host);
-  await host.beginLesson(fragment !== "" && !problem);
-  if (problem) program.call("page_notice", `This link cannot be opened: ${lowered(problem)}.`, 1);
-  await firstFrame(program);
+  await host.beginLesson(started.fragment !== "" && !problem);
+  const say = started.problem || (problem && `This link cannot be opened: ${lowered(problem)}.`) || (embed ? "" : whyStartedAnew());
+  if (say) program.call("page_notice", say, 1);
+  await Promise.race([firstPicture, stopped]);
+  started.succeeded?.();
+  program.onOpening = (text) => {
+    publisher.flush({ drawn: true });
+    opening = text;
+    workGoesOn();
+  };
+  program.onStop = (error) => startAnew(error, { opening, work: publisher.stop() });
+  // What the program is told by SDL's own handlers.
+  addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && program.stop(error));
+  for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
 }
 
-function firstFrame(program) {
-  return new Promise((done) => {
-    const look = () => (program.number("page_frames") > 0 ? done() : requestAnimationFrame(look));
-    look();
-  });
+// The program has stopped while it ran. Its memory cannot be trusted any more: all begins anew, with what was drawn last.
+function startAnew(error, { opening, work }) {
+  console.error(error);
+  if (!embed && prepareRestart({ opening, work })) location.reload();
+  else showProblem("Something went wrong while the picture was drawn.", hasStopped);
 }
 
 function fail(error) {
+  if (started?.failed?.()) {
+    console.error(error);
+    return location.reload();  // without what was being opened
+  }
   showProblem(error.message);
   api.fail(error);
 }

@@ -1,4 +1,6 @@
 import { readAddress, withLesson } from "./address.js";
+import { lasting, ofThisTab, read, write } from "./storage.js";
+import { begin, end } from "./work.js";
 
 // Brings what the browser keeps up to date with the document: address bar and storage a few times a second at most
 // (browsers refuse more), the summary for screen readers when there is a pause.
@@ -10,9 +12,7 @@ const drawingKey = "evenlift.drawing";
 const preferencesKey = "evenlift.preferences";
 const addressKey = "evenlift.address";
 
-// Where storage is forbidden, naming it throws.
-const lasting = () => localStorage;
-const ofThisTab = () => sessionStorage;
+const mostKept = 400000;  // vertices: no browser keeps a text of more
 
 export class Publisher {
   #program = null;
@@ -22,6 +22,8 @@ export class Publisher {
   #speakTimer = 0;
   #lesson = "";
   #held = false;
+  #drawn = true;  // what is to be written
+  #late = false;  // it was to be written, and waits for its picture
 
   constructor({ embed }) {
     this.#embed = embed;
@@ -38,18 +40,46 @@ export class Publisher {
   // What was open here last, and whether this fragment is only what this tab itself wrote into the address bar: then
   // the work is at least as new.
   kept(fragment) {
-    if (this.#embed) return { work: "", draft: "", own: false };
+    if (this.#embed) return { work: "", draft: "", drawing: "", own: false };
     const work = read(lasting, workKey);
     const own = work !== "" && fragment === read(ofThisTab, addressKey);
-    return { work, draft: read(lasting, draftKey), own };
+    return { work, draft: read(lasting, draftKey), drawing: read(lasting, drawingKey), own };
+  }
+
+  // What is kept must not be opened again.
+  forget() {
+    for (const key of [workKey, draftKey, drawingKey]) write(lasting, key, "");
+  }
+
+  // The program stopped: nothing that it says now is to be kept. Gives what is.
+  stop() {
+    this.#program = null;
+    clearTimeout(this.#writeTimer);
+    clearTimeout(this.#speakTimer);
+    this.#writeTimer = this.#speakTimer = 0;
+    return this.#embed ? "" : read(lasting, workKey);
+  }
+
+  // A picture is there.
+  drawn() {
+    this.#drawn = true;
+    if (this.#late) this.#write();
   }
 
   changed() {
     if (!this.#program) return;
-    const wait = Math.max(0, this.#lastWrite + betweenWrites - performance.now());
-    this.#writeTimer ||= setTimeout(() => this.#write(), wait);
+    this.#drawn = false;
+    if (!this.#writeTimer) {
+      begin();
+      this.#writeTimer = setTimeout(() => this.#write(), Math.max(0, this.#lastWrite + betweenWrites - performance.now()));
+    }
+    if (!this.#speakTimer) begin();
     clearTimeout(this.#speakTimer);
-    this.#speakTimer = setTimeout(() => this.#speak(), beforeSpeaking);
+    this.#speakTimer = setTimeout(() => {
+      this.#speakTimer = 0;
+      this.#speak();
+      end();
+    }, beforeSpeaking);
   }
 
   // What this browser keeps besides the document: `name=value` lines of the program's own.
@@ -58,8 +88,8 @@ export class Publisher {
   }
 
   // A polygon that was being drawn goes on where it was left.
-  resumeDrawing() {
-    if (!this.#embed) this.#program.call("page_resume_drawing", read(lasting, drawingKey));
+  resumeDrawing(drawing) {
+    if (drawing) this.#program.call("page_resume_drawing", drawing);
   }
 
   restorePreferences() {
@@ -85,21 +115,24 @@ export class Publisher {
     return open === 2 ? this.#lesson : "";
   }
 
-  // Writes what is waiting to be written.
-  flush() {
-    if (this.#writeTimer) this.#write();
+  // Writes what is waiting to be written; with `drawn` only if its picture is there.
+  flush({ drawn = false } = {}) {
+    if (this.#writeTimer && (this.#drawn || !drawn)) this.#write(true);
   }
 
   // The last moment. The address bar takes nothing new any more; a reload would ask for the old address.
   #leave() {
-    if (this.#writeTimer) this.#keep(this.#program.text("page_link"));
+    if (this.#program && this.#writeTimer) this.#keep(this.#program.text("page_link"));
   }
 
   notice(text, problem) {
     this.#program?.call("page_notice", text, problem ? 1 : 0);
   }
 
-  #write() {
+  // What has no picture yet may never get one: it is not kept before. A hidden page draws none.
+  #write(atOnce = false) {
+    this.#late = !this.#drawn && !document.hidden && !atOnce;
+    if (this.#late) return;
     clearTimeout(this.#writeTimer);
     this.#writeTimer = 0;
     this.#lastWrite = performance.now();
@@ -112,34 +145,18 @@ export class Publisher {
     if (url.href !== location.href) history.replaceState(history.state, "", url);
     this.#keep(link);
     if (!this.#embed) write(ofThisTab, addressKey, link);
+    end();
   }
 
   #keep(link) {
     if (this.#embed) return;
-    write(lasting, workKey, link || this.#program.text("page_text"));
+    const large = !link && this.#program.number("page_vertex_count") > mostKept;
+    if (!large) write(lasting, workKey, link || this.#program.text("page_text"));
     write(lasting, draftKey, this.#program.text("page_draft"));
     write(lasting, drawingKey, this.#program.text("page_drawing"));
   }
 
   #speak() {
     document.getElementById("summary").textContent = this.#program.text("page_summary");
-  }
-}
-
-// Storage may be full, or forbidden altogether; the page works without.
-function read(storage, key) {
-  try {
-    return storage().getItem(key) ?? "";
-  } catch {
-    return "";
-  }
-}
-
-function write(storage, key, text) {
-  try {
-    if (text) storage().setItem(key, text);
-    else storage().removeItem(key);
-  } catch {
-    // The address bar still holds the work.
   }
 }

@@ -2,6 +2,7 @@
 import { openWindow, problemLine } from "./dialogs.js";
 import { button, download, el, icon, rasterise } from "./elements.js";
 import { showQr } from "./qr.js";
+import { forgetAside, textsAside } from "./recovery.js";
 
 // A row for each robot; numbers read back to the same double.
 function csv({ teams }) {
@@ -36,11 +37,25 @@ export async function show(page) {
   const root = await openWindow({
     name: "save",
     title: "Share and save",
-    body: [el("div", { class: "scroll" }, ...share(page, address, problem), ...challengeLink(page, challenge, problem), problem, ...files.map((group) => choices(page, group, problem)))],
+    body: [el("div", { class: "scroll" }, ...share(page, address, problem), ...challengeLink(page, challenge, problem), problem, ...files.map((group) => choices(page, group, problem)), ...aside())],
   });
   if (!root) return;
   root.querySelector(".primary, .choice").focus();
   if (!link) problem.say(`There is no link: ${page.program.text("page_link_problem")}. A file holds it`);
+}
+
+// What stopped the page when it was opened.
+function aside() {
+  const texts = textsAside();
+  if (!texts.length) return [];
+  const section = el("section", {}, el("h3", {}, "Set aside"), el("p", { class: "second" }, "The page stopped when this was opened, the newest first."),
+    el("div", { class: "choices" }, ...texts.map((text, i) => el("button", { type: "button", class: "choice", onclick: () => download(new Blob([text], { type: "text/plain" }), `evenlift-aside-${i + 1}.txt`) },
+      el("span", {}, el("b", {}, `Text ${i + 1}`), " ", el("small", {}, `${text.length.toLocaleString("en")} characters`)))),
+    button("Forget", { onclick: () => {
+      forgetAside();
+      section.remove();
+    } })));
+  return [section];
 }
 
 function share(page, address, problem) {

@@ -1,3 +1,5 @@
+import { begin, end } from "./work.js";
+
 // Tells the program about the canvas's size in CSS and device pixels, the person's preferences, and a lost WebGL context.
 export function connectScreen(program) {
   const canvas = document.getElementById("canvas");
@@ -52,6 +54,7 @@ function followContext(program, canvas) {
   const progress = document.getElementById("progress");
   canvas.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();  // else it never comes back
+    begin();
     program.call("page_context", 1);
     progress.textContent = "The graphics system took a break. The drawing comes back as soon as it can; nothing is lost.";
     cover.classList.add("see-through");
@@ -59,6 +62,7 @@ function followContext(program, canvas) {
   });
   canvas.addEventListener("webglcontextrestored", () => {
     program.call("page_context", 0);
+    end();
     cover.classList.add("done");
   });
 }

@@ -2,6 +2,7 @@
 import { openWindow, problemLine } from "./dialogs.js";
 import { button, el } from "./elements.js";
 import { show as openText } from "./open.js";
+import { underWay } from "./under_way.js";
 
 const name = "table";
 const most = 500;  // rows at once; a longer table has pages
@@ -27,7 +28,7 @@ class Table {
   #from = 0;  // its first vertex
   #selected = -1;
   #leave = new AbortController();
-  #due = 0;
+  #due;  // what brings it up to date soon
 
   constructor(page) {
     this.#page = page;
@@ -67,7 +68,6 @@ class Table {
 
   disconnect() {
     this.#leave.abort();
-    cancelAnimationFrame(this.#due);
   }
 
   get #program() {
@@ -130,10 +130,10 @@ class Table {
   }
 
   #soon() {
-    cancelAnimationFrame(this.#due);
-    this.#due = requestAnimationFrame(() => {
-      this.#due = requestAnimationFrame(() => this.#refresh());
-    });
+    this.#due ??= underWay(new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))).then(() => {
+      this.#due = undefined;
+      if (!this.#leave.signal.aborted) this.#refresh();
+    }));
   }
 
   // Brings all that differs up to date.

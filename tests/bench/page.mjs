@@ -1,6 +1,6 @@
 // node page.mjs: what the page weighs, how soon its first picture is there, and how long a frame takes while a polygon
 // of 1,000 vertices is dragged. The settings of tests/page/browser.mjs.
-import { load, settled, startBrowser, state, toScreen } from "../page/browser.mjs";
+import { load, idle, startBrowser, state, toScreen } from "../page/browser.mjs";
 import { sizes } from "../page/sizes.mjs";
 
 const line = (name, value) => console.log(name.padEnd(62), value.padStart(16));
@@ -48,7 +48,7 @@ const circle = (n) => Array.from({ length: n }, (_, i) => {
 for (const n of [100, 1000]) {
   const page = await browser.open({ script: timeFrames });
   await load(page, circle(n));
-  await settled(page);
+  await idle(page);
   const [x, y] = await toScreen(page, (await state(page)).centre_of_mass);
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -60,4 +60,45 @@ for (const n of [100, 1000]) {
   const at = (share) => times[Math.floor(share * (times.length - 1))].toFixed(1);
   line(`a frame of dragging, ${n} vertices: median, 95 % (${times.length} frames)`, `${at(0.5)}, ${at(0.95)} ms`);
 }
+
+// One case of each limit that README.md states: how long it takes from the call until all of it is on screen, and how
+// long a frame then takes.
+const star = (n) => Array.from({ length: n }, (_, i) => {
+  const a = (2 * Math.PI * i) / n;
+  const r = 4e5 + 5e4 * Math.sin(9 * a);
+  return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
+}).join("\n");
+// A comb whose facing edges make as many pairs as are allowed, or nearly so.
+const comb = (teeth) => `${Array.from({ length: teeth }, (_, i) => `(${2 * i},0)\n(${2 * i},${teeth})\n(${2 * i + 1},${teeth})\n(${2 * i + 1},0)`).join("\n")}\n(${2 * teeth - 1},-1)\n(0,-1)`;
+
+async function limit(name, text, settings = {}) {
+  for (const deviceScaleFactor of [1, 3]) {
+    const page = await browser.open({ script: timeFrames, deviceScaleFactor, quiet: false });
+    try {
+      await page.waitForFunction(() => evenlift.frames > 0);
+      const ms = await page.evaluate(async ([given, changes]) => {
+        const start = performance.now();
+        evenlift.load(given);
+        evenlift.set(changes);
+        await evenlift.idle();
+        return performance.now() - start;
+      }, [text, settings]);
+      await page.evaluate(() => { globalThis.frameTimes.length = 0; });
+      for (let i = 0; i < 5; ++i) {
+        await page.mouse.move(400 + 10 * i, 400);
+        await idle(page);
+      }
+      const times = (await page.evaluate(() => globalThis.frameTimes)).filter((time) => time > 0.5).sort((a, b) => a - b);
+      line(`${name}, ratio ${deviceScaleFactor}: opened; a frame, median`, `${ms.toFixed(0)}, ${times[times.length >> 1]?.toFixed(0)} ms`);
+    } catch (error) {
+      line(`${name}, ratio ${deviceScaleFactor}`, error.message.split("\n")[0]);
+    }
+    await page.done();
+  }
+}
+
+await limit("32,768 vertices, the largest link", star(32768));
+await limit("1,048,576 vertices", star(1048576));
+await limit("a comb of 5,002 vertices", comb(1250));
+await limit("1,048,576 random teams", star(8), { metric: "random", teams: 1048576 });
 await browser.close();

@@ -18,6 +18,9 @@ const program = process.env.EVENLIFT_PROGRAM || path.join(root, "build/bin/evenl
 const options = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
   "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
+// How long a test waits for what must come: for as long as a very busy machine may need.
+export const patience = 300000;
+
 export const wide = { width: 1280, height: 800 };
 export const phone = { width: 390, height: 844 };
 
@@ -49,9 +52,12 @@ export async function startBrowser(extraOptions = []) {
   }
 
   // A page of its own storage. Whatever it complains about, or asks of another host, fails the test at close().
-  async function open({ address = "", ready = true, quiet = true, context: reused, script, ...contextOptions } = {}) {
+  // `clock` gives the page a clock that a test can put forward.
+  async function open({ address = "", ready = true, quiet = true, context: reused, script, clock = false, ...contextOptions } = {}) {
     const context = reused ?? await browser.newContext({ viewport: wide, colorScheme: "light", ...contextOptions });
+    context.setDefaultTimeout(patience);
     const page = await context.newPage();
+    if (clock) await page.clock.install();
     const complaints = [];
     page.on("pageerror", (error) => complaints.push(`exception: ${error.message}`));
     page.on("console", (message) => {
@@ -141,16 +147,39 @@ export function thrown(page, call, argument) {
   }, [call, argument]);
 }
 
-// Resolves once the page has drawn nothing for `pause` milliseconds.
-export async function settled(page, pause = 150) {
-  let before = -1;
-  for (let tries = 0; tries < 200; ++tries) {
-    const now = await page.evaluate(() => evenlift.frames);
-    if (now === before) return;
-    before = now;
-    await page.waitForTimeout(pause);
-  }
-  assert.fail("the page never stops drawing");
+// Resolves once nothing is under way in the page (docs/page.md): what tests wait for, in place of some time.
+export const idle = (page) => page.evaluate(() => evenlift.idle());
+
+// Where a control of the canvas stands, by its name; its middle.
+export async function control(page, name) {
+  await idle(page);
+  const place = await page.evaluate((n) => evenlift.view.control(n), name);
+  assert.ok(place, `there is no control “${name}”`);
+  return { ...place, middle: [place.x + place.width / 2, place.y + place.height / 2] };
+}
+
+export async function press(page, name) {
+  const { middle } = await control(page, name);
+  await page.mouse.click(...middle);
+}
+
+export async function tap(page, name) {
+  const { middle } = await control(page, name);
+  await page.touchscreen.tap(...middle);
+}
+
+// Nothing is drawn, however long one waits: time is put forward by an hour, and the browser shows pictures of its own.
+// For pages that were opened with a `clock`.
+export async function drawsNothing(page, why) {
+  await idle(page);
+  const frames = await page.evaluate(() => evenlift.frames);
+  await page.clock.fastForward(3600000);
+  await page.evaluate(() => new Promise((done) => {
+    let left = 10;
+    const next = () => (--left > 0 ? requestAnimationFrame(next) : done());
+    next();
+  }));
+  assert.equal(await page.evaluate(() => evenlift.frames), frames, why);
 }
 
 // Presses at one point and moves in steps to another, as a hand does.
@@ -159,10 +188,10 @@ export async function drag(page, from, to, steps = 8) {
   await page.mouse.down();
   await page.mouse.move(...to, { steps });
   await page.mouse.up();
-  await settled(page);
+  await idle(page);
 }
 
 // Waits until the address bar holds the current link.
 export async function published(page) {
-  await page.waitForFunction(() => location.hash === `#${evenlift.link()}`, undefined, { timeout: 30000 });
+  await page.waitForFunction(() => location.hash === `#${evenlift.link()}`);
 }

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
-import { asset, link, load, phone, startBrowser } from "./browser.mjs";
+import { asset, idle, link, load, phone, startBrowser } from "./browser.mjs";
 import { allClosed, openWindow } from "./windows.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -85,7 +85,7 @@ test("pressed twice, a window opens once; a modal one is not opened over another
   await page.locator("#canvas").focus();
   for (const key of ["s", "s", "o"]) await page.keyboard.press(key);
   await page.locator("dialog").first().waitFor();
-  await page.waitForTimeout(300);
+  await idle(page);
   assert.equal(await page.locator("dialog").count(), 1);
   await page.done();
 });
@@ -95,8 +95,6 @@ test("they fit small screens: nothing is cut off, targets are for fingers", asyn
     const page = await browser.open({ ...finger, viewport });
     for (const name of names) {
       const window = await openWindow(page, name);
-      // It comes with a little motion.
-      await window.evaluate((root) => Promise.all(root.getAnimations({ subtree: true }).map((motion) => motion.finished)));
       const { x, y, width, height } = await window.boundingBox();
       assert.ok(x >= 0 && y >= -1 && x + width <= viewport.width && y + height <= viewport.height + 1, `${name}: ${[x, y, width, height]}`);
       assert.ok(await window.evaluate((root) => [...root.querySelectorAll("*")].every((e) => e.closest(".for-readers, svg, .acts, .qr") || e.getBoundingClientRect().right <= innerWidth + 0.5)), name);

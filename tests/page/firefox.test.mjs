@@ -7,7 +7,7 @@ import { once } from "node:events";
 import { after, before, test } from "node:test";
 import puppeteer from "puppeteer-core";
 import { serve } from "../../web/serve.mjs";
-import { pageFolder, settled } from "./browser.mjs";
+import { pageFolder, idle } from "./browser.mjs";
 
 const executablePath = process.env.EVENLIFT_FIREFOX;
 const skip = executablePath ? false : "no Firefox here";
@@ -36,7 +36,7 @@ before(async () => {
     // A machine without graphics draws in software, which Firefox would rather not.
     extraPrefsFirefox: { "webgl.force-enabled": true, "widget.dmabuf.force-enabled": false },
   });
-}, { timeout: 120000 });
+});
 
 after(async () => {
   await browser?.close();
@@ -54,8 +54,7 @@ async function open(address = "") {
   await page.setViewport({ width: 1280, height: 800 });
   await page.goto(server.url + address);
   await page.evaluate(() => evenlift.ready);
-  page.waitForTimeout = (time) => new Promise((done) => setTimeout(done, time));
-  await settled(page);
+  await idle(page);
   page.done = async () => {
     assert.deepEqual(complaints, []);
     await page.close();
@@ -70,9 +69,13 @@ test("Firefox opens the page on its first sample and comes to rest", { skip }, a
   const { teams, polygon } = await state(page);
   assert.equal(teams.length, 3);
   assert.ok(polygon.length > 10);
-  const frames = await page.evaluate(() => evenlift.frames);
-  await page.waitForTimeout(500);
-  assert.equal(await page.evaluate(() => evenlift.frames), frames);
+  const drawn = await page.evaluate(() => new Promise((done) => {
+    const { frames } = evenlift;
+    let left = 30;
+    const next = () => (--left > 0 ? requestAnimationFrame(next) : done(evenlift.frames - frames));
+    next();
+  }));
+  assert.equal(drawn, 0, "while the browser shows thirty pictures");
   await page.done();
 });
 
@@ -81,7 +84,7 @@ test("Firefox draws a polygon by clicks", { skip }, async () => {
   await page.keyboard.press("d");
   for (const [x, y] of [[220, 200], [560, 190], [640, 420], [400, 610], [222, 202]]) {
     await page.mouse.click(x, y);
-    await settled(page, 50);
+    await idle(page);
   }
   assert.equal((await state(page)).polygon.length, 4);
   await page.done();
@@ -105,9 +108,39 @@ test("Firefox drags the centre of mass, and everything follows", { skip }, async
   await page.mouse.down();
   await page.mouse.move(x + 40, y + 25, { steps: 6 });
   await page.mouse.up();
-  await settled(page);
+  await idle(page);
   const after = await state(page);
   assert.notDeepEqual(after.centre_of_mass, before.centre_of_mass);
   assert.notDeepEqual(after.teams, before.teams);
   await page.done();
+});
+
+test("Firefox shows the lesson: by keys, by its buttons, and from a link", { skip }, async () => {
+  const page = await open();
+  const summary = () => page.$eval("#summary", (element) => element.textContent);
+  await page.evaluate(() => document.getElementById("canvas").focus());
+  await page.keyboard.press("b");
+  await idle(page);
+  assert.match(await summary(), /^Step 1 of \d+, The object/);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("PageDown");
+  await idle(page);
+  const chapter = await summary();
+  assert.doesNotMatch(chapter, /The object/);
+  const at = await page.evaluate(() => evenlift.view.control("Next step"));
+  await page.mouse.click(at.x + at.width / 2, at.y + at.height / 2);
+  await idle(page);
+  const next = await summary();
+  const number = (text) => Number(/^Step (\d+) of/.exec(text)[1]);
+  assert.equal(number(next), number(chapter) + 1);
+  const link = await page.evaluate(() => evenlift.link());
+  await page.done();
+  const other = await open(`#${link}`);
+  assert.equal(await other.$eval("#summary", (element) => element.textContent), next);
+  await other.keyboard.press("q");
+  await other.evaluate(() => document.getElementById("canvas").focus());
+  await other.keyboard.press("End");
+  await idle(other);
+  assert.match(await other.$eval("#summary", (element) => element.textContent), /^Step (\d+) of \1,/);
+  await other.done();
 });

@@ -1,7 +1,7 @@
 // The gallery of samples.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { asset, gallery, load, phone, set, settled, startBrowser, state, thrown } from "./browser.mjs";
+import { asset, gallery, load, phone, set, idle, startBrowser, state, thrown } from "./browser.mjs";
 import { allClosed, openWindow } from "./windows.mjs";
 
 let browser;
@@ -35,13 +35,13 @@ test("a sample keeps method, teams, ratio, weight and what is shown, and undo le
   const before = await state(page);
   const root = await openWindow(page, "samples");
   await root.getByText("Grand piano").click();
-  await settled(page);
+  await idle(page);
   await allClosed(page);
   const now = await state(page);
   assert.equal(now.polygon.length, 38);
   for (const name of ["requested_teams", "metric", "min_ratio", "weight"]) assert.deepEqual(now[name], before[name], name);
   await page.keyboard.press("Control+z");
-  await settled(page);
+  await idle(page);
   assert.deepEqual(await state(page), before);
   await page.done();
 });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { asset, drag, evenlift, fragment, link, load, pageFolder, published, root, set, settled, startBrowser, state, thrown, toScreen } from "./browser.mjs";
+import { asset, control, drag, drawsNothing, evenlift, fragment, idle, link, load, pageFolder, press, published, root, set, startBrowser, state, tap, thrown, toScreen } from "./browser.mjs";
 import { allClosed, drop, noticed, openWindow, paste } from "./windows.mjs";
 
 let browser;
@@ -28,33 +28,25 @@ const ready = JSON.parse(readFileSync(path.join(pageFolder, "lessons.json"), "ut
 // The stone at step 1000.
 const beyondTheLast = "1.8CqeqKY7TMGrHNZK-59rGPFxpBqDhRjFOEC700";
 
-// The player on a screen of 1280 by 800: its buttons, and its timeline from the first step to the last.
-const buttons = { first: 43, chapterBack: 76, back: 108, play: 141, on: 172, chapterOn: 204, last: 237 };
-const press = (page, name) => page.mouse.click(buttons[name], 760);
-const timeline = { from: 36, to: 884, y: 724 };
 const drawing = { x: 0, y: 70, width: 915, height: 550 };
 
 // The step that the link carries, from 0; undefined without a lesson.
 async function step(page) {
-  await settled(page);
   return JSON.parse(evenlift("link", "decode", await link(page))).step ?? undefined;
 }
 
-// Waits until it stands there: a busy machine draws, and so takes a click, late.
 async function stands(page, wanted, why) {
-  for (let tries = 0; tries < 40 && (await step(page)) !== wanted; ++tries) await page.waitForTimeout(50);
   assert.equal(await step(page), wanted, why);
 }
 
 async function goesOn(page, from) {
-  for (let tries = 0; tries < 40 && (await step(page)) <= from; ++tries) await page.waitForTimeout(50);
   assert.ok((await step(page)) > from);
 }
 
 const summary = (page) => page.locator("#summary").textContent();
 async function spoken(page, pattern) {
-  await page.waitForFunction(([source]) => new RegExp(source).test(document.getElementById("summary").textContent), [pattern.source], { timeout: 10000 })
-    .catch(async () => assert.fail(`${pattern} is not in: ${await summary(page)}`));
+  await idle(page);
+  assert.match(await summary(page), pattern);
 }
 
 async function inLesson(name = "stone-slab", at = 0, options = {}) {
@@ -62,9 +54,9 @@ async function inLesson(name = "stone-slab", at = 0, options = {}) {
   await load(page, asset(name));
   await page.locator("#canvas").focus();
   await page.keyboard.press("b");
-  await settled(page);
+  await idle(page);
   if (at) await set(page, { step: at });
-  await settled(page);
+  await idle(page);
   return page;
 }
 
@@ -94,7 +86,7 @@ test("every step forward and back, by keys: the same state, the same picture", a
   for (let i = 0; i < stone.length; ++i) {
     links.push(await link(page));
     if (looked.includes(i)) {
-      await settled(page);
+      await idle(page);
       pictures.set(i, await page.screenshot({ clip: drawing }));
     }
     await page.keyboard.press("ArrowRight");
@@ -104,7 +96,7 @@ test("every step forward and back, by keys: the same state, the same picture", a
   for (let i = stone.length - 1; i >= 0; --i) {
     assert.equal(await link(page), links[i], `back at ${i}`);
     if (looked.includes(i)) {
-      await settled(page);
+      await idle(page);
       const { share } = await browser.compare(pictures.get(i), await page.screenshot({ clip: drawing }));
       assert.ok(share < 0.0005, `step ${i} looks different: ${share}`);
     }
@@ -117,7 +109,7 @@ test("buttons and keys: first, last, chapters, one on, one back", async () => {
   const page = await inLesson();
   const begin = (name) => stone.findIndex((s) => s.chapter === name);
   const last = stone.length - 1;
-  for (const [key, button, at] of [["End", "last", last], ["Home", "first", 0]]) {
+  for (const [key, button, at] of [["End", "Last step", last], ["Home", "First step", 0]]) {
     await page.keyboard.press(key);
     await stands(page, at, key);
     await page.keyboard.press(key === "End" ? "Home" : "End");
@@ -127,17 +119,17 @@ test("buttons and keys: first, last, chapters, one on, one back", async () => {
   }
   await page.keyboard.press("PageDown");
   await stands(page, begin("vertex_chords"));
-  await press(page, "chapterOn");
+  await press(page, "Next chapter");
   await stands(page, begin("slopes"));
   await page.keyboard.press("PageDown");
   await stands(page, begin("pairs"));
   for (const more of [1, 2]) {
-    await press(page, "on");
+    await press(page, "Next step");
     await stands(page, begin("pairs") + more);
   }
-  await press(page, "back");
+  await press(page, "Step before");
   await stands(page, begin("pairs") + 1);
-  await press(page, "chapterBack");
+  await press(page, "Chapter before");
   await stands(page, begin("pairs"), "first to where the chapter begins");
   await page.keyboard.press("PageUp");
   await stands(page, begin("slopes"));
@@ -145,13 +137,13 @@ test("buttons and keys: first, last, chapters, one on, one back", async () => {
 });
 
 test("playing goes on by itself, is read out when it pauses, and stops at the end; paused, nothing is drawn", async () => {
-  const page = await inLesson("square");
+  const page = await inLesson("square", 0, { clock: true });
   for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowUp");  // 32 times as fast
   await page.evaluate(() => {
     globalThis.said = 0;
     new MutationObserver(() => ++globalThis.said).observe(document.getElementById("summary"), { childList: true, characterData: true, subtree: true });
   });
-  await page.waitForTimeout(1000);
+  await idle(page);
   await page.evaluate(() => {
     globalThis.said = 0;
   });
@@ -160,48 +152,41 @@ test("playing goes on by itself, is read out when it pauses, and stops at the en
   await page.waitForFunction((first) => evenlift.link() !== first, await link(page));
   await page.keyboard.press("Space");
   await page.mouse.move(1000, 600);
-  await settled(page, 500);
   const at = await step(page);
-  const frames = await page.evaluate(() => evenlift.frames);
-  await page.waitForTimeout(700);
-  assert.equal(await page.evaluate(() => evenlift.frames), frames, "frames while it is paused");
+  await drawsNothing(page, "frames while it is paused");
   await stands(page, at);
   const last = await linkAt("square", JSON.parse(evenlift("trace", file("square"), "--json")).length - 1);
   await press(page, "play");
-  await page.waitForFunction((l) => evenlift.link() === l, last, { timeout: 60000 });
+  await page.waitForFunction((l) => evenlift.link() === l, last);
   const seconds = (Date.now() - began) / 1000;
   await spoken(page, /^Step (\d+) of \1,/);
   const said = await page.evaluate(() => globalThis.said);
   assert.ok(said <= seconds / 0.6 + 1, `${said} times in ${seconds} s`);
-  await settled(page, 500);
-  const end = await page.evaluate(() => evenlift.frames);
-  await page.waitForTimeout(500);
-  assert.equal(await page.evaluate(() => evenlift.frames), end, "frames at the end");
+  await drawsNothing(page, "frames at the end");
   await page.done();
 });
 
 test("paused before its time, it does not draw when that would have come", async () => {
-  const page = await inLesson("square", 5);
-  await page.keyboard.press("ArrowUp");
-  await page.keyboard.press("ArrowUp");
-  await page.keyboard.press("Space");
-  await page.waitForTimeout(100);
-  await page.keyboard.press("Space");
-  await settled(page, 300);
+  const page = await inLesson("square", 5, { clock: true });
   const frames = await page.evaluate(() => evenlift.frames);
-  await page.waitForTimeout(3200);
-  assert.equal(await page.evaluate(() => evenlift.frames), frames);
+  await page.keyboard.press("Space");
+  await page.waitForFunction((before) => evenlift.frames > before + 2, frames);  // it waits for its next step
+  await page.keyboard.press("Space");
+  await drawsNothing(page);
+  await stands(page, 5);
   await page.done();
 });
 
 test("the timeline is scrubbed by dragging, to the ends, too", async () => {
   const page = await inLesson();
-  await drag(page, [timeline.from, timeline.y], [(timeline.from + timeline.to) / 2, timeline.y], 20);
+  const { x, y: top, width, height } = await control(page, "timeline");
+  const y = top + height / 2;
+  await drag(page, [x + 10, y], [x + width / 2, y], 20);
   const middle = await step(page);
   assert.ok(Math.abs(middle - stone.length / 2) < stone.length / 12, String(middle));
-  await drag(page, [(timeline.from + timeline.to) / 2, timeline.y], [timeline.to + 20, timeline.y], 20);
+  await drag(page, [x + width / 2, y], [x + width + 20, y], 20);
   await stands(page, stone.length - 1);
-  await drag(page, [timeline.to, timeline.y], [5, timeline.y], 20);
+  await drag(page, [x + width - 10, y], [5, y], 20);
   await stands(page, 0);
   await page.done();
 });
@@ -234,7 +219,7 @@ test("the link carries the step and opens there; one beyond the last is told", a
   assert.equal(await summary(other), await summary(page));
   await other.done();
   const beyond = await browser.open({ address: `#${beyondTheLast}` });
-  assert.match(await noticed(beyond, /no step/), /has no step 1000: it is at its last, \d+\./);
+  assert.match(await noticed(beyond), /has no step 1000: it is at its last, \d+\./);
   assert.equal(await step(beyond), stone.length - 1);
   await beyond.done();
   await page.done();
@@ -269,13 +254,13 @@ test("with predictions on it asks before a choice, and says whether the guess is
     const page = await inLesson("stone-slab", find("scores", 1) - 1);
     await page.keyboard.press("q");
     await page.keyboard.press("ArrowRight");
-    assert.match(await noticed(page, /\?/), /\?/, "a question");
+    assert.match(await noticed(page), /\?/, "a question");
     await stands(page, find("scores", 1) - 1, "the answer is not shown yet");
     const { candidates, teams } = await state(page);
     const choice = candidates.findIndex((c) => (right ? same(c, teams[1]) : !teams.some((t) => same(c, t))));
     await page.mouse.click(...await onCandidate(page, choice));
     await stands(page, find("scores", 1));
-    assert.match(await noticed(page, /Right|Not this/), right ? /^Right\./ : /^Not this time\. .*\d/);
+    assert.match(await noticed(page), right ? /^Right\./ : /^Not this time\. .*\d/);
     await spoken(page, right ? /\. Right\. / : /\. Not this time\. /);
     await page.done();
   }
@@ -287,7 +272,7 @@ test("of two ends, too; and Next shows the answer to those who do not guess", as
   assert.ok(choice > 0);
   await page.keyboard.press("q");
   await page.keyboard.press("ArrowRight");
-  assert.match(await noticed(page, /\?/), /\?/);
+  assert.match(await noticed(page), /\?/);
   await page.keyboard.press("ArrowRight");
   await stands(page, find("outcome", 5));
   await page.done();
@@ -304,7 +289,7 @@ test("a click on a candidate that was not taken says why, in numbers", async () 
   await page.done();
 });
 
-test("every ready-made lesson opens from the window, and every stop has its words", { timeout: 600000 }, async () => {
+test("every ready-made lesson opens from the window, and every stop has its words", async () => {
   assert.ok(ready.length >= 8);
   const page = await browser.open();
   for (const lesson of ready) {
@@ -336,12 +321,12 @@ test("undo leaves a ready-made lesson for what was open before it", async () => 
   await spoken(page, /^Step 1 of 6/);
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Control+z");
-  await settled(page);
+  await idle(page);
   assert.equal(await link(page), before);
   await page.waitForFunction(() => location.search === "");
   await spoken(page, /robots, each/);
   await page.keyboard.press("Control+Shift+z");
-  await settled(page);
+  await idle(page);
   assert.equal((await state(page)).polygon.length, 8);
   await page.done();
 });
@@ -354,7 +339,7 @@ test("a copied address opens the same lesson at the same stop", async () => {
   for (let i = 0; i < 2; ++i) await page.keyboard.press("ArrowRight");
   await spoken(page, /^Step 3 of 6, .*Whole pairs of edges/);
   await page.keyboard.press("Control+c");
-  await noticed(page, /copied/);
+  await noticed(page);
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(copied, /\?lesson=moved#1\./);
   const other = await browser.open({ address: copied.slice(browser.server.url.length) });
@@ -391,7 +376,7 @@ test("an edited polygon is not the lesson's any more, and its address does not s
 
 test("a lesson with a link of another polygon: the link is opened, and the page says so", async () => {
   const page = await browser.open({ address: `?lesson=moved#${await linkAt("star", 4)}` });
-  assert.match(await noticed(page, /lesson/), /^The lesson “moved” cannot be opened: it is of another polygon than the link\.$/);
+  assert.match(await noticed(page), /^The lesson “moved” cannot be opened: it is of another polygon than the link\.$/);
   assert.equal(await link(page), await linkAt("star", 4));
   await page.waitForFunction(() => location.search === "");
   await page.done();
@@ -414,12 +399,12 @@ test("a teacher's file beside the page opens by its name; other addresses do not
     ["no-such-lesson", /no ready-made lesson/], ["../page/lesson-of-a-test.txt", /own folder/], ["%2e%2e/x.txt", /own folder/], ["https://example.org/x.txt", /own folder/],
     ["//example.org/x.txt", /own folder/], ["/lesson-of-a-test.txt", /own folder/], ["lessons.json", /own folder/], ["..\\x.txt", /own folder/], ["a%0A.txt", /own folder/], [`${"a".repeat(300)}.txt`, /own folder/]]) {
     const other = await browser.open({ address: `?lesson=${name}` });
-    assert.match(await noticed(other, /lesson/), why, name);
+    assert.match(await noticed(other), why, name);
     assert.equal(await step(other), undefined, name);
     await other.done();
   }
   const missing = await browser.open({ address: "?lesson=no-such-file.txt", quiet: false });  // the browser itself reports a 404
-  assert.match(await noticed(missing, /lesson/), /^The lesson “no-such-file\.txt” cannot be opened: the server does not have it\.$/);
+  assert.match(await noticed(missing), /^The lesson “no-such-file\.txt” cannot be opened: the server does not have it\.$/);
   await missing.done();
 });
 
@@ -471,10 +456,10 @@ test("embedded, the player alone moves any moment of any lesson", async () => {
     await goesOn(page, at);
     assert.ok((await browser.compare(shown, await page.screenshot())).share > 0.002);
     await page.keyboard.press("Shift+B");
-    await page.waitForTimeout(200);
+    await idle(page);
     assert.equal(await page.locator("dialog").count(), 0, "no windows");
     const coming = page.waitForEvent("popup");
-    await page.mouse.click(90, 33);
+    await press(page, "out");
     const opened = await coming;
     await opened.waitForLoadState();
     assert.equal(await opened.evaluate(() => location.search), address.includes("lesson") ? "?lesson=moved" : "");
@@ -490,7 +475,7 @@ test("a lesson's text is dropped, pasted, typed, chosen, or loaded by a script",
   await page.locator("#canvas").focus();
   await drop(page, { files: [["k.txt", sampled]] });
   await spoken(page, /^Step 1 of 1, .*Held or not\?/);
-  assert.match(await noticed(page, /opened/), /^“k\.txt” is opened\./);
+  assert.match(await noticed(page), /^“k\.txt” is opened\./);
   await load(page, asset("cross"));
   await paste(page, linked);
   await spoken(page, /Here is the centre\./);
@@ -547,9 +532,9 @@ test("a broken lesson gets one sentence with its line, and changes nothing", asy
 
 test("under a finger: buttons on a phone, and the sheet says the step", async () => {
   const page = await browser.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, address: "?lesson=opposite" });
-  await settled(page);
+  await idle(page);
   const at = await step(page);
-  await page.touchscreen.tap(212, 670);
+  await tap(page, "Next step");
   await goesOn(page, at);
   await spoken(page, /^Step 2 of 6/);
   await page.done();

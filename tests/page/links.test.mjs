@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { asset, drag, evenlift, fragment, link, load, published, root, set, settled, startBrowser, state, toScreen } from "./browser.mjs";
+import { asset, drag, evenlift, fragment, link, load, published, root, set, idle, startBrowser, state, toScreen } from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -63,7 +63,7 @@ test("a new fragment is opened, and undo leads back", async () => {
   assert.deepEqual(await state(page), placed("anchor"));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+z");
-  await settled(page);
+  await idle(page);
   assert.equal(JSON.stringify(await state(page)), first);
   await page.done();
 });
@@ -89,7 +89,7 @@ test("hostile links give a message and leave the page working", async () => {
       location.hash = l;
       if (location.href === old) resolve(false);
     }), bad);
-    await settled(page, 30);
+    await idle(page);
     assert.equal(JSON.stringify(await state(page)), before, `after ${bad.slice(0, 60)}`);
     if (shown) assert.ok((await page.evaluate(() => evenlift.frames)) > drawn, `a message is drawn for ${bad.slice(0, 60)}`);
     assert.match(await page.locator("#alert").textContent(), /cannot be opened/, bad.slice(0, 60));
@@ -139,7 +139,7 @@ test("a link that is opened does not cost the work that was kept", async () => {
   assert.deepEqual(await state(page), placed("star"));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+z");
-  await settled(page);
+  await idle(page);
   assert.equal(JSON.stringify(await state(page)), mine);
   await page.done();
 });

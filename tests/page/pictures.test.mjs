@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { asset, load, phone, set, settled, startBrowser, toScreen, wide } from "./browser.mjs";
+import { asset, load, phone, set, idle, startBrowser, toScreen, wide } from "./browser.mjs";
 import { openWindow } from "./windows.mjs";
 
 let browser;
@@ -18,8 +18,7 @@ const expected = fileURLToPath(new URL("expected/", import.meta.url));
 const tolerance = 0.002;
 
 async function check(page, name) {
-  await settled(page);
-  await page.waitForTimeout(300);  // the cover fades
+  await idle(page);
   const now = await page.screenshot();
   const folder = process.env.EVENLIFT_PICTURES;
   const kept = path.join(expected, `${name}.png`);
@@ -39,7 +38,7 @@ test("wide, dark: the first sample", async () => check(await browser.open({ colo
 
 test("a shape being drawn", async () => {
   const page = await browser.open();
-  await settled(page);
+  await idle(page);
   await page.keyboard.press("d");
   for (const at of [[220, 200], [560, 190], [640, 420], [400, 610]]) await page.mouse.click(...at);
   await page.mouse.move(210, 470);
@@ -50,8 +49,6 @@ test("two methods side by side, and what tips", async () => {
   const page = await browser.open({ colorScheme: "dark" });
   await load(page, asset("aircraft-wing"));
   for (const key of ["f", "k", "k", "k"]) await page.keyboard.press(key);
-  await settled(page);
-  await page.waitForTimeout(300);
   await check(page, "compare-dark");
 });
 
@@ -89,7 +86,7 @@ test("candidates, and a robot under the pointer", async () => {
   await load(page, asset("guitar"));
   await page.locator("#canvas").focus();
   await page.keyboard.press("a");
-  await settled(page);
+  await idle(page);
   const [x, y] = await page.evaluate(() => evenlift.view.to_screen(...evenlift.state().teams[0].ends[0]));
   await page.mouse.move(x, y);
   await check(page, "candidates");
@@ -104,7 +101,7 @@ test("the thesis's sample, dark", async () => {
 test("a polygon that is refused", async () => {
   const page = await browser.open();
   await load(page, "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n");
-  await settled(page);
+  await idle(page);
   const from = await toScreen(page, [400, 150]);
   const to = await toScreen(page, [75, 350]);
   await page.mouse.move(...from);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import jsQR from "jsqr";
-import { asset, evenlift, link, load, set, startBrowser, state } from "./browser.mjs";
+import { asset, evenlift, idle, link, load, set, startBrowser, state } from "./browser.mjs";
 import { allClosed, noticed, openWindow } from "./windows.mjs";
 
 let browser;
@@ -117,11 +117,11 @@ test("the length of the link is told wherever it is copied; a long one is not pr
   const page = await browser.open({ permissions: ["clipboard-read", "clipboard-write"] });
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+c");
-  assert.match(await noticed(page, /copied/), /^The link is copied\. It has \d+ characters; it holds the polygon and all settings\.$/);
+  assert.match(await noticed(page), /^The link is copied\. It has \d+ characters; it holds the polygon and all settings\.$/);
   await load(page, circle(400));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+c");
-  assert.match(await noticed(page, /copied.*,/), /^The link is copied\. It has [\d,]+ characters: some programs cut links from 2,000 on\. A file holds the same: see Save\.$/);
+  assert.match(await noticed(page), /^The link is copied\. It has [\d,]+ characters: some programs cut links from 2,000 on\. A file holds the same: see Save\.$/);
   const window = await openWindow(page, "save");
   assert.match(await window.getByRole("status").first().textContent(), /some programs cut links from 2,000 on/);
   await window.getByRole("button", { name: "QR code" }).click();
@@ -149,7 +149,7 @@ for (const colorScheme of ["light", "dark"]) {
     await window.getByRole("button", { name: "QR code" }).click();
     const code = page.locator("#qr");
     await code.waitFor();
-    await page.waitForTimeout(300);  // it appears
+    await idle(page);
     const shown = await code.locator("img").boundingBox();
     assert.ok(shown.width > 500, "large enough for a room");
     assert.equal(await qrText(page, await code.locator("img").screenshot()), address);

@@ -1,7 +1,7 @@
 // Sharpness, size, colours, failure: what the page does on all kinds of screens and without one.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { load, phone, settled, startBrowser, state, thrown, wide } from "./browser.mjs";
+import { idle, load, phone, press, startBrowser, state, thrown, wide } from "./browser.mjs";
 import { sizes } from "./sizes.mjs";
 
 let browser;
@@ -26,38 +26,38 @@ for (const ratio of [1, 1.5, 2, 3]) {
 test("it follows the window's size and a change of the device-pixel ratio", async () => {
   const page = await browser.open();
   await page.setViewportSize({ width: 1000, height: 700 });
-  await settled(page);
+  await idle(page);
   assert.deepEqual(await canvasSize(page), [1000, 700]);
   const client = await page.context().newCDPSession(page);
   await client.send("Emulation.setDeviceMetricsOverride", { width: 1000, height: 700, deviceScaleFactor: 2, mobile: false });
   await page.mouse.move(500, 300);  // this emulation tells nobody; on a real screen the browser does
   await page.waitForFunction(() => document.getElementById("canvas").width === 2000);
-  await settled(page);
+  await idle(page);
   assert.deepEqual(await canvasSize(page), [2000, 1400]);
   await page.done();
 });
 
 test("the object stays in sight when the window changes, and everything is within it on a phone", async () => {
   const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
-  await settled(page);
+  await idle(page);
   const seen = () => page.evaluate(() => evenlift.state().polygon.every((p) => {
     const [x, y] = evenlift.view.to_screen(...p);
     return x >= 0 && x <= innerWidth && y >= 0 && y <= innerHeight;
   }));
   assert.ok(await seen());
   await page.setViewportSize({ width: phone.height, height: phone.width });
-  await settled(page);
+  await idle(page);
   assert.ok(await seen());
   await page.done();
 });
 
 test("light and dark follow the system while the page runs", async () => {
   const page = await browser.open();
-  await settled(page);
+  await idle(page);
   assert.ok((await page.screenshot()).length > 0);
   const bright = await lightness(page);
   await page.emulateMedia({ colorScheme: "dark" });
-  await settled(page);
+  await idle(page);
   const dark = await lightness(page);
   assert.ok(bright > 0.8 && dark < 0.25, `${bright} and ${dark}`);
   await page.done();
@@ -82,7 +82,7 @@ async function lightness(page) {
 
 test("a lost WebGL context comes back with everything on it", async () => {
   const page = await browser.open();
-  await settled(page);
+  await idle(page);
   const before = await page.screenshot();
   await page.evaluate(() => {
     globalThis.extension = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
@@ -92,8 +92,7 @@ test("a lost WebGL context comes back with everything on it", async () => {
   await page.evaluate(() => evenlift.set({ teams: 3 }));  // the program goes on without a canvas
   await page.evaluate(() => globalThis.extension.restoreContext());
   await page.waitForFunction(() => document.getElementById("cover").classList.contains("done"));
-  await settled(page);
-  await page.waitForTimeout(400);
+  await idle(page);
   const { share } = await browser.compare(before, await page.screenshot());
   assert.ok(share < 0.001, `${share} of the picture differs`);
   await page.done();
@@ -148,20 +147,20 @@ test("it has nothing in the console from start to end of a session", async () =>
   await load(page, "(0,0)\n(10,0)\n(10,10)\n(0,10)");
   await page.mouse.move(500, 400);
   await page.mouse.wheel(0, 200);
-  await settled(page);
+  await idle(page);
   assert.equal((await state(page)).polygon.length, 4);
   await page.done();
 });
 
 test("embedded it shows the drawing and a link out, and no panel", async () => {
   const page = await browser.open({ address: "?embed=1", viewport: { width: 640, height: 420 } });
-  await settled(page);
+  await idle(page);
   const seen = await page.evaluate(() => evenlift.state().polygon.every((p) => {
     const [x, y] = evenlift.view.to_screen(...p);
     return x >= 0 && x <= innerWidth && y >= 0 && y <= innerHeight;
   }));
   assert.ok(seen);
-  const [popup] = await Promise.all([page.waitForEvent("popup"), page.mouse.click(80, 32)]);
+  const [popup] = await Promise.all([page.waitForEvent("popup"), press(page, "out")]);
   await popup.waitForLoadState();
   const url = new URL(popup.url());
   assert.equal(url.search, "");

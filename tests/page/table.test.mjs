@@ -1,7 +1,7 @@
 // The coordinates beside the canvas.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { drag, evenlift, load, phone, set, settled, startBrowser, state, toScreen } from "./browser.mjs";
+import { drag, evenlift, load, phone, set, idle, startBrowser, state, toScreen } from "./browser.mjs";
 import { allClosed, openWindow } from "./windows.mjs";
 
 let browser;
@@ -28,7 +28,7 @@ const followed = () => page.evaluate(() => new Promise((done) => requestAnimatio
 
 async function opened() {
   await load(page, L_shape);
-  await settled(page, 40);
+  await idle(page);
   return openWindow(page, "table");
 }
 

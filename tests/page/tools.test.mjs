@@ -1,7 +1,7 @@
 // Drawing, taking hold of the whole, comparing, what tips, capacity: what a person does on the canvas.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { asset, drag, load, phone, settled, startBrowser, state, toScreen } from "./browser.mjs";
+import { asset, drag, drawsNothing, load, phone, idle, startBrowser, state, toScreen } from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -12,7 +12,7 @@ after(() => browser.close());
 async function opened(options) {
   const page = await browser.open(options);
   await load(page, "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)");
-  await settled(page);
+  await idle(page);
   return page;
 }
 
@@ -23,7 +23,7 @@ test("a shape is drawn by clicks and closed on its first vertex; undo brings the
   await page.keyboard.press("d");
   for (const [x, y] of corners) await page.mouse.click(x, y);
   await page.mouse.click(corners[0][0] + 4, corners[0][1] + 3);
-  await settled(page);
+  await idle(page);
   const drawn = await state(page);
   assert.equal(drawn.polygon.length, 5);
   assert.equal(drawn.teams.length, 3);
@@ -37,9 +37,9 @@ test("Escape takes back vertex by vertex, and then the tool; nothing has changed
   const before = await state(page);
   await page.keyboard.press("d");
   for (const [x, y] of corners.slice(0, 3)) await page.mouse.click(x, y);
-  await settled(page);
+  await idle(page);
   for (let i = 0; i < 4; ++i) await page.keyboard.press("Escape");
-  await settled(page);
+  await idle(page);
   assert.deepEqual(await state(page), before);
   await page.done();
 });
@@ -48,15 +48,15 @@ test("crossing edges do not close, and Enter does when they are mended", async (
   const page = await opened();
   await page.keyboard.press("d");
   for (const at of [[200, 200], [500, 500], [500, 200], [200, 500]]) await page.mouse.click(...at);
-  await settled(page);
+  await idle(page);
   await page.keyboard.press("Enter");
   assert.equal((await state(page)).polygon.length, 6, "still the old one");
   assert.match(await page.locator("#alert").textContent(), /cross/);
   for (let i = 0; i < 2; ++i) await page.keyboard.press("Control+z");
   await page.mouse.click(300, 560);
-  await settled(page);
+  await idle(page);
   await page.keyboard.press("Enter");
-  await settled(page);
+  await idle(page);
   assert.equal((await state(page)).polygon.length, 3);
   await page.done();
 });
@@ -64,13 +64,13 @@ test("crossing edges do not close, and Enter does when they are mended", async (
 test("on a phone a shape is drawn with a finger", async () => {
   const page = await opened({ viewport: phone, hasTouch: true, isMobile: true });
   await page.keyboard.press("d");
-  await settled(page);
+  await idle(page);
   for (const at of [[100, 200], [300, 220], [260, 430], [90, 400]]) {
     await page.touchscreen.tap(...at);
-    await settled(page, 40);
+    await idle(page);
   }
   await page.touchscreen.tap(102, 203);
-  await settled(page);
+  await idle(page);
   assert.equal((await state(page)).polygon.length, 4);
   await page.done();
 });
@@ -90,7 +90,7 @@ test("the whole is moved, turned and scaled", async () => {
   const page = await opened();
   const before = await state(page);
   await page.keyboard.press("w");
-  await settled(page);
+  await idle(page);
   const at = await toScreen(page, [75, 75]);
   await drag(page, [at[0], at[1]], [at[0] + 60, at[1] - 30]);
   const moved = await state(page);
@@ -99,7 +99,7 @@ test("the whole is moved, turned and scaled", async () => {
   await page.keyboard.press("[");
   await page.keyboard.press("}");
   await page.keyboard.press("Escape");
-  await settled(page);
+  await idle(page);
   const turned = await state(page);
   assert.ok(Math.abs(turned.coverage - before.coverage) < 1e-3, "the same shape, larger and turned");
   for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+z");
@@ -111,13 +111,11 @@ test("two methods are compared side by side, and the drawing changes on both sid
   const page = await opened();
   const alone = await page.screenshot();
   await page.keyboard.press("k");
-  await settled(page);
-  await page.waitForTimeout(300);
+  await idle(page);
   const both = await page.screenshot();
   assert.ok((await browser.compare(alone, both)).share > 0.02);
   for (let i = 0; i < 4; ++i) await page.keyboard.press("k");
-  await settled(page);
-  await page.waitForTimeout(300);
+  await idle(page);
   assert.ok((await browser.compare(alone, await page.screenshot())).share < 0.001, "and back");
   await page.done();
 });
@@ -126,7 +124,7 @@ test("the heat map is an overlay that the link carries", async () => {
   const page = await opened();
   const link = await page.evaluate(() => evenlift.link());
   await page.keyboard.press("f");
-  await settled(page);
+  await idle(page);
   const shown = await page.evaluate(() => evenlift.link());
   assert.notEqual(shown, link);
   const other = await browser.open({ address: `#${shown}` });
@@ -137,15 +135,13 @@ test("the heat map is an overlay that the link carries", async () => {
 
 test("motion ends, and with reduced motion there is none", async () => {
   for (const reducedMotion of ["no-preference", "reduce"]) {
-    const page = await opened({ reducedMotion });
+    const page = await opened({ reducedMotion, clock: true });
     const before = await page.evaluate(() => evenlift.frames);
     await page.keyboard.press("t");
-    await settled(page);
-    await page.waitForTimeout(400);
+    await idle(page);
     const drawn = await page.evaluate(() => evenlift.frames);
-    await page.waitForTimeout(400);
-    assert.equal(await page.evaluate(() => evenlift.frames), drawn, "it comes to rest");
     if (reducedMotion === "reduce") assert.ok(drawn - before < 12, `${drawn - before} frames`);
+    await drawsNothing(page, "it comes to rest");
     await page.done();
   }
 });
@@ -158,7 +154,7 @@ test("a thousand vertices follow a drag", async () => {
     return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
   });
   await load(page, points.join("\n"));
-  await settled(page);
+  await idle(page);
   const before = await page.evaluate(() => evenlift.link());
   const at = await toScreen(page, (await state(page)).centre_of_mass);
   await drag(page, [at[0], at[1]], [at[0] + 20, at[1] + 10], 20);
@@ -181,7 +177,7 @@ test("keys alone: a vertex is selected, moved, added and removed", async () => {
 test("the sample of the thesis says that it can still move, and how", async () => {
   const page = await opened();
   await load(page, asset("thesis-sample"));
-  await settled(page);
+  await idle(page);
   await page.waitForFunction(() => /It can still/.test(document.getElementById("summary").textContent));
   await page.done();
 });

@@ -1,5 +1,6 @@
 // The page's own windows, for the tests beside this file.
-import { settled } from "./browser.mjs";
+import assert from "node:assert/strict";
+import { idle } from "./browser.mjs";
 
 const keys = { samples: "g", open: "o", save: "s", table: "e", lessons: "Shift+B", experiment: "K" };
 
@@ -11,13 +12,13 @@ export async function openWindow(page, name) {
   await root.waitFor();
   if (name === "lessons") await root.locator("li").first().waitFor();
   if (name === "samples") await root.locator(".sample").first().waitFor();
-  await settled(page);
+  await idle(page);
   return root;
 }
 
-// The page's notice, once it is like that, else as it is.
-export async function noticed(page, pattern) {
-  await page.waitForFunction(([source]) => new RegExp(source).test(document.getElementById("alert").textContent), [pattern.source], { timeout: 10000 }).catch(() => {});
+// The page's notice, once all that leads to it is done.
+export async function noticed(page) {
+  await idle(page);
   return page.locator("#alert").textContent();
 }
 
@@ -42,7 +43,8 @@ export async function paste(page, text) {
   }, text);
 }
 
-// Waits until no window is open.
+// No window is open any more.
 export async function allClosed(page) {
-  await page.waitForFunction(() => !document.querySelector("dialog"), undefined, { timeout: 10000 });
+  await idle(page);
+  assert.equal(await page.locator("dialog").count(), 0, "a window is open");
 }

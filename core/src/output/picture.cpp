@@ -9,12 +9,17 @@ void add_area(std::vector<Shape>& shapes, Role role, const Points& points) {
   if (!points.empty()) shapes.push_back({role, points});
 }
 
+// Every how manyth of `count` is shown.
+std::size_t stride(std::size_t count, std::size_t most) {
+  return count <= most ? 1 : (count - 1) / most + 1;
+}
+
 // Candidates in their order, but those that teams took.
-void add_candidates(std::vector<Shape>& shapes, const Placement& placement) {
+void add_candidates(std::vector<Shape>& shapes, const Placement& placement, std::size_t most) {
   std::vector<bool> taken(placement.candidates.size(), false);
   for (const std::int64_t i : placement.team_candidates)
     if (i >= 0) taken[static_cast<std::size_t>(i)] = true;
-  for (std::size_t i = 0; i < taken.size(); ++i) {
+  for (std::size_t i = 0; i < taken.size(); i += stride(taken.size(), most)) {
     if (taken[i]) continue;
     const Chord& chord = placement.candidates[i].chord;
     shapes.push_back({Role::candidate, {chord.r1.position, chord.r2.position}});
@@ -23,20 +28,23 @@ void add_candidates(std::vector<Shape>& shapes, const Placement& placement) {
 
 }  // namespace
 
-std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays) {
+std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
+                                std::size_t most_lines) {
   std::vector<Shape> shapes;
   shapes.push_back({Role::object, placement.vertices});
   if (overlays.clockwise) add_area(shapes, Role::clockwise, placement.closure.clockwise.clipped);
   if (overlays.counterclockwise)
     add_area(shapes, Role::counterclockwise, placement.closure.counterclockwise.clipped);
   if (overlays.hull) add_area(shapes, Role::hull, placement.hull);
-  if (overlays.candidates) add_candidates(shapes, placement);
+  if (overlays.candidates) add_candidates(shapes, placement, most_lines);
   const auto teams = static_cast<std::int32_t>(placement.teams.size());
-  if (overlays.chords)
-    for (std::int32_t i = 0; i < teams; ++i) {
+  if (overlays.chords) {
+    const auto step = static_cast<std::int32_t>(stride(placement.teams.size(), most_lines));
+    for (std::int32_t i = 0; i < teams; i += step) {
       const Chord& chord = placement.teams[static_cast<std::size_t>(i)].chord;
       shapes.push_back({Role::chord, {chord.r1.position, chord.r2.position}, i});
     }
+  }
   shapes.push_back({Role::centre_of_mass, {placement.centre_of_mass}});
   // The first teams, which matter most, lie on top.
   for (std::int32_t i = teams; i-- > 0;) {

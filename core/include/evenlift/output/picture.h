@@ -2,6 +2,7 @@
 // and the page's canvas both draw it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,7 +29,9 @@ struct Shape {
   double load = 0;         // for robots
 };
 
-// Back to front, only what the overlays ask for. O(output).
-std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays);
+// Back to front, only what the overlays ask for. Of more than `most_lines` candidates, or chords,
+// every second, third … one is shown: nobody could tell them apart. O(output).
+std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
+                                std::size_t most_lines = SIZE_MAX);
 
 }  // namespace evenlift

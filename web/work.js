@@ -1,0 +1,41 @@
+// What is under way, so that evenlift.idle() can wait for it: frames that are due, answers that are awaited, what waits to
+// be written. Whoever begins something tells its end.
+let open = 0;
+let waiting = [];
+
+export function begin() {
+  ++open;
+}
+
+export function end() {
+  if (--open > 0) return;
+  const told = waiting;
+  waiting = [];
+  for (const resolve of told) resolve();
+}
+
+// The windows are a file of their own, and with it a copy of this module: they tell by an event (under_way.js).
+document.addEventListener("evenlift-work", ({ detail: promise }) => {
+  begin();
+  promise.then(end, end);
+});
+
+const nextTask = () => new Promise((done) => setTimeout(done));
+
+// Sizes and preferences that changed are told of with the browser's next picture, which a hidden page has not.
+const nextPicture = () => (document.hidden ? nextTask() : new Promise((done) => requestAnimationFrame(done)).then(nextTask));
+
+// Motions that end: what shows that something is loading goes on for ever.
+function motions() {
+  const ending = document.getAnimations().filter((motion) => motion.playState === "running" && Number.isFinite(motion.effect.getComputedTiming().endTime));
+  return Promise.allSettled(ending.map(({ finished }) => finished));
+}
+
+export async function idle() {
+  do {
+    await nextPicture();
+    while (open > 0) await new Promise((done) => waiting.push(done));
+    await motions();
+    await nextPicture();
+  } while (open > 0);
+}
