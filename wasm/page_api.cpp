@@ -12,7 +12,7 @@
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/svg.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "opening_sample.h"
 #include "set_settings.h"
 #include "summary.h"
@@ -53,6 +53,7 @@ App& app() {
 }  // namespace evenlift::view
 
 using namespace evenlift::view;
+using evenlift::CapacityInJson;
 using evenlift::Document;
 using evenlift::Result;
 
@@ -96,7 +97,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* wo
 // -------------------------------------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
-  return hand_over(placement_json(*app().state.placement, true));
+  const AppState& state = app().state;
+  std::optional<CapacityInJson> capacity;
+  if (state.capacity)
+    capacity =
+        CapacityInJson{*state.capacity, state.plan && !state.plan_due
+                                            ? *state.plan
+                                            : plan_capacity(*state.placement, *state.capacity)};
+  return hand_over(placement_json(*state.placement, true, capacity));
 }
 
 // Returns why it was refused, or nothing.

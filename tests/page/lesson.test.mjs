@@ -339,7 +339,7 @@ test("undo leaves a ready-made lesson for what was open before it", async () => 
   await settled(page);
   assert.equal(await link(page), before);
   await page.waitForFunction(() => location.search === "");
-  await spoken(page, /robots, each/);
+  await spoken(page, /robots carry/);
   await page.keyboard.press("Control+Shift+z");
   await settled(page);
   assert.equal((await state(page)).polygon.length, 8);
