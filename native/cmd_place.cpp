@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <cmath>
 
 #include "commands.h"
-#include "evenlift/formats.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
@@ -35,28 +33,22 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string point(const Vec2& p, int decimals) {
-  return "(" + fixed(p.x(), decimals) + ", " + fixed(p.y(), decimals) + ")";
+// Which of a team's robots carry more than the capacity.
+std::string overloaded(const Team& team, double capacity) {
+  const bool first = team.loads[0] > capacity, second = team.loads[1] > capacity;
+  return first && second ? "both" : first ? "first" : second ? "second" : "-";
 }
 
-// Enough to find the place on the object: four digits of its size.
-int coordinate_decimals(const Points& vertices) {
-  Vec2 low = vertices[0], high = vertices[0];
-  for (const Vec2& v : vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  return std::min(decimals_for((high - low).maxCoeff()) + 1, 9);
-}
-
-std::string team_table(const Placement& placement) {
-  const int coordinates = coordinate_decimals(placement.vertices);
-  const int loads = decimals_for(placement.loads->max);
+std::string team_table(const Placement& placement, const std::optional<double>& capacity) {
+  const int decimals = coordinate_decimals(placement.vertices);
   std::vector<Row> rows = {{"team", "ratio", "robot at", "bears", "robot at", "bears"}};
-  for (const Team& team : placement.teams)
-    rows.push_back({std::to_string(rows.size()), fixed(team.chord.ratio, 3),
-                    point(team.chord.r1.position, coordinates), fixed(team.loads[0], loads),
-                    point(team.chord.r2.position, coordinates), fixed(team.loads[1], loads)});
+  if (capacity) rows[0].push_back("overloaded");
+  for (std::size_t i = 0; i < placement.teams.size(); ++i) {
+    const TeamInWords team = team_in_words(placement, i, decimals);
+    rows.push_back(
+        {std::to_string(i + 1), team.ratio, team.at[0], team.loads[0], team.at[1], team.loads[1]});
+    if (capacity) rows.back().push_back(overloaded(placement.teams[i], *capacity));
+  }
   return table(rows);
 }
 
@@ -65,48 +57,43 @@ std::string candidate_table(const Placement& placement) {
   for (std::size_t i = 0; i < placement.team_candidates.size(); ++i)
     if (placement.team_candidates[i] >= 0)
       team[static_cast<std::size_t>(placement.team_candidates[i])] = std::to_string(i + 1);
-  const int coordinates = coordinate_decimals(placement.vertices);
+  const int decimals = coordinate_decimals(placement.vertices);
   std::vector<Row> rows = {{"candidate", "ratio", "kind", "from", "to", "team"}};
   for (std::size_t i = 0; i < placement.candidates.size(); ++i) {
     const Candidate& candidate = placement.candidates[i];
-    rows.push_back({std::to_string(i + 1), fixed(candidate.chord.ratio, 3),
+    rows.push_back({std::to_string(i + 1), ratio_in_words(candidate.chord.ratio),
                     std::string(name(candidate.kind)),
-                    point(candidate.chord.r1.position, coordinates),
-                    point(candidate.chord.r2.position, coordinates), team[i]});
+                    point_in_words(candidate.chord.r1.position, decimals),
+                    point_in_words(candidate.chord.r2.position, decimals), team[i]});
   }
   return table(rows);
 }
 
+// What was asked for and what came of it, a line each.
 std::string facts(const Placement& placement) {
   const Settings& settings = placement.settings;
-  std::string text = "  centre of mass  " +
-                     point(placement.centre_of_mass, coordinate_decimals(placement.vertices)) +
-                     "\n";
-  text += "  candidates      " + std::to_string(placement.candidates.size()) +
-          " at a minimum load ratio of " + shortest(settings.min_ratio) + "\n";
-  text += "  selection       " + std::string(name(settings.metric));
-  if (settings.metric == Metric::random) text += ", seed " + std::to_string(settings.seed);
-  text += "\n";
-  if (!placement.loads) return text;
-  const LoadSummary& loads = *placement.loads;
-  const int decimals = decimals_for(loads.max);
-  text += "  loads           mean " + fixed(loads.mean, decimals) + ", spread " +
-          fixed(loads.spread, decimals) + ", at most " + percentage(loads.max_share) +
-          " of a team's load on one robot\n";
-  text += "  coverage        " + percentage(placement.coverage) + "\n";
-  const Closure& closure = placement.closure;
-  text += "  closure         ";
-  text += closure.form_closure ? "form closure" : closure.second_order ? "second order" : "none";
-  if (closure.margin) {
-    const double size = std::fabs(*closure.margin);
-    text += ", margin " + fixed(*closure.margin, size < 1e-9 ? 0 : std::max(3, decimals_for(size)));
-  }
-  return text + "\n";
+  std::vector<std::pair<std::string, std::string>> lines = {
+      {"Method", std::string(name(settings.metric))}};
+  if (settings.metric == Metric::random) lines.emplace_back("Seed", std::to_string(settings.seed));
+  lines.emplace_back("Minimum load ratio", plain(settings.min_ratio));
+  lines.emplace_back("Centre of mass", point_in_words(placement.centre_of_mass,
+                                                      coordinate_decimals(placement.vertices)));
+  for (const Fact& fact : facts_in_words(placement)) lines.emplace_back(fact.label, fact.value);
+  std::size_t widest = 0;
+  for (const auto& [label, value] : lines) widest = std::max(widest, width(label));
+  std::string text;
+  for (const auto& [label, value] : lines)
+    text += "  " + label + std::string(widest + 2 - width(label), ' ') + value + "\n";
+  return text;
 }
 
-std::string for_people(const Placement& placement, bool with_candidates) {
-  std::string text = verdict(placement) + "\n\n";
-  if (!placement.teams.empty()) text += team_table(placement) + "\n";
+std::string for_people(const Placement& placement, bool with_candidates,
+                       const std::optional<CapacityInJson>& capacity) {
+  std::string text = verdict(placement) + "\n";
+  if (capacity) text += capacity_in_words(placement, capacity->limit, &capacity->plan) + "\n";
+  text += "\n";
+  const auto limit = capacity ? std::optional<double>(capacity->limit) : std::nullopt;
+  if (!placement.teams.empty()) text += team_table(placement, limit) + "\n";
   if (with_candidates && !placement.candidates.empty()) text += candidate_table(placement) + "\n";
   return text + facts(placement);
 }
@@ -123,10 +110,12 @@ void cmd_place(const Arguments& arguments) {
       "  evenlift place table.txt --metric circle --com 120,80 --json\n");
   std::string file;
   SettingOptions options;
-  std::optional<std::string> svg;
+  std::optional<std::string> svg, capacity_text;
   bool as_json = false, candidates = false;
   line.positional(file, "FILE", "the polygon");
   options.declare(line);
+  line.value(capacity_text, "--capacity", "K",
+             "what one robot can carry: who is overloaded, and how many are needed");
   line.flag(as_json, "--json", "one JSON object instead of a table");
   line.flag(candidates, "--candidates", "list the candidates too, and show them in the picture");
   line.value(svg, "--svg", "OUT", "also write a picture as SVG");
@@ -134,15 +123,18 @@ void cmd_place(const Arguments& arguments) {
 
   Input input = read_input(file);
   options.apply(input.document);
+  std::optional<CapacityInJson> capacity;
+  if (capacity_text) capacity = CapacityInJson{capacity_option(*capacity_text), {}};
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.failure(input.source, placement.error());
+  if (capacity) capacity->plan = plan_capacity(*placement, capacity->limit);
   if (svg) {
     Placement pictured = *placement;
     pictured.settings.overlays.candidates |= candidates;
     write_file(*svg, placement_svg(pictured));
   }
-  write_output(as_json ? placement_json(*placement, candidates)
-                       : for_people(*placement, candidates));
+  write_output(as_json ? placement_json(*placement, candidates, capacity)
+                       : for_people(*placement, candidates, capacity));
 }
 
 }  // namespace evenlift::native

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "evenlift/angles.h"
 #include "evenlift/closure.h"
 #include "evenlift/hull.h"
 #include "evenlift/loads.h"
@@ -232,6 +233,17 @@ class Comparer {
 };
 
 }  // namespace
+
+Motion any_motion(const evenlift::Document& document, evenlift::Rng& rng) {
+  Motion motion;
+  motion.mirrored = rng.below(2) == 1;
+  motion.angle_rad = 2 * evenlift::pi * rng.uniform();
+  motion.scale = std::exp(6 * rng.uniform() - 3);
+  const double far = 20 * motion.scale * Polygon::create(document.vertices)->diagonal();
+  const double x = far * (2 * rng.uniform() - 1);
+  motion.shift = Vec2(x, far * (2 * rng.uniform() - 1));
+  return motion;
+}
 
 evenlift::Document moved(const evenlift::Document& document, const Motion& motion) {
   evenlift::Document result = document;

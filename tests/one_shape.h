@@ -6,6 +6,7 @@
 #include <string>
 
 #include "evenlift/document.h"
+#include "evenlift/random.h"
 
 namespace one_shape {
 
@@ -16,6 +17,10 @@ struct Motion {
   double scale = 1;
   evenlift::Vec2 shift = evenlift::Vec2::Zero();
 };
+
+// Any angle, either way round, by a factor that is no power of two, to somewhere near. The
+// document's vertices must be a valid polygon.
+Motion any_motion(const evenlift::Document& document, evenlift::Rng& rng);
 
 // The document moved so. A centre of mass that is given moves with it.
 evenlift::Document moved(const evenlift::Document& document, const Motion& motion);

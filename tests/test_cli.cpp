@@ -144,7 +144,7 @@ TEST_CASE("the program answers in all its ways", "[cli]") {
               .find("\"centre_of_mass\": [-0.5, -1]") != std::string::npos);
   }
   SECTION("fewer teams than asked for are no failure") {
-    CHECK(answers("evenlift place square.txt --teams 9").find("4 of the 9 teams asked for") !=
+    CHECK(answers("evenlift place square.txt --teams 9").find("only 4 of 9 teams") !=
           std::string::npos);
   }
   SECTION("a picture is written beside the result") {

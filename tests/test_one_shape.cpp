@@ -9,9 +9,9 @@
 #include "evenlift/angles.h"
 #include "evenlift/candidates.h"
 #include "evenlift/placement.h"
-#include "evenlift/polygon.h"
 #include "evenlift/random.h"
 #include "one_shape.h"
+#include "problem_document.h"
 #include "small_polygons.h"
 
 using namespace evenlift;
@@ -21,29 +21,6 @@ namespace {
 
 constexpr Metric metrics[] = {Metric::area, Metric::circle, Metric::distance};
 constexpr std::uint32_t most_teams = 6;
-
-Document document_of(const small_polygons::Case& c) {
-  Document d;
-  for (const auto& p : c.problem.vertices) d.vertices.emplace_back(p[0], p[1]);
-  if (c.problem.centre_of_mass)
-    d.centre_of_mass = Vec2((*c.problem.centre_of_mass)[0], (*c.problem.centre_of_mass)[1]);
-  d.settings.min_ratio = c.problem.min_ratio;
-  return d;
-}
-
-double diameter(const Document& document) { return Polygon::create(document.vertices)->diagonal(); }
-
-// Any angle, either way round, by a factor that is no power of two, to somewhere near.
-Motion any_motion(const Document& document, Rng& rng) {
-  Motion motion;
-  motion.mirrored = rng.below(2) == 1;
-  motion.angle_rad = 2 * pi * rng.uniform();
-  motion.scale = std::exp(6 * rng.uniform() - 3);
-  const double far = 20 * motion.scale * diameter(document);
-  const double x = far * (2 * rng.uniform() - 1);
-  motion.shift = Vec2(x, far * (2 * rng.uniform() - 1));
-  return motion;
-}
 
 int failures = 0;
 
@@ -81,10 +58,10 @@ TEST_CASE("every sample has one answer, however it lies", "[one_shape]") {
   Rng rng(8);
   for (const std::string& name : corpus::polygon_names()) {
     Document document = corpus::polygon(name);
-    if (document.vertices.size() > 2000) continue;
     for (const Metric metric : metrics) {
       document.settings.metric = metric;
-      for (int i = 0; i < 4; ++i) expect_one_answer(document, any_motion(document, rng), name);
+      for (int i = 0; i < 4; ++i)
+        expect_one_answer(document, one_shape::any_motion(document, rng), name);
     }
   }
   CHECK(failures == 0);
@@ -98,10 +75,11 @@ TEST_CASE("generated polygons of every family have one answer, however they lie"
   for (std::uint64_t number = 0; number < per_family * std::size(small_polygons::families);
        ++number) {
     const small_polygons::Case c = small_polygons::make_plain_case(number);
-    Document document = document_of(c);
+    Document document = testing::document_of(c.problem);
     if (!one_shape::is_clear_of_refusal(document)) continue;
     document.settings.metric = metrics[number / std::size(small_polygons::families) % 3];
-    expect_one_answer(document, any_motion(document, rng), c.name + " " + std::to_string(number));
+    expect_one_answer(document, one_shape::any_motion(document, rng),
+                      c.name + " " + std::to_string(number));
     ++compared;
   }
   CHECK(failures == 0);

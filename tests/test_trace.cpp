@@ -91,8 +91,8 @@ void check_text(const std::string& text, bool sentence) {
     if (text.find(bad) != std::string::npos) FAIL(bad);
   if (!text.empty() && (text.front() == ' ' || text.back() == ' ')) FAIL("a space at an end");
   static const std::set<std::string> others{
-      "\u00a7", "\u00b0", "\u00b1", "\u00b2", "\u00b7", "\u00d7", "\u00e9", "\u2013", "\u2014",
-      "\u2018", "\u2019", "\u201c", "\u201d", "\u2026", "\u2212", "\u2264", "\u2265"};
+      "\u00a0", "\u00a7", "\u00b0", "\u00b1", "\u00b2", "\u00b7", "\u00d7", "\u00e9", "\u2013",
+      "\u2014", "\u2018", "\u2019", "\u201c", "\u201d", "\u2026", "\u2212", "\u2264", "\u2265"};
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = static_cast<unsigned char>(text[i]);
     const std::size_t size = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : 3;
@@ -323,7 +323,7 @@ TEST_CASE("numbers are as short left of zero as right of it", "[trace][words]") 
   for (Vec2& v : document.vertices) v -= Vec2(2000, 2000);
   const Trace trace = traced(placed(document));
   CHECK(caption(trace, look_at(trace, *trace.find(StepKind::centre, 0)))
-            .find("centroid, (-1483.4, -1622.2).") != std::string::npos);
+            .find("centroid, (−1483.4, −1622.2).") != std::string::npos);
 }
 
 TEST_CASE("a choice is asked with the answer that the algorithm gives", "[trace]") {

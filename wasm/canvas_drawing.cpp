@@ -6,7 +6,7 @@
 #include <string>
 
 #include "drawing.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "whole.h"
 
 namespace evenlift::view {
@@ -27,7 +27,7 @@ Points chain_with_cursor(const AppState& state, bool closing) {
 std::string length_text(const AppState& state, const Vec2& from, const Vec2& to) {
   const double step = grid_step(state.camera);
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 0, 6);
-  return point(to) + " · " + fixed(length(to - from), decimals) + " long";
+  return given_point(to) + " · " + fixed(length(to - from), decimals) + " long";
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
     if (drawing.cursor) {
       list.AddCircleFilled(painter.at(*drawing.cursor), 4, theme.accent.packed(), 16);
       draw_word(list, state.camera.to_screen(*drawing.cursor), window, theme, theme.second_text,
-                point(*drawing.cursor));
+                given_point(*drawing.cursor));
     }
     return;
   }

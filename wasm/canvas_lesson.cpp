@@ -5,7 +5,7 @@
 
 #include "canvas_drawing.h"
 #include "canvas_marks.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "icons.h"
 #include "lesson.h"
 #include "triangulate.h"
@@ -181,7 +181,7 @@ void draw_mark(const Painter& painter, const CanvasView& view, const Object& mar
 // A ratio at the middle of its chord's longer arm.
 void draw_value(const Painter& painter, const CanvasView& view, const Object& mark) {
   const Vec2 middle = mark.points[0] + (mark.points[1] - mark.points[0]) * 0.75;
-  const std::string text = fixed(mark.value, 3);
+  const std::string text = ratio_in_words(mark.value);
   const ImVec2 size = text_size(Face::strong_label, text), at = painter.at(middle);
   const ImVec2 low(at.x - size.x / 2 - 5, at.y - size.y / 2 - 2);
   painter.list().AddRectFilled(low, ImVec2(low.x + size.x + 10, low.y + size.y + 4),

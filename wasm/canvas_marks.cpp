@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "canvas_drawing.h"
+#include "evenlift/output/words.h"
 #include "evenlift/stability.h"
-#include "format.h"
 #include "icons.h"
 #include "labels.h"
 #include "lesson.h"
@@ -98,7 +98,6 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
 void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size) {
   const AppState& state = view.state;
   const Placement& placement = *view.placement;
-  const int decimals = decimals_for(placement.loads->max);
   const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
   std::vector<LabelRequest> requests;
   std::vector<std::string> texts;
@@ -108,7 +107,7 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
       const Vec2 robot =
           view.camera.to_screen(end == 0 ? team.chord.r1.position : team.chord.r2.position);
       const Vec2 away = robot - middle;
-      texts.push_back(weight(team.loads[end], decimals));
+      texts.push_back(kilograms(team.loads[end], placement.loads->max));
       over.push_back(state.capacity && team.loads[end] > *state.capacity);
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back(
@@ -205,7 +204,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
 void draw_coverage(const Painter& painter, const CanvasView& view) {
   const CoveragePlace& place = view.scene.coverage;
   if (!settings(view.state).overlays.hull || place.room * view.camera.scale < 24) return;
-  const std::string share = percent(view.placement->coverage);
+  const std::string share = percentage(view.placement->coverage);
   const ImVec2 at = painter.at(place.at), text = text_size(Face::verdict, share);
   draw_text(painter.list(), Face::verdict, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
             view.theme.hull_text, share);
@@ -261,7 +260,7 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
   const std::string text =
       safe ? "Safe: no push here tips it"
-           : "Tips if pushed down with " + weight(force, decimals_for(placement.settings.weight));
+           : "Tips if pushed down with " + kilograms(force, placement.settings.weight);
   // In light and dark alike the box is the panel's colour, on which the base's dark green would not
   // show.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)), view.window,
@@ -302,8 +301,8 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   name[0] = static_cast<char>(name[0] - 32);
   std::string numbers = "no team";
   if (p.loads) {
-    numbers = range(p.loads->min, p.loads->max, decimals_for(p.loads->max)) + "\u202fkg · " +
-              percent(p.coverage) + " covered · " +
+    numbers = kilograms(p.loads->min, p.loads->max, p.loads->max) + " · " + percentage(p.coverage) +
+              " covered · " +
               (p.closure.form_closure || p.closure.second_order ? "cannot move" : "can move");
   }
   const ImVec2 title = text_size(Face::strong, name), text = text_size(Face::label, numbers);
@@ -349,22 +348,22 @@ std::string hint(const AppState& state) {
   switch (at.kind) {
     case Pick::Kind::vertex:
       if (at.index >= vertices.size()) return {};
-      return "Vertex " + std::to_string(at.index + 1) + " " + point(vertices[at.index]) +
+      return "Vertex " + std::to_string(at.index + 1) + " " + given_point(vertices[at.index]) +
              " · drag to move, Delete to remove";
     case Pick::Kind::centre:
-      return "Centre of mass " + point(centre_of_mass(state)) + " · drag to move";
+      return "Centre of mass " +
+             point_in_words(centre_of_mass(state), coordinate_decimals(vertices)) +
+             " · drag to move";
     case Pick::Kind::edge:
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
     case Pick::Kind::chord: {
       const Placement* placement = current_placement(state, at.other);
       if (!placement || at.index >= placement->teams.size()) return {};
-      const Team& team = placement->teams[at.index];
-      const int decimals = decimals_for(placement->loads->max);
-      const double long_ = team.chord.arm1 + team.chord.arm2;
-      return "Team " + std::to_string(at.index + 1) + " · load ratio " +
-             fixed(team.chord.ratio, 3) + " · " + fixed(team.loads[0], decimals) + " and " +
-             weight(team.loads[1], decimals) + " · " + fixed(long_, decimals_for(long_)) + " apart";
+      const TeamInWords words =
+          team_in_words(*placement, at.index, coordinate_decimals(placement->vertices));
+      return "Team " + std::to_string(at.index + 1) + " · load ratio " + words.ratio + " · " +
+             words.loads[0] + " and " + words.loads[1] + "\u00A0kg · " + words.length + " apart";
     }
     case Pick::Kind::object:
     case Pick::Kind::frame:

@@ -19,7 +19,7 @@
 #include "browser.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "lesson.h"
 #include "page_api.h"
 #include "update.h"

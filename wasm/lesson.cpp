@@ -5,7 +5,7 @@
 
 #include "browser.h"
 #include "evenlift/formats.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "opened.h"
 #include "pick.h"
 #include "update.h"

@@ -12,7 +12,8 @@
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/svg.h"
-#include "format.h"
+#include "evenlift/output/words.h"
+#include "opening.h"
 #include "opening_sample.h"
 #include "set_settings.h"
 #include "summary.h"
@@ -39,8 +40,6 @@ void open_undoably(Opened opened) {
   browser::request_frame();
 }
 
-Result<Opened> no_document() { return InputError{ErrorCode::bad_syntax, "there is none", {}}; }
-
 std::string link_or_nothing(const Document& document) {
   Result<std::string> link = encode_link(document);
   return link ? std::move(link).value() : std::string();
@@ -56,6 +55,7 @@ App& app() {
 }  // namespace evenlift::view
 
 using namespace evenlift::view;
+using evenlift::CapacityInJson;
 using evenlift::Document;
 using evenlift::Result;
 
@@ -64,33 +64,12 @@ extern "C" {
 // --- Start
 // -----------------------------------------------------------------------------------------------------------
 
-// Opens the fragment's link, else the work that was kept, else the first sample. Returns why the
-// link could not be read, or nothing. `draft` is what was being edited when it was refused.
+// Returns why the link could not be read, or nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* work,
                                             const char* draft, int embed) {
   AppState& state = app().state;
   state.screen.embed = embed != 0;
-  std::string problem;
-  Result<Opened> linked = no_document(), kept = no_document();
-  if (*fragment) {
-    linked = read_link(fragment);
-    if (!linked) problem = sentence(linked.error());
-  }
-  if (linked) {
-    // The kept work is one undo away, and not computed before somebody goes there.
-    const Result<Document> before = parse_document(work);
-    start_with(state, std::move(linked).value(),
-               before ? std::optional<Document>(*before) : std::nullopt);
-    return hand_over(problem);
-  }
-  if (*work) kept = read_document(work);
-  if (!kept) {
-    start_with(state, std::move(read_document(opening_sample())).value(), std::nullopt);
-    return hand_over(problem);
-  }
-  start_with(state, std::move(kept).value(), std::nullopt);
-  if (Result<Document> draft_of_it = evenlift::decode_link(draft))
-    resume_draft(state, std::move(draft_of_it).value());
+  const std::string problem = open_page(state, {fragment, work, draft}, opening_sample());
   frame_view(state);
   browser::request_frame();
   return hand_over(problem);
@@ -100,7 +79,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* wo
 // -------------------------------------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
-  return hand_over(placement_json(*app().state.placement, true));
+  const AppState& state = app().state;
+  std::optional<CapacityInJson> capacity;
+  if (state.capacity)
+    capacity =
+        CapacityInJson{*state.capacity, state.plan && !state.plan_due
+                                            ? *state.plan
+                                            : plan_capacity(*state.placement, *state.capacity)};
+  return hand_over(placement_json(*state.placement, true, capacity));
 }
 
 // Returns why it was refused, or nothing.

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "panels.h"
 #include "summary.h"
 #include "widgets.h"
@@ -31,12 +31,13 @@ void draw_capacity(const Ui& ui) {
     // A round number at which the present placement just holds: something to start from.
     const Placement* placement = ui.state.placement ? &*ui.state.placement : nullptr;
     const double most = placement && placement->loads ? placement->loads->max : 20;
-    if (flat_button(ui, "limit", "Any weight", width)) ui.push(SetCapacity{std::ceil(most)});
+    if (flat_button(ui, "limit", "No limit – set one", width))
+      ui.push(SetCapacity{std::ceil(most)});
     if (ImGui::IsItemHovered()) tip(ui, "Set what one robot can carry, to see how many are needed");
     return;
   }
   const float clear = ui.control();
-  const int by = stepper(ui, "capacity", plain(*capacity) + "\u202fkg", *capacity > 1e-3,
+  const int by = stepper(ui, "capacity", plain(*capacity) + "\u00A0kg", *capacity > 1e-3,
                          *capacity < 1e9, width - clear - 4);
   if (by != 0) ui.push(SetCapacity{stepped(*capacity, by)});
   ImGui::SameLine(0, 4);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dropdown.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "methods.h"
 #include "panels.h"
 #include "widgets.h"
@@ -17,23 +17,20 @@ struct Row {
   std::array<std::string, 2> values;
 };
 
-std::string closure_word(const Closure& closure) {
-  return closure.form_closure ? "yes" : closure.second_order ? "second order" : "no";
-}
-
 std::vector<Row> rows(const Placement& a, const Placement& b) {
   const auto both = [&](auto value) { return std::array<std::string, 2>{value(a), value(b)}; };
   const auto load = [](auto member) {
     return [member](const Placement& p) {
-      return p.loads ? fixed((*p.loads).*member, decimals_for(p.loads->max)) : std::string("–");
+      return p.loads ? amount((*p.loads).*member, p.loads->max) : std::string("–");
     };
   };
-  return {{"Robots", both([](const Placement& p) { return std::to_string(2 * p.teams.size()); })},
-          {"Least load, kg", both(load(&LoadSummary::min))},
-          {"Greatest load, kg", both(load(&LoadSummary::max))},
-          {"Difference, kg", both(load(&LoadSummary::spread))},
-          {"Coverage", both([](const Placement& p) { return percent(p.coverage); })},
-          {"Form closure", both([](const Placement& p) { return closure_word(p.closure); })}};
+  return {
+      {"Robots", both([](const Placement& p) { return std::to_string(2 * p.teams.size()); })},
+      {"Least load, kg", both(load(&LoadSummary::min))},
+      {"Greatest load, kg", both(load(&LoadSummary::max))},
+      {"Difference, kg", both(load(&LoadSummary::spread))},
+      {"Coverage", both([](const Placement& p) { return percentage(p.coverage, 1); })},
+      {"Form closure", both([](const Placement& p) { return form_closure_in_words(p.closure); })}};
 }
 
 void draw_row(const Ui& ui, const Row& row, Face face, Colour colour) {

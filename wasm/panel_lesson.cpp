@@ -4,7 +4,7 @@
 
 #include "actions.h"
 #include "browser.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "lesson.h"
 #include "panels.h"
 #include "widgets.h"
@@ -143,7 +143,7 @@ void draw_lesson_ranking(const Ui& ui) {
     ImGui::PopID();
     if (lesson.measured == c) list.AddRectFilled(at, high, ui.theme.well.packed(), 6);
     const std::string name = std::to_string(i + 1) + ".  Candidate " + std::to_string(c + 1);
-    const std::string value = (score.exact ? "" : "≤ ") + fixed(score.value, decimals_for(best));
+    const std::string value = (score.exact ? "" : "≤ ") + amount(score.value, best);
     const float share = static_cast<float>(std::clamp(score.value / best, 0.0, 1.0));
     const float middle = (at.y + high.y) / 2, half = text_size(Face::label, name).y / 2;
     const float from = at.x + width * 0.46f, room = width * 0.26f;

@@ -1,5 +1,5 @@
 // The result in numbers, each with a word on what it means.
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "panels.h"
 #include "widgets.h"
 
@@ -24,29 +24,9 @@ void fact(const Ui& ui, const char* label, const std::string& value, const char*
 
 void draw_numbers(const Ui& ui) {
   if (!ui.state.placement) return;
-  const Placement& p = *ui.state.placement;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  fact(ui, "Coverage", fixed(p.coverage * 100, 1) + "\u202f%",
-       "Share of the object inside the lifting base");
-  if (p.loads) {
-    const int decimals = decimals_for(p.loads->max);
-    fact(ui, "Load, mean", weight(p.loads->mean, decimals), "Of all robots");
-    fact(ui, "Load, greatest − least", weight(p.loads->spread, decimals),
-         "How unevenly all robots share");
-    fact(ui, "Greatest share in a team", fixed(p.loads->max_share * 100, 1) + "\u202f%",
-         "50 % in a team that is perfectly even");
-  }
-  fact(ui, "Teams possible", std::to_string(p.candidates.size()),
-       "One for each candidate chord with this load ratio; two robots each");
-  fact(ui, "Form closure",
-       p.closure.form_closure   ? "yes"
-       : p.closure.second_order ? "second order"
-                                : "no",
-       "Whether the robots' touch alone keeps the object from moving in the plane");
-  if (p.closure.margin) {
-    fact(ui, "Closure margin", fixed(*p.closure.margin, 3),
-         "Above 0 in form closure: how firmly it is held");
-  }
+  for (const Fact& each : facts_in_words(*ui.state.placement))
+    fact(ui, each.label, each.value, each.about);
   ImGui::PopStyleVar();
 }
 

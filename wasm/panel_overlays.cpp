@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "heat.h"
 #include "panels.h"
 #include "widgets.h"

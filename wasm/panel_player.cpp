@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "actions.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "lesson.h"
 #include "panels.h"
 #include "widgets.h"

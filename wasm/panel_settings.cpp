@@ -4,7 +4,7 @@
 
 #include "actions.h"
 #include "dropdown.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "methods.h"
 #include "panels.h"
 #include "pick.h"
@@ -58,7 +58,7 @@ void draw_ratio(const Ui& ui) {
 void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width = labelled(ui, "Weight");
-  const int by = stepper(ui, "weight", plain(changed.weight) + "\u202fkg", changed.weight > 1e-3,
+  const int by = stepper(ui, "weight", plain(changed.weight) + "\u00A0kg", changed.weight > 1e-3,
                          changed.weight < 1e9, width);
   if (by == 0) return;
   changed.weight = stepped(changed.weight, by);
@@ -81,7 +81,9 @@ void draw_centre(const Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool own = ui.state.document.centre_of_mass.has_value();
   const float reset = own ? ui.control() : 0;
-  const std::string value = own ? point(centre_of_mass(ui.state)) : "centroid";
+  const std::string value = own ? point_in_words(centre_of_mass(ui.state),
+                                                 coordinate_decimals(ui.state.document.vertices))
+                                : "centroid";
   const ImVec2 text = text_size(Face::text, value);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(at, ImVec2(at.x + width - reset, at.y + ui.control()), true);

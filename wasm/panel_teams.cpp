@@ -1,7 +1,7 @@
 // The teams as a table: each team's two loads as a balance about the middle, and its load ratio.
 #include <algorithm>
 
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "panels.h"
 #include "widgets.h"
 
@@ -80,15 +80,15 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   const ImVec2 size = text_size(Face::tiny, number);
   draw_text(list, Face::tiny, ImVec2(c.left + 11 - size.x / 2, y - size.y / 2), ui.theme.robot_text,
             number);
-  const int decimals = decimals_for(placement.loads->max);
   for (int end = 0; end < 2; ++end) {
     const double load = team.loads[static_cast<std::size_t>(end)];
-    draw_bar(ui, c, y, load / placement.loads->max, end == 0 ? -1 : 1, fixed(load, decimals),
-             ui.state.capacity && load > *ui.state.capacity);
+    draw_bar(ui, c, y, load / placement.loads->max, end == 0 ? -1 : 1,
+             amount(load, placement.loads->max), ui.state.capacity && load > *ui.state.capacity);
   }
   const double span = team.chord.arm1 + team.chord.arm2;
-  right_aligned(list, Face::label, c.span, y, ui.theme.text, fixed(span, decimals_for(span)));
-  right_aligned(list, Face::strong_label, c.ratio, y, ui.theme.text, fixed(team.chord.ratio, 2));
+  right_aligned(list, Face::label, c.span, y, ui.theme.text, amount(span, span));
+  right_aligned(list, Face::strong_label, c.ratio, y, ui.theme.text,
+                ratio_in_words(team.chord.ratio));
   return hovered;
 }
 
@@ -101,7 +101,7 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
     const float x = c.middle + way * out;
     list.AddLine(ImVec2(x, top), ImVec2(x, bottom), ui.theme.accent.packed(), 1.5f);
   }
-  const std::string text = "even share " + weight(loads.mean, decimals_for(loads.max));
+  const std::string text = "even share " + kilograms(loads.mean, loads.max);
   const ImVec2 size = text_size(Face::label, text);
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
 }

@@ -12,14 +12,11 @@ enum class Mood : std::uint8_t { good, not_quite, refused, drawing };
 
 struct Verdict {
   Mood mood = Mood::good;
-  std::string headline;  // "6 robots, each 15.2–18.1 kg of 100."
+  std::string headline;  // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
   std::string detail;    // "81 % of the object is safe to push on. It can still turn clockwise."
 };
 
 Verdict verdict(const AppState& state);
-
-// What can still move: "It cannot move.", "It can still turn clockwise and slide."
-std::string freedom(const Closure& closure);
 
 // With a capacity of one robot: whether each stays within it, and how many robots are needed; else
 // empty.

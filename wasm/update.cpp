@@ -6,7 +6,7 @@
 #include "browser.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
-#include "format.h"
+#include "evenlift/output/words.h"
 #include "layout.h"
 #include "lesson.h"
 #include "opened.h"

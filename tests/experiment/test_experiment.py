@@ -173,7 +173,7 @@ class Runs(Case):
                 (["--out", out], "PATH: missing; `evenlift experiment --help` tells more"),
                 ([self.inputs, "--out", out, "--samples", "0"], "--samples: the number of random samples is from 1 to 100000"),
                 ([self.inputs, "--out", out, "--samples", "many"], '--samples: expected a whole number, not "many"'),
-                ([self.inputs, "--out", out, "--min-ratio", "2"], "--min-ratio: the minimum load ratio is a number from 0 to 1"),
+                ([self.inputs, "--out", out, "--min-ratio", "2"], '--min-ratio: the minimum load ratio is a number from 0 to 1, not "2"'),
                 ([self.inputs, "--out", out, "--jobs", "0"], "--jobs: the number of threads is from 1 to 1024"),
                 ([self.inputs, "--out", out, "--max-teams", "0"], "--max-teams: the greatest number of teams is from 1 to 10000"),
                 ([self.inputs, "--out", out, "--shard", "3/2"],

@@ -324,7 +324,7 @@ test("undo leaves a ready-made lesson for what was open before it", async () => 
   await idle(page);
   assert.equal(await link(page), before);
   await page.waitForFunction(() => location.search === "");
-  await spoken(page, /robots, each/);
+  await spoken(page, /robots carry/);
   await page.keyboard.press("Control+Shift+z");
   await idle(page);
   assert.equal((await state(page)).polygon.length, 8);

@@ -27,8 +27,19 @@ const settings = [
   "teams=max\ncom=centroid\nstep=none\ncapacity=none\noverlays=chords,hull",
   "metric=distributed\nteams=1048576",
   "weight=1e300\nmin_ratio=1",
-  "motion=0\ncapacity=20",
 ];
+
+// What the page keeps (tests/fuzz/fuzz_kept.cpp): its texts, parted by a byte 0.
+const kept = async (root) => {
+  const [polygon] = await polygons(root);
+  const some = (await links(root)).slice(0, 6);
+  const drawing = "0,0\n100,0\n50.5,1e2\n";
+  return [
+    ...some.map((link, i) => [link, some.at(-1 - i), "", drawing, "motion=0\ncapacity=20"].join("\0")),
+    ["", polygon, some[0], drawing, "motion=1"].join("\0"),
+    ["", "", "", "", ""].join("\0"),
+  ];
+};
 
 export const fuzzers = {
   link: {
@@ -43,6 +54,7 @@ export const fuzzers = {
   },
   lesson: { what: "lessons", longest: 4096, seeds: (root) => textsOf(path.join(root, "assets/lessons")) },
   set: { what: "settings", longest: 512, seeds: async () => settings },
+  kept: { what: "kept work", longest: 2048, seeds: kept },
 };
 
 // Writes the fuzzer's seeds into a folder, and gives its name.

@@ -3,17 +3,22 @@
 //   evenlift_soak KIND FIRST SECONDS   one case after another, until the time is over
 //   evenlift_soak KIND NUMBER          one case
 //
-// The kind `oracle` compares the core with the exact oracle. Prints what it finds, with the command
-// that repeats it, and at the end one line: how many cases it tried, passed over and found wrong.
+// Kinds: `oracle` compares the core with the exact oracle; `one-shape` a shape with its copies,
+// turned, mirrored, moved and scaled. Prints what it finds, with the command that repeats it, and
+// at the end one line: how many cases it tried, passed over and found wrong.
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "against_oracle.h"
 #include "evenlift/formats.h"
+#include "evenlift/random.h"
+#include "one_shape.h"
+#include "problem_document.h"
 #include "small_polygons.h"
 
 namespace {
@@ -40,11 +45,26 @@ Outcome try_oracle(std::uint64_t number) {
   return outcome;
 }
 
+Outcome try_one_shape(std::uint64_t number) {
+  using evenlift::Metric;
+  const small_polygons::Case c = small_polygons::make_plain_case(number);
+  evenlift::Document document = evenlift::testing::document_of(c.problem);
+  if (!one_shape::is_clear_of_refusal(document)) return {.passed_over = true};
+  evenlift::Rng rng(number);
+  const Metric metrics[] = {Metric::area, Metric::circle, Metric::distance};
+  document.settings.metric = metrics[rng.below(std::size(metrics))];
+  const one_shape::Motion motion = one_shape::any_motion(document, rng);
+  constexpr std::uint32_t teams = 6;
+  const std::string differences = one_shape::compare(document, motion, teams).differences;
+  if (differences.empty()) return {};
+  return {.differences = c.name + "\n" + one_shape::text(document, motion) + "\n" + differences};
+}
+
 struct Kind {
   std::string_view name;
   Outcome (*attempt)(std::uint64_t number);
 };
-constexpr Kind kinds[] = {{"oracle", try_oracle}};
+constexpr Kind kinds[] = {{"oracle", try_oracle}, {"one-shape", try_one_shape}};
 
 struct Totals {
   std::uint64_t tried = 0, passed_over = 0, failed = 0;

@@ -20,7 +20,7 @@ const found = path.join(root, "build/soak/found");
 // One row of the table.
 const row = (kind, cases, passedOver, failures) => ({ kind, cases, passedOver, failures });
 
-// What the C++ program searches by itself: the oracle.
+// What the C++ program searches by itself: the oracle, and one shape, one answer.
 const searchOf = (kind) => async (seconds, seed) => {
   const program = path.join(bin, "evenlift_soak");
   const { lines, status, ending } = await run([program, kind, `${seed}`, `${Math.ceil(seconds)}`], {
@@ -82,6 +82,7 @@ const fuzz = (name) => async (seconds, seed) => {
 // What is searched, and its part of the time.
 const searches = [
   { part: 4, search: searchOf("oracle") },
+  { part: 4, search: searchOf("one-shape") },
   { part: 4, search: searchPlacements },
   ...Object.keys(fuzzers).map((name) => ({ part: 1, search: fuzz(name) })),
 ];

@@ -53,6 +53,18 @@ std::string closure_json(const Closure& closure) {
       1);
 }
 
+std::string capacity_json(const Placement& placement, const CapacityInJson& capacity) {
+  std::vector<std::string> robots;
+  for (const std::size_t robot : overloaded_robots(placement, capacity.limit))
+    robots.push_back(std::to_string(robot));
+  const CapacityPlan& plan = capacity.plan;
+  return json::object({{"limit", json::number(capacity.limit)},
+                       {"overloaded", json::array(robots)},
+                       {"teams_needed", plan.possible ? std::to_string(plan.teams) : "null"},
+                       {"greatest_load", plan.possible ? json::number(plan.greatest_load) : "null"},
+                       {"teams_tried", std::to_string(plan.tried)}});
+}
+
 std::string overlays_json(const Overlays& overlays) {
   return json::object({{"candidates", json::boolean(overlays.candidates)},
                        {"chords", json::boolean(overlays.chords)},
@@ -64,7 +76,8 @@ std::string overlays_json(const Overlays& overlays) {
 
 }  // namespace
 
-std::string placement_json(const Placement& placement, bool with_candidates) {
+std::string placement_json(const Placement& placement, bool with_candidates,
+                           const std::optional<CapacityInJson>& capacity) {
   const Settings& settings = placement.settings;
   std::vector<json::Member> members = {
       {"polygon", json::points(placement.vertices, 1)},
@@ -81,6 +94,7 @@ std::string placement_json(const Placement& placement, bool with_candidates) {
   members.push_back({"coverage", json::number(placement.coverage)});
   members.push_back({"loads", loads_json(placement.loads)});
   members.push_back({"closure", closure_json(placement.closure)});
+  if (capacity) members.push_back({"capacity", capacity_json(placement, *capacity)});
   return json::long_object(members, 0) + "\n";
 }
 

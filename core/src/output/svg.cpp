@@ -26,7 +26,7 @@ class Drawing {
     number_size_ = 1.15 * disc_;
     label_size_ = robots <= 12 ? 14 : robots <= 40 ? 12 : 10;
     chord_width_ = robots <= 24 ? 2 : robots <= 200 ? 1.25 : 0.6;
-    load_decimals_ = placement.loads ? decimals_for(placement.loads->max) : 0;
+    largest_load_ = placement.loads ? placement.loads->max : 0;
     stands_ = find_stands(placement, paper_, 0.8 * disc_);
   }
 
@@ -168,7 +168,7 @@ class Drawing {
     };
     std::vector<labels::Request> requests;
     for (const Stand& stand : stands_) {
-      const double width = text_width(load_text(stand, load_decimals_), label_size_, 0.58);
+      const double width = text_width(load_text(stand, largest_load_), label_size_, 0.58);
       requests.push_back({disc(stand), stand.at - centre, {width, label_size_}});
     }
     const std::vector<std::optional<labels::Box>> places = labels::place(requests, around);
@@ -182,7 +182,7 @@ class Drawing {
     for (std::size_t i = 0; i < stands_.size(); ++i)
       if (places[i])
         out += centred((places[i]->low + places[i]->high) / 2, label_size_,
-                       load_text(stands_[i], load_decimals_), look);
+                       load_text(stands_[i], largest_load_), look);
     return out;
   }
 
@@ -190,7 +190,7 @@ class Drawing {
   const Paper paper_;
   double disc_ = 0;  // a robot's radius
   double number_size_ = 0, label_size_ = 0, chord_width_ = 0;
-  int load_decimals_ = 0;
+  double largest_load_ = 0;
   std::vector<Stand> stands_;
   // Known once drawn:
   Points outline_;

@@ -3,7 +3,6 @@
 #include <string_view>
 #include <vector>
 
-#include "evenlift/formats.h"
 #include "evenlift/output/words.h"
 #include "svg_markup.h"
 #include "svg_style.h"
@@ -21,7 +20,7 @@ std::string settings_line(const Placement& placement) {
   if (settings.metric == Metric::random) line += ", seed " + std::to_string(settings.seed);
   const std::size_t teams = placement.teams.size();
   line += " · " + std::to_string(teams) + (teams == 1 ? " team" : " teams");
-  if (by_ratio) line += " · minimum load ratio " + shortest(settings.min_ratio);
+  if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);
   line += " · coverage " + percentage(placement.coverage);
   return line + (placement.closure.form_closure ? " · form closure" : " · no form closure");
 }
@@ -67,8 +66,7 @@ Caption make_caption(const Placement& placement, const Shown& shown, double top,
     y += 2;
   };
   paragraph(loads_in_words(placement), 17, dark + attribute("font-weight", 600));
-  if (!placement.teams.empty())
-    paragraph(coverage_in_words(placement) + " " + closure_in_words(placement), 15, dark);
+  paragraph(detail_in_words(placement), 15, dark);
   paragraph(settings_line(placement), 13, grey);
 
   double x = caption_margin;

@@ -1,11 +1,11 @@
 #include "svg_markup.h"
 
-#include "evenlift/output/words.h"
+#include "ascii_number.h"
 
 namespace evenlift::svg {
 
 std::string px(double value) {
-  std::string text = fixed(value, 2);
+  std::string text = ascii_fixed(value, 2);
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
   return text;

@@ -30,11 +30,11 @@ std::vector<Stand> find_stands(const Placement& placement, const Paper& paper, d
   return stands;
 }
 
-std::string load_text(const Stand& stand, int decimals) {
+std::string load_text(const Stand& stand, double largest) {
   std::vector<std::string> texts;
   double sum = 0;
   for (const double load : stand.loads) {
-    texts.push_back(fixed(load, decimals));
+    texts.push_back(amount(load, largest));
     sum += load;
   }
   const std::string& first = texts.front();
@@ -42,7 +42,7 @@ std::string load_text(const Stand& stand, int decimals) {
   if (std::all_of(texts.begin(), texts.end(), [&](const std::string& t) { return t == first; }))
     return std::to_string(texts.size()) + " × " + first;
   if (texts.size() == 2) return first + " + " + texts.back();
-  return "Σ " + fixed(sum, decimals);
+  return "Σ " + amount(sum, largest);
 }
 
 }  // namespace evenlift::svg

@@ -20,6 +20,6 @@ struct Stand {
 std::vector<Stand> find_stands(const Placement& placement, const Paper& paper, double apart);
 
 // "16.7"; of several robots "2 × 16.7", "16.7 + 15.9" or their sum, "Σ 50.1".
-std::string load_text(const Stand& stand, int decimals);
+std::string load_text(const Stand& stand, double largest);
 
 }  // namespace evenlift::svg

@@ -60,7 +60,7 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
 std::string loaded(const Trace& trace, const Object& object) {
   std::string text =
       fill("Team #, robot #", {counted_from_1(object.item / 2), counted_from_1(object.item % 2)});
-  if (object.value > 0) text += fill(": # kg", {load_text(trace, object.value)});
+  if (object.value > 0) text += fill(": #", {kilograms_text(trace, object.value)});
   return text;
 }
 

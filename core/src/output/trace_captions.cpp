@@ -100,7 +100,7 @@ class Caption {
   }
 
  private:
-  Piece load(double value) const { return load_text(trace_, value); }
+  Piece load(double value) const { return kilograms_text(trace_, value); }
   Piece ratio(double value) const { return ratio_text(value, placement_.settings.min_ratio); }
   Piece least() const { return exact(placement_.settings.min_ratio); }
 
@@ -426,7 +426,7 @@ class Caption {
   }
 
   std::string fewer() const {
-    if (placement_.teams.empty()) return loads_in_words(placement_);
+    if (placement_.teams.empty()) return verdict(placement_);
     return fill("Only # of the # teams asked for: # left.",
                 {whole(placement_.teams.size()), whole(placement_.requested_teams),
                  trace_.by_candidates() ? "no candidate is" : "no further place was"});
@@ -437,12 +437,12 @@ class Caption {
     const Piece all =
         load(placement_.settings.weight / static_cast<double>(placement_.teams.size()));
     if (is_even(team.chord))
-      return fill(
-          "Team # carries # kg, its part of #. Equal arms, equal loads: # kg for each robot.",
-          {item, all, exact(placement_.settings.weight), load(team.loads[0])});
+      return fill("Team # carries #, its part of #. Equal arms, equal loads: # for each robot.",
+                  {item, all, exact(placement_.settings.weight), load(team.loads[0])});
     return fill(
-        "Team # carries # kg, its part of #. By the law of the lever the robot nearer to C "
-        "bears more: # kg and # kg.",
+        "Team # carries #, its part of #. By the law of the lever the robot nearer to C bears "
+        "more: "
+        "# and #.",
         {item, all, exact(placement_.settings.weight), load(std::max(team.loads[0], team.loads[1])),
          load(std::min(team.loads[0], team.loads[1]))});
   }
@@ -452,7 +452,7 @@ class Caption {
     return loads_in_words(placement_) +
            (written(load(loads.min)) == written(load(loads.max))
                 ? " All bear the same."
-                : fill(" The uneven arms make a difference of # kg at most between two robots.",
+                : fill(" The uneven arms make a difference of # at most between two robots.",
                        {load(loads.spread)}));
   }
 
@@ -509,14 +509,7 @@ class Caption {
     if (closure.form_closure)
       return fill("No centre to turn about, no way to slide: form closure, with a margin of #.",
                   {margin});
-    std::string free;
-    const auto add = [&](bool is_free, const char* what) {
-      if (is_free) free += (free.empty() ? "" : " and ") + std::string(what);
-    };
-    add(closure.clockwise.exists, "turn clockwise");
-    add(closure.counterclockwise.exists, "turn counter-clockwise");
-    add(closure.translation_free, "slide");
-    return fill("No form closure: the object can begin to #.", {free}) +
+    return fill("No form closure: the object can begin to #.", {free_motions_in_words(closure)}) +
            (closure.margin ? fill(" The margin is #.", {margin}) : "");
   }
 

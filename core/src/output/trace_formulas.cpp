@@ -46,9 +46,10 @@ class Formula {
       case StepKind::share:
         return share(placement_.teams[item]);
       case StepKind::loads:
-        return fill("mean = # / # = # kg, greatest − least = # kg",
+        return fill("mean = # / # = #, greatest − least = #",
                     {exact(placement_.settings.weight), whole(2 * placement_.teams.size()),
-                     load(placement_.loads->mean), load(placement_.loads->spread)});
+                     kilograms_text(trace_, placement_.loads->mean),
+                     kilograms_text(trace_, placement_.loads->spread)});
       case StepKind::coverage:
         return fill(
             "area of P in H / area of P = # / # = #",
@@ -123,10 +124,10 @@ class Formula {
   std::string share(const Team& team) const {
     const Piece weight = exact(placement_.settings.weight);
     const Chord& chord = team.chord;
-    return fill("W1 = # / # × |C r2| / |r1 r2| = # × # / # = # kg",
+    return fill("W1 = # / # × |C r2| / |r1 r2| = # × # / # = #",
                 {weight, whole(placement_.teams.size()), load(team.loads[0] + team.loads[1]),
                  length_text(trace_, chord.arm2), length_text(trace_, chord.arm1 + chord.arm2),
-                 load(team.loads[0])});
+                 kilograms_text(trace_, team.loads[0])});
   }
 
   std::string cut(const Contact& contact) const {

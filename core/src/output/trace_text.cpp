@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "evenlift/angles.h"
-#include "evenlift/formats.h"
 #include "evenlift/output/words.h"
 #include "evenlift/tolerance.h"
 
@@ -17,16 +16,9 @@ constexpr double least_fixed = 1e-5;  // below, fixed() would show hardly a digi
 // About four significant digits, none after the point of a large number.
 int decimals_shown(double scale) { return scale >= 1e4 ? 0 : decimals_for(scale) + 1; }
 
-// Four significant digits.
-std::string significant(double value) {
-  if (value == 0) return "0";
-  double unit = 1;
-  while (std::fabs(value) * unit < 1000) unit *= 10;
-  return shortest(std::floor(value * unit + 0.5) / unit);
-}
-
 std::string rounded(double value, int decimals, double scale) {
-  return scale < least_fixed ? significant(value) : fixed(value, std::min(decimals, most_decimals));
+  return scale < least_fixed ? significant(value, 4)
+                             : fixed(value, std::min(decimals, most_decimals));
 }
 
 std::string number_written(double value, double other, double scale) {
@@ -49,10 +41,8 @@ std::string ratio_written(double ratio, double other) {
 }
 
 std::string counted_written(const Piece& piece) {
-  std::string text = fixed(piece.a, 0) + ' ';
-  if (piece.a != 1 && piece.text == "vertex") return text + "vertices";
-  text += piece.text;
-  return piece.a == 1 ? text : text + 's';
+  const std::string one(piece.text), many = one == "vertex" ? "vertices" : one + "s";
+  return count_of(static_cast<std::size_t>(piece.a), one.c_str(), many.c_str());
 }
 
 }  // namespace
@@ -72,8 +62,12 @@ std::string written(const Piece& piece) {
              number_written(piece.b, piece.b, piece.c) + ')';
     case Piece::Kind::fixed:
       return fixed(piece.a, static_cast<int>(piece.b));
+    case Piece::Kind::amount:
+      return amount(piece.a, piece.b);
+    case Piece::Kind::kilograms:
+      return kilograms(piece.a, piece.b);
     case Piece::Kind::exact:
-      return shortest(piece.a);
+      return plain(piece.a);
     case Piece::Kind::percent:
       return percentage(piece.a);
     case Piece::Kind::text:
@@ -132,13 +126,14 @@ Piece point_text(const Trace& trace, const Vec2& point) {
 }
 
 Piece load_text(const Trace& trace, double value) {
-  return number(value, 10 * trace.placement.loads->max);
+  return {Piece::Kind::amount, value, trace.placement.loads->max};
 }
 
-Piece margin_text(double value) {
-  const double size = std::fabs(value);
-  return with_decimals(value, size < tau ? 0 : std::max(3, decimals_for(size)));
+Piece kilograms_text(const Trace& trace, double value) {
+  return {Piece::Kind::kilograms, value, trace.placement.loads->max};
 }
+
+Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
 
 Piece score_text(const Trace& trace, Rule rule, double value, double other) {
   if (rule == Rule::most_even) return ratio_text(value, other);

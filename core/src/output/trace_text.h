@@ -21,6 +21,8 @@ struct Piece {
     ratio,
     point,
     fixed,
+    amount,
+    kilograms,
     exact,
     percent
   };
@@ -68,8 +70,10 @@ Piece length_text(const Trace& trace, double value);
 Piece area_text(const Trace& trace, double value);
 Piece point_text(const Trace& trace, const Vec2& point);
 
-// A load, as loads_in_words shows them; the trace has teams. A margin.
+// A load, as loads_in_words shows them, without its unit and with it; the trace has teams. A
+// margin.
 Piece load_text(const Trace& trace, double value);
+Piece kilograms_text(const Trace& trace, double value);
 Piece margin_text(double value);
 
 // The value of a score, by the trace's metric and rule, told apart from `other`.

@@ -1,16 +1,25 @@
 // A Placement in the shape that `evenlift place --json` and `window.evenlift.state()` promise.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "evenlift/capacity.h"
 #include "evenlift/document.h"
 #include "evenlift/placement.h"
 
 namespace evenlift {
 
+// What one robot can carry, and what follows from it.
+struct CapacityInJson {
+  double limit = 0;
+  CapacityPlan plan;
+};
+
 // One JSON object, two-space indented, short arrays on one line, ending in a newline; numbers have
 // the fewest digits that read back to the same double; the same bytes on every platform. O(output).
-std::string placement_json(const Placement& placement, bool with_candidates);
+std::string placement_json(const Placement& placement, bool with_candidates,
+                           const std::optional<CapacityInJson>& capacity = std::nullopt);
 
 // What a link holds: polygon, centre_of_mass (if its own) and the settings that it carries.
 std::string document_json(const Document& document);

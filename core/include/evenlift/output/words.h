@@ -1,36 +1,118 @@
-// A Placement in words and rounded numbers, for the program's table, the picture's caption, and
-// those who cannot see a picture. Plain English, UTF-8, the same bytes on every platform.
+// Numbers and results in words for people: for the program, the page, pictures, lessons and
+// experiments alike, so that all of them say the same. Plain English, UTF-8, the same bytes on
+// every platform.
+//
+// A number is rounded as people do it with the decimal that shortest() prints: to the nearest, a
+// half away from zero. So 2.345 is 2.35 with two decimals, although its double is a little less.
+// Minus is "−", and never stands before a zero. Between a number and its unit is U+00A0, which
+// keeps them on one line.
 #pragma once
 
+#include <array>
 #include <string>
-#include <string_view>
+#include <vector>
 
+#include "evenlift/capacity.h"
 #include "evenlift/placement.h"
 
 namespace evenlift {
 
-// A number with exactly `decimals` (0 .. 9) digits after the point, rounded, halves away from zero;
-// very large ones as shortest() writes them. O(1).
+// --- Numbers. All O(1).
+
+// With exactly `decimals` (0 .. 9) digits after the point. From 1e15 on as plain().
 std::string fixed(double value, int decimals);
 
-// Decimals that show a value of this size, and smaller ones of its kind, to three significant
-// digits. O(1).
+// With the fewest digits that read back to the same number: "100", "0.8".
+std::string plain(double value);
+
+// With `digits` significant digits, zeros at the end left out: "0.00167", "1.67e−21".
+std::string significant(double value, int digits);
+
+// How many decimals show `largest`, and smaller values of its kind, to three significant digits of
+// it; at most 9.
 int decimals_for(double largest);
 
-// A share of 1 as a percentage: "81 %". Only nothing is "0 %" and only all of it "100 %". O(1).
-std::string percentage(double share);
+// A value among others of its kind of which `largest` is the largest: to three significant digits
+// of that one, so that all of them line up.
+std::string amount(double value, double largest);
 
-// "6 robots, each 15.2–18.1 kg of 100." or why there are none, and how many teams were asked for
-// if fewer could be placed. O(1).
+// A load or weight with its unit: "16.7 kg".
+std::string kilograms(double value, double largest);
+
+// "15.2–18.1 kg", or one number where both look the same.
+std::string kilograms(double low, double high, double largest);
+
+// A share of 1 as a percentage: "81 %". Only nothing is "0 %" and only all of it "100 %", each
+// within tolerance; what would be rounded to them is "< 1 %" or "> 99 %" (with one decimal "< 0.1
+// %").
+std::string percentage(double share, int decimals = 0);
+
+// "1 team", "3 teams".
+std::string count_of(std::size_t n, const char* one, const char* many);
+
+// A load ratio: three decimals.
+std::string ratio_in_words(double ratio);
+
+// A point that somebody gave: to six significant digits, "(3.5, −2)".
+std::string given_point(const Vec2& point);
+
+// "(3.5, −2.0)" with so many decimals; and how many show where something is on a polygon: four
+// significant digits of its size, at most 9.
+std::string point_in_words(const Vec2& point, int decimals);
+int coordinate_decimals(const Points& vertices);  // O(n)
+
+// --- A placement. All O(1) unless it is said.
+
+// "6 robots carry 15.2–18.1 kg each (100 kg in all)." or "No team can be placed."
 std::string loads_in_words(const Placement& placement);
 
-// "81 % of the object is safe to push on." O(1).
+// Why there are no teams, and what could help; or that there are fewer than were asked for; else
+// empty.
+std::string shortage_in_words(const Placement& placement);
+
+// "81 % of the object is safe to push on." Empty with no team.
 std::string coverage_in_words(const Placement& placement);
 
-// "It can still turn clockwise." or what holds it. O(1).
+// "It can still turn clockwise." or what holds it. Empty with no team.
 std::string closure_in_words(const Placement& placement);
 
-// The three together: the result in a sentence or four. O(1).
+// "turn either way and slide"; empty if nothing is free.
+std::string free_motions_in_words(const Closure& closure);
+
+// What follows loads_in_words: the other three, one after another.
+std::string detail_in_words(const Placement& placement);
+
+// All of it: the result in a few sentences.
 std::string verdict(const Placement& placement);
+
+// With a capacity of one robot: who carries more, and how many robots are needed, if the plan for
+// it is known. O(teams).
+std::string capacity_in_words(const Placement& placement, double capacity,
+                              const CapacityPlan* plan);
+
+// One of the numbers that describe a result, with a few words on what it means.
+struct Fact {
+  const char* label;
+  std::string value;
+  const char* about;
+};
+std::vector<Fact> facts_in_words(const Placement& placement);
+
+// A team's numbers; of both robots r1 first. The decimals are coordinate_decimals(). O(1).
+struct TeamInWords {
+  std::string ratio, length;
+  std::array<std::string, 2> at, loads;  // loads without their unit
+};
+TeamInWords team_in_words(const Placement& placement, std::size_t team, int coordinate_decimals);
+
+// "yes", "second order" or "no".
+std::string form_closure_in_words(const Closure& closure);
+
+// The closure's margin: three decimals, more if it is small.
+std::string margin_in_words(double margin);
+int margin_decimals(double margin);
+
+// "Edges 2 and 7: the edges cross, touch or overlap": a sentence without a full stop.
+std::string sentence(const InputError& error);
 
 }  // namespace evenlift

@@ -1,0 +1,11 @@
+// Numbers as they are rounded for people (words.h), for texts that programs read: "-" for minus.
+#pragma once
+
+#include <string>
+
+namespace evenlift {
+
+// With exactly `decimals` (0 .. 9) digits after the point; never "-0". From 1e15 on as shortest().
+std::string ascii_fixed(double value, int decimals);
+
+}  // namespace evenlift

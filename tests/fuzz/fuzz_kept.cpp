@@ -1,0 +1,84 @@
+// Any bytes as what the page kept in the browser's storage, which every script of its origin and
+// every other version of the page may have written: parted by bytes 0 they are the address's
+// fragment, the work, the draft that was refused, the drawing and the preferences. The page must
+// open with some placement, and what it keeps then must open the same.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../random_documents.h"
+#include "drawing.h"
+#include "evenlift/formats.h"
+#include "evenlift/link.h"
+#include "fuzz.h"
+#include "opened.h"
+#include "opening.h"
+#include "set_settings.h"
+#include "update.h"
+
+namespace {
+
+using namespace evenlift;
+using namespace evenlift::view;
+
+std::vector<std::string_view> parted(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (int i = 0; i < 5; ++i) {
+    const std::size_t end = text.find('\0');
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return parts;
+}
+
+constexpr std::string_view sample = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
+
+// As page_resume_drawing() does.
+void resume_drawing(AppState& state, std::string_view text) {
+  const std::optional<Points> points = read_drawing(text);
+  if (!points || points->empty()) return;
+  Commands commands{SetTool{Tool::draw}};
+  for (const Vec2& p : *points) commands.push_back(AddPoint{p});
+  apply(state, commands);
+  const std::optional<Points> again = read_drawing(drawing_text(state.drawing));
+  fuzz::require(again.has_value() && testing::same_vertices(*again, state.drawing.points));
+}
+
+// As page_keep() does.
+void keep_preferences(AppState& state, std::string_view text) {
+  const Kept kept = read_kept(text);
+  const Kept again = read_kept(kept_text(kept));
+  fuzz::require(again.motion == kept.motion && again.capacity == kept.capacity);
+  if (!kept.capacity) return;
+  Commands commands{SetCapacity{*kept.capacity}};
+  apply(state, commands);
+}
+
+// What the page would keep now opens the same document.
+void require_kept(const AppState& state) {
+  const Result<Document> from_text = parse_document(write_thesis(state.placed));
+  fuzz::require(from_text.ok() && testing::same_polygon(*from_text, state.placed));
+  const Result<std::string> link = encode_link(state.placed);
+  if (!link) return;
+  const Result<Document> from_link = parse_document(*link);
+  fuzz::require(from_link.ok() && testing::same_document(*from_link, state.placed));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::vector<std::string_view> parts = parted(fuzz::text_of(data, size));
+  AppState state;
+  open_page(state, {parts[0], parts[1], parts[2]}, sample);
+  fuzz::require(state.placement.has_value());
+  keep_preferences(state, parts[4]);
+  require_kept(state);
+  resume_drawing(state, parts[3]);
+  fuzz::require(state.placement.has_value());
+  // Everything can be undone, and nothing is left to chance by it.
+  Commands undo{Undo{}};
+  apply(state, undo);
+  fuzz::require(state.placement.has_value());
+  return 0;
+}
