@@ -234,6 +234,8 @@ TEST_CASE("an error is a sentence that begins with its place", "[words]") {
   CHECK(sentence(error) == "Edges 2 and 7: the edges cross");
   error.place = {};
   CHECK(sentence(error) == "The edges cross");
+  error.place = {Place::Kind::option, 0, 0, "min_ratio"};
+  CHECK(sentence(error) == "min_ratio: the edges cross");
 }
 
 TEST_CASE("the facts of every sample have a label, a value and a meaning", "[words]") {

@@ -96,7 +96,8 @@ async function start() {
   host.connect(program, connectScreen(program), { embed });
   connectInput(program, { embed });
   followAddress(program, host);
-  await host.beginLesson(started.fragment !== "" && !problem);
+  // Whether what is open is what the address says: then a lesson that it names goes on where the link stands.
+  await host.beginLesson(fragment !== "" && !problem && !started.problem);
   const say = started.problem || (problem && `This link cannot be opened: ${lowered(problem)}.`) || (embed ? "" : whyStartedAnew());
   if (say) program.call("page_notice", say, 1);
   await Promise.race([firstPicture, stopped]);

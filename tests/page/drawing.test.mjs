@@ -213,6 +213,7 @@ test("two clicks that the browser does not count as a double-click are none", as
 });
 
 // Taps are counted by the page: by when they were made, not by when a busy page hears of them.
+// Away from every robot: a finger on one takes it.
 test("two taps are a double one by the time at which they were made", async () => {
   for (const [between, vertices] of [[200, 7], [900, 6]]) {
     const page = await opened({ viewport: phone, hasTouch: true, isMobile: true });
@@ -227,7 +228,7 @@ test("two taps are a double one by the time at which they were made", async () =
           canvas.dispatchEvent(event);
         }
       }
-    }, [[...await toScreen(page, [200, 0])], between]);
+    }, [[...await toScreen(page, [90, 0])], between]);
     assert.equal((await state(page)).polygon.length, vertices, `${between} ms apart`);
     await page.done();
   }

@@ -165,7 +165,9 @@ std::string form_closure_in_words(const Closure& closure) {
 std::string sentence(const InputError& error) {
   const std::string place = describe(error.place);
   std::string text = place.empty() ? error.message : place + ": " + error.message;
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+  // The name of a setting stays as it is written.
+  const bool names = error.place.kind == Place::Kind::option;
+  if (!names && !text.empty() && text[0] >= 'a' && text[0] <= 'z')
     text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
 }
