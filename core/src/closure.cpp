@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "clip.h"
@@ -10,6 +9,7 @@
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "half_planes.h"
+#include "sorted_indices.h"
 #include "wrench_margin.h"
 
 namespace evenlift {
@@ -37,6 +37,35 @@ struct Grasp {
   std::vector<Touch> touches;
 };
 
+// How far along its edge a touch is, from the foot of C, in units of the edge's length squared.
+double along(const Grasp& grasp, const Grasp::Touch& touch) {
+  return dot_of_differences(touch.from, touch.to, grasp.centre, touch.position);
+}
+
+// Keeps of the touches on one edge the first and the last, in their order: the wrenches of those
+// between lie between theirs, and so do their normal lines.
+void keep_extremes(Grasp& grasp) {
+  const std::vector<Grasp::Touch>& touches = grasp.touches;
+  std::vector<double> place(touches.size());
+  for (std::size_t i = 0; i < touches.size(); ++i) place[i] = along(grasp, touches[i]);
+  const auto order = sorted_indices(touches.size(), [&](std::uint32_t i, std::uint32_t j) {
+    if (touches[i].edge != touches[j].edge) return touches[i].edge < touches[j].edge;
+    return place[i] < place[j];
+  });
+  std::vector<std::uint32_t> kept;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::uint32_t edge = touches[order[k]].edge;
+    const bool is_first = k == 0 || touches[order[k - 1]].edge != edge;
+    const bool is_last = k + 1 == order.size() || touches[order[k + 1]].edge != edge;
+    if (is_first || is_last) kept.push_back(order[k]);
+  }
+  std::sort(kept.begin(), kept.end());
+  std::vector<Grasp::Touch> extremes;
+  extremes.reserve(kept.size());
+  for (const std::uint32_t i : kept) extremes.push_back(touches[i]);
+  grasp.touches = std::move(extremes);
+}
+
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts) {
   Grasp grasp{centre, polygon.diagonal(), near_distance(polygon.diagonal()), 0, {}};
   for (const Vec2& v : polygon.vertices())
@@ -46,6 +75,7 @@ Grasp make_grasp(const Polygon& polygon, const Vec2& centre, const std::vector<C
     if (!polygon.counter_clockwise()) std::swap(from, to);
     grasp.touches.push_back({from, to, contact.position, contact.edge});
   }
+  keep_extremes(grasp);
   return grasp;
 }
 
@@ -56,12 +86,12 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
   std::vector<HalfPlane> planes;
   planes.reserve(grasp.touches.size());
   for (const Grasp::Touch& touch : grasp.touches) {
-    const double along = dot_of_differences(touch.from, touch.to, grasp.centre, touch.position);
+    const double bound = along(grasp, touch);
     const double widening = offset * length(touch.direction());
     if (sense == Sense::counterclockwise) {
-      planes.push_back({touch.from, touch.to, along + widening});
+      planes.push_back({touch.from, touch.to, bound + widening});
     } else {
-      planes.push_back({touch.to, touch.from, widening - along});
+      planes.push_back({touch.to, touch.from, widening - bound});
     }
   }
   return planes;
@@ -227,23 +257,22 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
   return true;
 }
 
-// Wrenches of the contacts, torques in units of R. Between the extreme contacts of one edge others
-// add nothing to the hull.
-std::vector<Wrench> extreme_wrenches(const Grasp& grasp) {
-  std::map<std::uint32_t, std::pair<Wrench, Wrench>> by_edge;
+// Wrenches of the contacts, torques in units of R; by edge and torque, so that the margin does not
+// depend on the order of the robots.
+std::vector<Wrench> wrenches(const Grasp& grasp) {
+  std::vector<Wrench> all;
   for (const Grasp::Touch& touch : grasp.touches) {
     const Vec2 n = touch.inward();
-    const Wrench wrench(n.x(), n.y(), cross(touch.position - grasp.centre, n) / grasp.radius);
-    const auto [at, is_new] = by_edge.try_emplace(touch.edge, wrench, wrench);
-    if (wrench.z() < at->second.first.z()) at->second.first = wrench;
-    if (wrench.z() > at->second.second.z()) at->second.second = wrench;
+    all.emplace_back(n.x(), n.y(), cross(touch.position - grasp.centre, n) / grasp.radius);
   }
-  std::vector<Wrench> wrenches;
-  for (const auto& [edge, extremes] : by_edge) {
-    wrenches.push_back(extremes.first);
-    if (extremes.second != extremes.first) wrenches.push_back(extremes.second);
-  }
-  return wrenches;
+  std::vector<Wrench> ordered;
+  for (const std::uint32_t i : sorted_indices(all.size(), [&](std::uint32_t a, std::uint32_t b) {
+         if (grasp.touches[a].edge != grasp.touches[b].edge)
+           return grasp.touches[a].edge < grasp.touches[b].edge;
+         return all[a].z() < all[b].z();
+       }))
+    ordered.push_back(all[i]);
+  return ordered;
 }
 
 }  // namespace
@@ -279,7 +308,7 @@ Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
   closure.form_closure =
       !closure.translation_free && !closure.clockwise.exists && !closure.counterclockwise.exists;
   closure.second_order = immobile_to_second_order(grasp, closure);
-  if (!grasp.touches.empty()) closure.margin = wrench_margin(extreme_wrenches(grasp));
+  if (!grasp.touches.empty()) closure.margin = wrench_margin(wrenches(grasp));
   return closure;
 }
 

@@ -21,8 +21,20 @@ async function findDocument({ native, webAssembly, first, count }) {
   return { number: first, problem: `a batch of ${count} differs, but none of its documents by itself` };
 }
 
-// Compares from document `first` on until the time is over: how many documents, and where the programs differ. At first it
-// asks for one batch, then for as many as fit into what is left of the time.
+// Compares `count` documents from `first` on: on how many the programs agree, and where they differ.
+export async function compareBatches({ native, webAssembly, first, count, most = mostDifferences }) {
+  const [a, b] = await Promise.all([ask(native, first, count), ask(webAssembly, first, count)]);
+  const different = [];
+  let cases = 0;
+  for (let i = 0; i * batch < count && different.length < most; ++i) {
+    const here = Math.min(batch, count - i * batch);
+    if (a.lines[i] !== undefined && a.lines[i] === b.lines[i]) cases += here;
+    else different.push(await findDocument({ native, webAssembly, first: first + i * batch, count: here }));
+  }
+  return { cases, different };
+}
+
+// The same until the time is over. At first it asks for one batch, then for as many as fit into what is left of the time.
 export async function compareStreams({ native, webAssembly, first, seconds, chunk = batch }) {
   const began = performance.now();
   const left = () => seconds * 1000 - (performance.now() - began);
@@ -30,15 +42,10 @@ export async function compareStreams({ native, webAssembly, first, seconds, chun
   let cases = 0;
   for (let from = first, size = chunk; left() > 0 && different.length < mostDifferences; ) {
     const asked = performance.now();
-    const [a, b] = await Promise.all([ask(native, from, size), ask(webAssembly, from, size)]);
-    for (let i = 0; i * batch < size && different.length < mostDifferences; ++i) {
-      const count = Math.min(batch, size - i * batch);
-      if (a.lines[i] !== undefined && a.lines[i] === b.lines[i]) {
-        cases += count;
-        continue;
-      }
-      different.push(await findDocument({ native, webAssembly, first: from + i * batch, count }));
-    }
+    const most = mostDifferences - different.length;
+    const found = await compareBatches({ native, webAssembly, first: from, count: size, most });
+    cases += found.cases;
+    different.push(...found.different);
     from += size;
     const batchesThatFit = Math.floor((left() / (performance.now() - asked)) * (size / batch));
     size = batch * Math.max(1, Math.min(mostBatchesAtATime, batchesThatFit));

@@ -132,10 +132,10 @@ void say_all(std::uint64_t number, Take take) {
       take(write_wkt(document) + write_geojson(document));
       break;
     case 4: {
-      const Result<CapacityPlan> plan = plan_capacity(document, document.settings.weight / 9);
-      take(plan ? std::to_string(plan->teams) + " " + std::to_string(plan->tried) + " " +
-                      shortest(plan->greatest_load) + "\n"
-                : plan.error().message + "\n");
+      const double capacity = document.settings.weight / 9;
+      const CapacityPlan plan = plan_capacity(*placement, capacity);
+      take(placement_json(*placement, false, CapacityInJson{capacity, plan}));
+      take(capacity_in_words(*placement, capacity, &plan) + "\n");
       break;
     }
     default:

@@ -32,8 +32,8 @@ struct FreeRegion {
                           // counter-clockwise; empty, one or two points where it has no area there
 };
 
-// The regions of free rotation centres that contacts leave. O(c log c) for c of them, O(c^2) where
-// a region has no area.
+// The regions of free rotation centres that contacts leave. O(m log m) for m contacts on e edges;
+// O(e^2) where a region has no area.
 struct FreeRegions {
   FreeRegion clockwise, counterclockwise;
 };
@@ -60,9 +60,9 @@ bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 
 // Analyses the grasp of robots at `points`. Emptiness of the regions and free translations are
-// decided exactly from the edges' directions and the rounded points. O(m log m) for m contacts;
-// O(e^2) for the margin, e the number of different edges touched; O(m^2) where a free region has no
-// area.
+// decided exactly from the edges' directions and the rounded points. O(m log m) for m contacts
+// on e edges, of which only the first and the last on each edge count; O(e^2) for the margin, and
+// where a free region has no area.
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 
