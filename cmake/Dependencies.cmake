@@ -85,9 +85,9 @@ evenlift_headers(
   https://github.com/nlohmann/json.git bc889afb4c5bf1c0d8ee29ef35eaaf4c8bef8a5d # v3.11.2
   include)
 
-# --- Dear ImGui: the sources, built with our configuration (wasm/imgui_config.h) -------------------------------------
-# The tests use it without a window. None of its backends is used: wasm/webgl_renderer.cpp draws what it makes, and
-# wasm/sdl_input.cpp brings it the pointer.
+# --- Dear ImGui: the sources, built with our configuration (wasm/ui/imgui_config.h) -------------------------------------
+# The tests use it without a window. None of its backends is used: wasm/page/webgl_renderer.cpp draws what it makes, and
+# wasm/page/sdl_input.cpp brings it the pointer.
 if(EVENLIFT_VIEW)
   evenlift_cached(FETCHCONTENT_SOURCE_DIR_IMGUI "imgui-*")
   evenlift_fetch(
@@ -99,7 +99,7 @@ if(EVENLIFT_VIEW)
   add_library(imgui::imgui ALIAS imgui)
   target_include_directories(imgui SYSTEM PUBLIC "${imgui_SOURCE_DIR}")
   # PUBLIC: the configuration changes types, so everybody who includes imgui.h must see the same one.
-  target_compile_definitions(imgui PUBLIC "IMGUI_USER_CONFIG=\"${PROJECT_SOURCE_DIR}/wasm/imgui_config.h\"")
+  target_compile_definitions(imgui PUBLIC "IMGUI_USER_CONFIG=\"${PROJECT_SOURCE_DIR}/wasm/ui/imgui_config.h\"")
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
   if(EMSCRIPTEN)
     target_compile_options(imgui PRIVATE -fno-inline-functions) # smaller, and it is no hot code
@@ -205,7 +205,7 @@ endif()
 
 # --- Tests: Catch2, RapidCheck (properties), Boost.Multiprecision (exact oracle) -------------------------------------
 if(EVENLIFT_TESTS AND NOT EMSCRIPTEN)
-  # Catch2 2 and 3 have different headers and macros; tests/catch.h tells them apart by EVENLIFT_CATCH2_MAJOR.
+  # Catch2 2 and 3 have different headers and macros; tests/kit/catch.h tells them apart by EVENLIFT_CATCH2_MAJOR.
   find_package(Catch2 QUIET CONFIG)
   if(Catch2_FOUND)
     set(EVENLIFT_CATCH2_MAJOR ${Catch2_VERSION_MAJOR})

@@ -5,7 +5,7 @@
 
 #include "commands.h"
 #include "evenlift/experiment/outputs.h"
-#include "evenlift/formats.h"
+#include "evenlift/numbers.h"
 #include "experiment_run.h"
 #include "options.h"
 #include "report.h"
@@ -155,8 +155,7 @@ void cmd_experiment(const Arguments& arguments) {
       "Examples:\n"
       "  evenlift experiment assets/polygons --out report\n"
       "  evenlift experiment assets/polygons assets/thesis-like --out report     (two sets)\n"
-      "  evenlift experiment assets/polygons --out report --shard 2/8   (each of 8 machines its "
-      "own)\n"
+      "  evenlift experiment assets/polygons --out report --shard 2/8   (each of 8 machines its own)\n"
       "  evenlift experiment --merge --out report                       (when all 8 are done)\n");
   Options options;
   line.positionals(options.paths, "PATH", "polygons and folders; with --merge folders of shards");

@@ -1,6 +1,6 @@
 #include "options.h"
 
-#include "evenlift/formats.h"
+#include "evenlift/numbers.h"
 
 namespace evenlift::native {
 namespace {

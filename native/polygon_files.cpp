@@ -63,9 +63,9 @@ void check_set_names(const std::vector<std::string>& folders, bool with_files) {
   for (std::size_t i = 0; i < folders.size(); ++i) {
     const std::string set = folder_name(folders[i]);
     if (with_files && set == single_files)
-      throw Failure{bad_input_status, folders[i],
-                    "would be a set of the same name, files, as the files given by themselves; "
-                    "rename the folder"};
+      throw Failure{
+          bad_input_status, folders[i],
+          "would be a set of the same name, files, as the files given by themselves; rename the folder"};
     for (std::size_t j = 0; j < i; ++j)
       if (folder_name(folders[j]) == set)
         throw Failure{bad_input_status, folders[i],

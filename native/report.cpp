@@ -4,7 +4,7 @@
 #include <set>
 #include <string_view>
 
-#include "evenlift/formats.h"
+#include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 
 namespace evenlift::native {
@@ -142,7 +142,8 @@ std::string data_table(const Figure& figure) {
     }
     body += "</tr>\n";
   }
-  return "<div class=\"wide\"><table class=\"numbers\"><thead><tr>" + head +
+  return "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Numbers: " +
+         escaped(figure.title) + "\"><table class=\"numbers\"><thead><tr>" + head +
          "</tr></thead><tbody>\n" + body + "</tbody></table></div>";
 }
 
@@ -233,10 +234,9 @@ std::string report_html(const std::vector<ResultSet>& sets, const std::vector<Fi
                       [](const PolygonResult& r) { return r.problem.empty(); }));
   const bool named = sets.size() > 1;
   const std::string no_charts =
-      have_charts() ? ""
-                    : "<p class=\"problem\">The charts are missing: this program was built without "
-                      "Observable Plot or esbuild, which draw them (./dev build installs both). "
-                      "Their numbers are below.</p>";
+      have_charts()
+          ? ""
+          : "<p class=\"problem\">The charts are missing: this program was built without Observable Plot or esbuild, which draw them (./dev build installs both). Their numbers are below.</p>";
   return filled(text_of(template_bytes),
                 {{"@STYLE@", text_of(report_style) + text_of(charts_style)},
                  {"@SUMMARY@", summaries(sets, settings)},

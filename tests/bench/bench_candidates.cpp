@@ -1,6 +1,6 @@
 // From a polygon to its candidates: the claims O(n log n) of validation, O(n log n + K) of the
 // edge-pairs.
-#include "bench.h"
+#include "bench/bench.h"
 #include "evenlift/candidates.h"
 
 namespace evenlift::bench {

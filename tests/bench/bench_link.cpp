@@ -1,5 +1,5 @@
 // Share links of a polygon with 1,000 vertices, the most common large shape.
-#include "bench.h"
+#include "bench/bench.h"
 #include "evenlift/link.h"
 
 namespace evenlift::bench {

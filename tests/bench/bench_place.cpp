@@ -1,5 +1,5 @@
 // A whole placement, as the program and the page ask for it: from vertices to loads and closure.
-#include "bench.h"
+#include "bench/bench.h"
 #include "evenlift/capacity.h"
 #include "evenlift/placement.h"
 

@@ -1,5 +1,5 @@
 // The lesson: what a trace costs once, and what a step costs when it is looked at.
-#include "bench.h"
+#include "bench/bench.h"
 #include "evenlift/output/trace_words.h"
 #include "evenlift/placement.h"
 #include "evenlift/trace.h"

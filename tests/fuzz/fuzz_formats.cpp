@@ -2,9 +2,9 @@
 // read again without loss.
 #include <string>
 
-#include "../random_documents.h"
 #include "evenlift/formats.h"
-#include "fuzz.h"
+#include "fuzz/fuzz.h"
+#include "kit/random_documents.h"
 
 namespace {
 

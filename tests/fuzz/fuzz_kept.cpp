@@ -7,15 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "../random_documents.h"
-#include "drawing.h"
+#include "app/opening.h"
+#include "app/set_settings.h"
+#include "app/update.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
-#include "fuzz.h"
-#include "opened.h"
-#include "opening.h"
-#include "set_settings.h"
-#include "update.h"
+#include "fuzz/fuzz.h"
+#include "kit/random_documents.h"
+#include "state/opened.h"
+#include "tools/drawing.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "evenlift/lesson.h"
 #include "evenlift/placement.h"
-#include "fuzz.h"
+#include "fuzz/fuzz.h"
 
 namespace {
 

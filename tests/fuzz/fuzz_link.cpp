@@ -2,10 +2,10 @@
 // without loss.
 #include <string>
 
-#include "../link_checksum.h"
-#include "../random_documents.h"
 #include "evenlift/link.h"
-#include "fuzz.h"
+#include "fuzz/fuzz.h"
+#include "kit/link_checksum.h"
+#include "kit/random_documents.h"
 
 namespace {
 

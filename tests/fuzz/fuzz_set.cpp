@@ -1,10 +1,10 @@
 // Any bytes as the lines that window.evenlift.set() gives: refused with the setting's name, or a
 // document whose settings are in range and which place() answers.
-#include "../random_documents.h"
+#include "app/set_settings.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings_text.h"
-#include "fuzz.h"
-#include "set_settings.h"
+#include "fuzz/fuzz.h"
+#include "kit/random_documents.h"
 
 namespace {
 

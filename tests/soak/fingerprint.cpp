@@ -20,6 +20,7 @@
 #include "evenlift/formats.h"
 #include "evenlift/generate.h"
 #include "evenlift/link.h"
+#include "evenlift/numbers.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/trace_json.h"
@@ -27,8 +28,8 @@
 #include "evenlift/placement.h"
 #include "evenlift/random.h"
 #include "evenlift/trace.h"
-#include "problem_document.h"
-#include "small_polygons.h"
+#include "shapes/problem_document.h"
+#include "shapes/small_polygons.h"
 
 namespace {
 

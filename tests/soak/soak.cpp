@@ -14,12 +14,12 @@
 #include <string>
 #include <string_view>
 
-#include "against_oracle.h"
-#include "evenlift/formats.h"
+#include "comparisons/against_oracle.h"
+#include "comparisons/one_shape.h"
+#include "evenlift/numbers.h"
 #include "evenlift/random.h"
-#include "one_shape.h"
-#include "problem_document.h"
-#include "small_polygons.h"
+#include "shapes/problem_document.h"
+#include "shapes/small_polygons.h"
 
 namespace {
 

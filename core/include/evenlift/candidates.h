@@ -43,8 +43,8 @@ Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
                          const OppositeVertices& opposite);
 
 // All candidates in candidate order. `min_ratio` in [0, 1]. Refused if there are more than
-// max_edge_pairs edge-pairs and opposite vertices. O(n log n + K log K) at worst for K of them; O(n
-// log n + K) where few candidates lie on one line through C.
+// max_edge_pairs edge-pairs and opposite vertices. O(n log n + K log K) at worst for K of them;
+// O(n log n + K) where few candidates lie on one line through C.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
                                                double min_ratio);
 

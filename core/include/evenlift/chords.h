@@ -61,8 +61,8 @@ struct VertexChord {
 
 // Every chord from a vertex through C, in the order of the rotating line through C, first those
 // whose vertex is on its forward side; a chord between two vertices is listed once, at the forward
-// one. Radial edges are met at their end vertices only. Refused beyond max_edge_pairs chords. O(n
-// log n + k) for k chords.
+// one. Radial edges are met at their end vertices only. Refused beyond max_edge_pairs chords.
+// O(n log n + k) for k chords.
 Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec2& centre);
 
 // Number of edge-pairs, without listing them. O(n log n).

@@ -20,8 +20,8 @@ struct Contact {
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge);
 
 // The contacts of lifting points: at a point inside an edge one, at a reflex vertex two, at a
-// straight vertex one, at a convex vertex none. "At a vertex" is within tau L of it. O(m log n + n
-// log n).
+// straight vertex one, at a convex vertex none. "At a vertex" is within tau L of it.
+// O(m log n + n log n).
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // Centres of free rotation of one sense: a convex region, perhaps unbounded or far away.

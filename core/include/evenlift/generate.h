@@ -24,8 +24,8 @@ std::optional<Family> family_from_name(std::string_view name);
 // Exactly n vertices, counter-clockwise, coordinates within 0 .. 1000 on a decimal grid (three
 // decimals up to n = 1000, at most nine beyond). Strictly convex in the families regular and
 // convex; random is not star-shaped from n = 6 on. n from 3 (comb and spiral: 8) to max_vertices;
-// the error names the option "n". The seed does not change regular. Expected O(n), convex O(n log
-// n).
+// the error names the option "n". The seed does not change regular. Expected O(n), convex
+// O(n log n).
 Result<Points> generate(Family family, std::size_t n, std::uint64_t seed);
 
 }  // namespace evenlift

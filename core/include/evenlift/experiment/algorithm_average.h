@@ -30,8 +30,8 @@ struct Range {
   double least = 0, most = 0;
 };
 
-// The least and the greatest spread_times for 1 .. most_teams teams; none if there is none. O(rows
-// most_teams).
+// The least and the greatest spread_times for 1 .. most_teams teams; none if there is none.
+// O(rows most_teams).
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Metric method,
                                   std::uint32_t most_teams);
 

@@ -1,0 +1,174 @@
+#include "candidates/candidate_order.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+
+#include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
+#include "exact/tie_classes.h"
+
+namespace evenlift {
+namespace {
+
+constexpr int number_bits = 24;
+constexpr int slope_bits = 40;
+constexpr SlopeKey vertical_slope = (SlopeKey{1} << slope_bits) - 1;
+static_assert(max_edge_pairs <= SlopeKey{1} << number_bits && number_bits + slope_bits == 64);
+
+// In [-2, 2], about as the angle from -90 to 90 degrees, and never falling where the angle grows:
+// each operation rounds correctly.
+double slope(const Vec2& u) {
+  if (u.y() > u.x()) return 2 - u.x() / u.y();
+  if (u.y() < -u.x()) return -2 - u.x() / u.y();
+  return u.y() / u.x();
+}
+
+class Settler {
+ public:
+  explicit Settler(std::vector<Candidate>& candidates) : candidates_(candidates) {}
+
+  void run() {
+    const std::size_t m = candidates_.size();
+    vertical_from_ = m;
+    while (vertical_from_ > 0 && is_vertical(direction(vertical_from_ - 1))) --vertical_from_;
+    for_each_run([&](std::size_t i) { return same_key(i); },
+                 [&](std::size_t i, std::size_t j) { sort_exactly(i, j); });
+    for_each_run([&](std::size_t i) { return same_line(i); },
+                 [&](std::size_t i, std::size_t j) { sort_line(i, j); });
+  }
+
+ private:
+  const Vec2& direction(std::size_t i) const { return candidates_[i].direction; }
+
+  // Calls visit(begin, end) for each longest run of at least two in which together(i) holds of i
+  // and i + 1.
+  template <class Together, class Visit>
+  void for_each_run(Together together, Visit visit) {
+    for (std::size_t begin = 0, end; begin < candidates_.size(); begin = end) {
+      end = begin + 1;
+      while (end < candidates_.size() && together(end - 1)) ++end;
+      if (end - begin > 1) visit(begin, end);
+    }
+  }
+
+  // All chords of one vertex have the very same direction; of others few have the same key.
+  bool same_key(std::size_t i) const {
+    return i + 1 < vertical_from_ && (direction(i) == direction(i + 1) ||
+                                      slope_key(direction(i), 0) == slope_key(direction(i + 1), 0));
+  }
+
+  bool same_line(std::size_t i) const {
+    if (i >= vertical_from_) return true;
+    if (i + 1 >= vertical_from_) return false;
+    return direction(i) == direction(i + 1) || directions_agree(direction(i), direction(i + 1));
+  }
+
+  void sort_exactly(std::size_t begin, std::size_t end) {
+    const auto is_first = [&](std::size_t i) { return direction(i) == direction(begin); };
+    std::size_t other = begin + 1;
+    while (other < end && is_first(other)) ++other;
+    if (other == end) return;
+    fill(begin, end);
+    const Vec2 zero = Vec2::Zero();
+    sort_indices(members_, [&](std::uint32_t i, std::uint32_t j) {
+      return cross_of_differences(zero, direction(i), zero, direction(j)) > 0;
+    });
+    rearrange(begin);
+  }
+
+  void sort_line(std::size_t begin, std::size_t end) {
+    fill(begin, end);
+    const auto length_of = [&](std::uint32_t i) { return candidates_[i].length; };
+    const auto right_arm = [&](std::uint32_t i) { return candidates_[i].chord.arm2; };
+    using Class = std::span<std::uint32_t>;
+    for_each_tie_class(members_, length_of, lengths_tie, [&](Class equally_long) {
+      if (equally_long.size() == 1) return;
+      for_each_tie_class(equally_long, right_arm, lengths_tie, [&](Class alike) {
+        if (alike.size() == 1) return;
+        sort_indices(alike, [&](std::uint32_t i, std::uint32_t j) { return comes_first(i, j); });
+      });
+    });
+    rearrange(begin);
+  }
+
+  bool comes_first(std::uint32_t i, std::uint32_t j) const {
+    const Candidate &a = candidates_[i], &b = candidates_[j];
+    const auto p = coordinates(a), q = coordinates(b);
+    if (p != q) return p < q;
+    return a.kind != b.kind ? a.kind < b.kind : i < j;
+  }
+
+  static std::array<double, 4> coordinates(const Candidate& c) {
+    const Vec2 &p = c.chord.r1.position, &q = c.chord.r2.position;
+    return {p.x(), p.y(), q.x(), q.y()};
+  }
+
+  void fill(std::size_t begin, std::size_t end) {
+    members_.resize(end - begin);
+    std::iota(members_.begin(), members_.end(), static_cast<std::uint32_t>(begin));
+  }
+
+  // Puts the members, in their order, at `begin` and after.
+  void rearrange(std::size_t begin) {
+    const auto in_place = [&](std::size_t k) { return members_[k] == begin + k; };
+    std::size_t from = 0;
+    while (from < members_.size() && in_place(from)) ++from;
+    if (from == members_.size()) return;
+    moved_.clear();
+    for (std::size_t k = from; k < members_.size(); ++k) moved_.push_back(candidates_[members_[k]]);
+    std::copy(moved_.begin(), moved_.end(),
+              candidates_.begin() + static_cast<std::ptrdiff_t>(begin + from));
+  }
+
+  std::vector<Candidate>& candidates_;
+  std::size_t vertical_from_ = 0;
+  SortedIndices members_;  // of a line, or of equal keys
+  std::vector<Candidate> moved_;
+};
+
+}  // namespace
+
+SlopeKey slope_key(const Vec2& direction, std::uint32_t number) {
+  constexpr double scale = 0x1p38;  // [0, 4] to slope_bits
+  const SlopeKey key =
+      is_vertical(direction)
+          ? vertical_slope
+          : std::min(static_cast<SlopeKey>((slope(direction) + 2) * scale), vertical_slope - 1);
+  return key << number_bits | number;
+}
+
+std::uint32_t number_of(SlopeKey key) {
+  return static_cast<std::uint32_t>(key & ((SlopeKey{1} << number_bits) - 1));
+}
+
+// Numbers stand in rising order at first, and each pass keeps the order of the one before: only the
+// bits of the slope need passes.
+void sort_keys(std::vector<SlopeKey>& keys) {
+  constexpr std::size_t few = 512;
+  if (keys.size() < few) {
+    std::sort(keys.begin(), keys.end());
+    return;
+  }
+  constexpr int digit_bits = 8, digits = slope_bits / digit_bits;
+  constexpr std::size_t values = std::size_t{1} << digit_bits;
+  const auto digit = [](SlopeKey key, int d) {
+    return static_cast<std::size_t>(key >> (number_bits + d * digit_bits)) % values;
+  };
+  std::array<std::array<std::uint32_t, values>, digits> places{};
+  for (const SlopeKey key : keys) {
+    for (int d = 0; d < digits; ++d) ++places[static_cast<std::size_t>(d)][digit(key, d)];
+  }
+  std::vector<SlopeKey> sorted(keys.size());
+  for (int d = 0; d < digits; ++d) {
+    auto& place = places[static_cast<std::size_t>(d)];
+    std::exclusive_scan(place.begin(), place.end(), place.begin(), std::uint32_t{0});
+    for (const SlopeKey key : keys) sorted[place[digit(key, d)]++] = key;
+    keys.swap(sorted);
+  }
+}
+
+void settle_order(std::vector<Candidate>& candidates) { Settler(candidates).run(); }
+
+}  // namespace evenlift

@@ -1,0 +1,74 @@
+#include "candidates/candidate_seeds.h"
+
+#include <utility>
+
+namespace evenlift {
+
+void CandidateSeeds::examine_and_add(const EdgePair& pair) {
+  const SeenEdge a = see(pair.a), b = see(pair.b);
+  switch (examine_quickly(polygon_, centre_, a, b, pair, min_ratio_)) {
+    case QuickVerdict::none:
+      return;
+    case QuickVerdict::at_begin:
+      return add_vertex_chord(pair, pair.begin_a, pair.begin_b);
+    case QuickVerdict::at_end:
+      return add_vertex_chord(pair, pair.end_a, pair.end_b);
+    case QuickVerdict::bisecting:
+      offsets_.push_back(bisecting_offset(centre_, a, b));
+      return add_seed(
+          {pair.a, pair.b, inside_edge, static_cast<std::uint32_t>(offsets_.size() - 1)},
+          rightward(offsets_.back()));
+    case QuickVerdict::unsure:
+      break;
+  }
+  const PairVerdict verdict = examine(polygon_, centre_, a, b, pair, min_ratio_);
+  if (verdict.candidate) add_finished(*verdict.candidate);
+}
+
+void CandidateSeeds::examine_and_add(const OppositeVertices& opposite) {
+  const Candidate candidate = opposite_chord(polygon_, centre_, opposite);
+  if (reaches(candidate.chord, min_ratio_)) add_finished(candidate);
+}
+
+void CandidateSeeds::add_finished(const Candidate& candidate) {
+  finished_.push_back(candidate);
+  add_seed(
+      {inside_edge, inside_edge, inside_edge, static_cast<std::uint32_t>(finished_.size() - 1)},
+      candidate.direction);
+}
+
+void CandidateSeeds::add_vertex_chord(const EdgePair& pair, std::uint32_t vertex_a,
+                                      std::uint32_t vertex_b) {
+  const Seed seed = vertex_a != inside_edge ? Seed{pair.a, pair.b, vertex_a, vertex_b}
+                                            : Seed{pair.b, pair.a, vertex_b, inside_edge};
+  add_seed(seed, rightward(centre_ - polygon_.vertex(seed.vertex)));
+}
+
+void CandidateSeeds::add_seed(const Seed& seed, const Vec2& direction) {
+  keys_.push_back(slope_key(direction, static_cast<std::uint32_t>(seeds_.size())));
+  seeds_.push_back(seed);
+  if (traced_) source_of_seed_.push_back(sources_);
+}
+
+Candidate CandidateSeeds::grow(const Seed& seed) const {
+  if (seed.edge == inside_edge) return finished_[seed.opposite];
+  if (seed.vertex == inside_edge)
+    return bisecting_candidate(centre_, seed.edge, seed.other, offsets_[seed.opposite]);
+  return vertex_candidate(polygon_, centre_, seed.vertex, seed.edge, see(seed.other),
+                          seed.opposite);
+}
+
+std::vector<Candidate> CandidateSeeds::grow() {
+  sort_keys(keys_);
+  std::vector<Candidate> candidates;
+  candidates.reserve(keys_.size());
+  for (const SlopeKey key : keys_) {
+    const std::uint32_t seed = number_of(key);
+    candidates.push_back(grow(seeds_[seed]));
+    if (traced_) candidates.back().source = source_of_seed_[seed];
+  }
+  settle_order(candidates);
+  return candidates;
+}
+
+}  // namespace evenlift

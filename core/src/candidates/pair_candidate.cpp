@@ -1,0 +1,222 @@
+#include "candidates/pair_candidate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "chords/section.h"
+#include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
+#include "exact/double_double.h"
+
+namespace evenlift {
+namespace {
+
+// One end of a pair's range: the vertex-chord there.
+struct SectionEnd {
+  std::uint32_t vertex;    // at which the range ends
+  std::uint32_t opposite;  // the vertex across C, if both edges end here, else inside_edge
+  bool on_a;               // the vertex is a's
+  Across across;           // from the vertex to the other edge
+  double g;                // |C r_b| / |C r_a|
+  int excess;              // exact sign of g - 1
+};
+
+SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                       const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
+  const bool on_a = vertex_a != inside_edge;
+  const std::uint32_t vertex = on_a ? vertex_a : vertex_b;
+  const SeenEdge& other = on_a ? b : a;
+  const Across across =
+      look_across(centre, polygon.vertex(vertex), other.first, other.last, other.area);
+  return {vertex,
+          on_a ? vertex_b : inside_edge,
+          on_a,
+          across,
+          on_a ? across.factor : 1.0 / across.factor,
+          on_a ? across.excess : -across.excess};
+}
+
+// A vertex-chord that is even is a bisecting one: whether the arms are equal to the last bit is
+// rounding's to say.
+CandidateKind kind_of_vertex_chord(const Chord& chord) {
+  return is_even(chord) ? CandidateKind::bisecting : CandidateKind::vertex;
+}
+
+Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& direction) {
+  return {chord, kind, false, 0, rightward(direction), chord.arm1 + chord.arm2};
+}
+
+// C r_a at a section end.
+Vec2 offset_on_a(const Polygon& polygon, const Vec2& centre, const SectionEnd& end) {
+  const Vec2 offset = polygon.vertex(end.vertex) - centre;
+  return end.on_a ? offset : Vec2(-end.across.factor * offset);
+}
+
+Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                             const SeenEdge& b, const SectionEnd& begin, const SectionEnd& end) {
+  const Vec2 offset =
+      0.5 * (offset_on_a(polygon, centre, begin) + offset_on_a(polygon, centre, end));
+  // 1 / g is linear along a.
+  const double g = 2.0 / (1.0 / begin.g + 1.0 / end.g);
+  const double arm = length(offset);
+  Chord chord =
+      order_ends({centre + offset, a.edge}, arm, {centre - g * offset, b.edge}, g * arm, offset);
+  chord.ratio = g < 1.0 ? g : 1.0 / g;
+  return make_candidate(chord, CandidateKind::midpoint, offset);
+}
+
+Candidate end_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                        const SeenEdge& b, const SectionEnd& end) {
+  const Chord chord = chord_from_vertex(polygon, centre, end.vertex, end.on_a ? a.edge : b.edge,
+                                        end.across, end.on_a ? b.edge : a.edge, end.opposite);
+  Candidate candidate =
+      make_candidate(chord, kind_of_vertex_chord(chord), centre - polygon.vertex(end.vertex));
+  candidate.between_vertices = end.opposite != inside_edge;
+  return candidate;
+}
+
+// g at a section end, as section_end finds it, to a relative error below 2^-32.
+std::optional<double> estimate_g(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                                 const SeenEdge& b, std::uint32_t vertex_a,
+                                 std::uint32_t vertex_b) {
+  if (vertex_a != inside_edge)
+    return estimate_across(centre, polygon.vertex(vertex_a), b.first, b.last, b.area);
+  const auto factor = estimate_across(centre, polygon.vertex(vertex_b), a.first, a.last, a.area);
+  if (factor) return 1.0 / *factor;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Vec2 rightward(const Vec2& direction) {
+  return points_right(direction) ? direction : Vec2(-direction);
+}
+
+// C r_a for the chord that C bisects: where the line of a meets the line of b reflected through C,
+// which is equation 3.6 without trigonometry. With d the edges' vectors and h twice the areas that
+// they span with C it is -(h_b d_a + h_a d_b) / (d_a x d_b). The sum cancels for nearly parallel
+// edges; then it is taken in double-double.
+Vec2 bisecting_offset(const Vec2& centre, const SeenEdge& a, const SeenEdge& b) {
+  const Vec2 da = a.last - a.first, db = b.last - b.first;
+  const double ha = a.area, hb = b.area;
+  const Vec2 sum = hb * da + ha * db;
+  const double size = hb * length(da) + ha * length(db);
+  constexpr double enough = 0x1p-5;
+  if (length(sum) > enough * size) {
+    return -sum / cross_of_differences(a.first, a.last, b.first, b.last);
+  }
+
+  const auto difference = [](const Vec2& p, const Vec2& q) {
+    return std::pair(two_difference(q.x(), p.x()), two_difference(q.y(), p.y()));
+  };
+  const auto area = [](const auto& u, const auto& v) {
+    return u.first * v.second - u.second * v.first;
+  };
+  const auto fine_da = difference(a.first, a.last), fine_db = difference(b.first, b.last);
+  const auto fine_ha = area(difference(centre, a.first), difference(centre, a.last));
+  const auto fine_hb = area(difference(centre, b.first), difference(centre, b.last));
+  const DoubleDouble divisor = area(fine_da, fine_db);
+  const DoubleDouble x = (fine_hb * fine_da.first + fine_ha * fine_db.first) / divisor;
+  const DoubleDouble y = (fine_hb * fine_da.second + fine_ha * fine_db.second) / divisor;
+  return {-x.to_double(), -y.to_double()};
+}
+
+Candidate bisecting_candidate(const Vec2& centre, std::uint32_t edge_a, std::uint32_t edge_b,
+                              const Vec2& offset) {
+  const double arm = length(offset);
+  const Chord chord =
+      order_ends({centre + offset, edge_a}, arm, {centre - offset, edge_b}, arm, offset);
+  return make_candidate(chord, CandidateKind::bisecting, offset);
+}
+
+Candidate vertex_candidate(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex,
+                           std::uint32_t edge, const SeenEdge& other, std::uint32_t opposite) {
+  const Across across =
+      look_across(centre, polygon.vertex(vertex), other.first, other.last, other.area);
+  const Chord chord =
+      chord_from_vertex(polygon, centre, vertex, edge, across, other.edge, opposite);
+  Candidate candidate =
+      make_candidate(chord, kind_of_vertex_chord(chord), centre - polygon.vertex(vertex));
+  candidate.between_vertices = opposite != inside_edge;
+  return candidate;
+}
+
+Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
+                         const OppositeVertices& opposite) {
+  const Vec2 &v = polygon.vertex(opposite.v), &w = polygon.vertex(opposite.w);
+  const Vec2 direction = w - v;
+  const Chord chord = order_ends({w, opposite.w}, length(w - centre), {v, opposite.v},
+                                 length(v - centre), direction);
+  Candidate candidate = make_candidate(chord, kind_of_vertex_chord(chord), direction);
+  candidate.between_vertices = true;
+  return candidate;
+}
+
+bool reaches(const Chord& chord, double min_ratio) { return chord.ratio >= min_ratio - tau; }
+
+SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                       const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
+  const SectionEnd end = section_end(polygon, centre, a, b, vertex_a, vertex_b);
+  const Chord chord = end_candidate(polygon, centre, a, b, end).chord;
+  // The chord's ends are in the order of the slope, not of a and b.
+  const bool vertex_is_right = !points_right(centre - polygon.vertex(end.vertex));
+  const bool a_is_right = vertex_is_right == end.on_a;
+  return {chord, a_is_right ? chord.r2.position : chord.r1.position,
+          a_is_right ? chord.r1.position : chord.r2.position};
+}
+
+PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                    const SeenEdge& b, const EdgePair& pair, double min_ratio) {
+  const SectionEnd begin = section_end(polygon, centre, a, b, pair.begin_a, pair.begin_b);
+  const SectionEnd end = section_end(polygon, centre, a, b, pair.end_a, pair.end_b);
+
+  PairVerdict verdict;
+  verdict.g0 = begin.g;
+  verdict.g1 = end.g;
+  verdict.parallel = std::fabs(begin.g - end.g) <= tau * std::max(begin.g, end.g);
+  if (verdict.parallel) {
+    const Candidate candidate = midpoint_candidate(polygon, centre, a, b, begin, end);
+    if (reaches(candidate.chord, min_ratio)) verdict.candidate = candidate;
+    return verdict;
+  }
+  verdict.bisected = begin.excess * end.excess <= 0;
+  if (verdict.bisected) {
+    // At the very end of the section the bisecting chord is the vertex-chord, known more precisely.
+    if (begin.excess == 0) {
+      verdict.candidate = end_candidate(polygon, centre, a, b, begin);
+    } else if (end.excess == 0) {
+      verdict.candidate = end_candidate(polygon, centre, a, b, end);
+    } else {
+      verdict.candidate =
+          bisecting_candidate(centre, a.edge, b.edge, bisecting_offset(centre, a, b));
+    }
+    return verdict;
+  }
+  // g is monotonic and does not pass 1: the end nearer to 1 is the nearer to the bisecting chord.
+  const bool begin_is_nearer = load_ratio(1.0, begin.g) > load_ratio(1.0, end.g);
+  const SectionEnd& nearer = begin_is_nearer ? begin : end;
+  const Candidate candidate = end_candidate(polygon, centre, a, b, nearer);
+  if (reaches(candidate.chord, min_ratio)) verdict.candidate = candidate;
+  return verdict;
+}
+
+// The questions of `examine`, in its order, each with room for the errors of the estimates.
+QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                             const SeenEdge& b, const EdgePair& pair, double min_ratio) {
+  const auto g0 = estimate_g(polygon, centre, a, b, pair.begin_a, pair.begin_b);
+  const auto g1 = estimate_g(polygon, centre, a, b, pair.end_a, pair.end_b);
+  if (!g0 || !g1) return QuickVerdict::unsure;
+  constexpr double room = 0x1p-30;
+  const double e0 = *g0 - 1, e1 = *g1 - 1;
+  if (std::fabs(*g0 - *g1) <= (tau + room) * std::max(*g0, *g1))
+    return QuickVerdict::unsure;  // perhaps parallel
+  if (std::fabs(e0) <= room || std::fabs(e1) <= room) return QuickVerdict::unsure;
+  if ((e0 < 0) != (e1 < 0)) return QuickVerdict::bisecting;
+  const double ratio0 = load_ratio(1.0, *g0), ratio1 = load_ratio(1.0, *g1);
+  const double larger = std::max(ratio0, ratio1), least = min_ratio - tau;
+  if (larger < least - room) return QuickVerdict::none;
+  if (larger < least + room) return QuickVerdict::unsure;
+  return ratio0 > ratio1 ? QuickVerdict::at_begin : QuickVerdict::at_end;
+}
+
+}  // namespace evenlift

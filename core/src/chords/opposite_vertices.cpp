@@ -1,0 +1,82 @@
+#include "chords/opposite_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+// A vertex relative to C.
+struct Seen {
+  Vec2 position;
+  double arm;  // its distance from C
+  std::uint32_t vertex;
+};
+
+class Finder {
+ public:
+  Finder(const Polygon& polygon, const Vec2& centre, const RadialView& view, std::uint64_t most)
+      : near_(near_distance(polygon.diagonal())), most_(most) {
+    for (const std::uint32_t vertex : view.order()) {
+      const Vec2 position = polygon.vertex(vertex) - centre;
+      const double arm = length(position);
+      if (arm > near_) seen_.push_back({position, arm, vertex});
+    }
+  }
+
+  std::optional<std::vector<OppositeVertices>> run() {
+    const std::size_t m = seen_.size();
+    for (std::size_t i = 0; i < m; ++i) {
+      // Both ways round from i; once if the first way looks at all of them.
+      std::size_t steps = 1;
+      while (steps < m && look(i, (i + steps) % m)) ++steps;
+      if (steps < m)
+        for (steps = 1; look(i, (i + m - steps) % m);) ++steps;
+      if (found_.size() > most_) return std::nullopt;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // Looks at j from the nearer vertex i. False if the lines of i and j are so far apart that no
+  // vertex beyond j, which is not nearer to C than i, can be opposite to i: C is within tau L of
+  // the line of two vertices with arms a <= b only if the sine of the angle between their lines
+  // through C is at most tau L (a + b) / (a b) <= 2 tau L / a.
+  bool look(std::size_t i, std::size_t j) {
+    const Seen &a = seen_[i], &b = seen_[j];
+    const double side = std::fabs(cross(a.position, b.position));
+    constexpr double room = 1 + 1e-6;  // for the rounding of what the order was found from exactly
+    if (side > room * 2 * near_ * b.arm) return false;
+    const bool is_nearer = a.arm != b.arm ? a.arm < b.arm : i < j;
+    if (is_nearer && dot(a.position, b.position) < 0 &&
+        side <= near_ * length(a.position - b.position))
+      found_.push_back({std::min(a.vertex, b.vertex), std::max(a.vertex, b.vertex)});
+    return found_.size() <= most_;
+  }
+
+  double near_;
+  std::uint64_t most_;
+  std::vector<Seen> seen_;  // by direction modulo 180 degrees
+  std::vector<OppositeVertices> found_;
+};
+
+}  // namespace
+
+std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygon& polygon,
+                                                                    const Vec2& centre,
+                                                                    const RadialView& view,
+                                                                    std::uint64_t most) {
+  return Finder(polygon, centre, view, most).run();
+}
+
+InputError too_many_opposite_vertices() {
+  return {ErrorCode::too_many_edge_pairs,
+          "the polygon has more than " + std::to_string(max_edge_pairs) +
+              " edge-pairs and opposite vertices about its centre of mass",
+          {}};
+}
+
+}  // namespace evenlift

@@ -1,0 +1,23 @@
+// Which vertices are opposite each other across C (algorithm.md, Opposite vertices).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "chords/radial_view.h"
+#include "evenlift/chords.h"
+
+namespace evenlift {
+
+// As opposite_vertices(); nothing if there are more than `most`. O(n) besides the vertices looked
+// at.
+std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygon& polygon,
+                                                                    const Vec2& centre,
+                                                                    const RadialView& view,
+                                                                    std::uint64_t most);
+
+// The refusal of too many edge-pairs and opposite vertices.
+InputError too_many_opposite_vertices();
+
+}  // namespace evenlift

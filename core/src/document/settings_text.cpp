@@ -1,0 +1,205 @@
+#include "evenlift/settings_text.h"
+
+#include <cmath>
+#include <iterator>
+
+#include "evenlift/numbers.h"
+
+namespace evenlift {
+namespace {
+
+struct Entry {
+  Setting setting;
+  std::string_view name;
+  const char* requirement;
+};
+constexpr Entry entries[] = {
+    {Setting::teams, "teams", "the number of teams is a whole number from 1 to 1048576, or max"},
+    {Setting::metric, "metric", "the metric is area, circle, distance, distributed or random"},
+    {Setting::min_ratio, "min_ratio", "the minimum load ratio is a number from 0 to 1"},
+    {Setting::com, "com", "the centre of mass is two numbers X,Y, or centroid"},
+    {Setting::weight, "weight", "the weight is a number greater than 0"},
+    {Setting::seed, "seed", "the seed is a whole number from 0 to 18446744073709551615"},
+    {Setting::overlays, "overlays",
+     "the overlays are none, or some of candidates, chords, hull, clockwise, counterclockwise and tipping"},
+    {Setting::step, "step", "the step is a whole number from 0 to 4294967295, or none"},
+    {Setting::capacity, "capacity", "the capacity of a robot is a number greater than 0"},
+};
+static_assert(max_teams == 1048576);
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < std::size(entries); ++i)
+    if (entries[i].setting != static_cast<Setting>(i)) return false;
+  return true;
+}
+static_assert(in_order(), "entry() finds a setting by its number");
+
+const Entry& entry(Setting setting) { return entries[static_cast<std::size_t>(setting)]; }
+
+struct NamedOverlay {
+  std::string_view name;
+  bool Overlays::*shown;
+};
+constexpr NamedOverlay overlay_names[] = {
+    {"candidates", &Overlays::candidates},
+    {"chords", &Overlays::chords},
+    {"hull", &Overlays::hull},
+    {"clockwise", &Overlays::clockwise},
+    {"counterclockwise", &Overlays::counterclockwise},
+    {"tipping", &Overlays::tipping},
+};
+
+std::string_view trimmed(std::string_view text) {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<std::uint32_t> read_whole_32(std::string_view text) {
+  const std::optional<std::uint64_t> value = read_whole(text);
+  if (!value || *value > ~std::uint32_t{0}) return std::nullopt;
+  return static_cast<std::uint32_t>(*value);
+}
+
+bool is_team_count(std::uint32_t value) { return value >= 1 && value <= max_teams; }
+
+// Each reader says whether the text is a value of its setting; only then it changes anything.
+bool read_teams(std::string_view text, Settings& settings) {
+  const std::optional<std::uint32_t> teams = read_whole_32(text);
+  if (teams ? !is_team_count(*teams) : text != "max") return false;
+  settings.teams = teams;
+  return true;
+}
+
+bool read_metric(std::string_view text, Settings& settings) {
+  const std::optional<Metric> metric = metric_from_name(text);
+  if (metric) settings.metric = *metric;
+  return metric.has_value();
+}
+
+bool read_min_ratio(std::string_view text, Settings& settings) {
+  const std::optional<double> value = read_number(text);
+  if (!value || !is_min_ratio(*value)) return false;
+  settings.min_ratio = *value;
+  return true;
+}
+
+bool read_com(std::string_view text, Document& document) {
+  if (text == "centroid") {
+    document.centre_of_mass.reset();
+    return true;
+  }
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return false;
+  const std::string_view before = text.substr(0, comma), after = text.substr(comma + 1);
+  // Spaces may surround the comma, but not the whole.
+  if (trimmed(before).data() != before.data() || trimmed(text).size() != text.size()) return false;
+  const std::optional<double> x = read_number(trimmed(before)), y = read_number(trimmed(after));
+  if (!x || !y) return false;
+  document.centre_of_mass = Vec2(*x, *y);
+  return true;
+}
+
+bool read_weight(std::string_view text, Settings& settings) {
+  const std::optional<double> value = read_number(text);
+  if (!value || !is_weight(*value)) return false;
+  settings.weight = *value;
+  return true;
+}
+
+bool read_seed(std::string_view text, Settings& settings) {
+  const std::optional<std::uint64_t> value = read_whole(text);
+  if (value) settings.seed = *value;
+  return value.has_value();
+}
+
+bool read_overlays(std::string_view text, Settings& settings) {
+  Overlays shown{false, false, false, false, false, false};
+  while (text != "none") {
+    const std::string_view word = text.substr(0, text.find(','));
+    const NamedOverlay* found = nullptr;
+    for (const NamedOverlay& overlay : overlay_names)
+      if (overlay.name == word) found = &overlay;
+    if (!found || shown.*(found->shown)) return false;  // unknown, or there twice
+    shown.*(found->shown) = true;
+    if (word.size() == text.size()) break;
+    text.remove_prefix(word.size() + 1);
+    if (text == "none") return false;
+  }
+  settings.overlays = shown;
+  return true;
+}
+
+bool read_step(std::string_view text, Settings& settings) {
+  const std::optional<std::uint32_t> step = read_whole_32(text);
+  if (!step && text != "none") return false;
+  settings.step = step;
+  return true;
+}
+
+bool read(Setting setting, std::string_view text, Document& document) {
+  switch (setting) {
+    case Setting::teams:
+      return read_teams(text, document.settings);
+    case Setting::metric:
+      return read_metric(text, document.settings);
+    case Setting::min_ratio:
+      return read_min_ratio(text, document.settings);
+    case Setting::com:
+      return read_com(text, document);
+    case Setting::weight:
+      return read_weight(text, document.settings);
+    case Setting::seed:
+      return read_seed(text, document.settings);
+    case Setting::overlays:
+      return read_overlays(text, document.settings);
+    case Setting::step:
+      return read_step(text, document.settings);
+    case Setting::capacity:
+      return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string_view name(Setting setting) { return entry(setting).name; }
+
+std::optional<Setting> setting_from_name(std::string_view text) {
+  for (const Entry& known : entries)
+    if (known.name == text) return known.setting;
+  return std::nullopt;
+}
+
+const char* requirement(Setting setting) { return entry(setting).requirement; }
+
+InputError setting_error(Setting setting) {
+  return {ErrorCode::bad_setting,
+          requirement(setting),
+          {Place::Kind::option, 0, 0, std::string(name(setting))}};
+}
+
+std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document) {
+  if (read(setting, text, document)) return std::nullopt;
+  return setting_error(setting);
+}
+
+std::optional<double> read_capacity(std::string_view text) {
+  const std::optional<double> value = read_number(text);
+  return value && is_weight(*value) ? value : std::nullopt;
+}
+
+std::optional<InputError> check_ranges(const Settings& settings) {
+  if (settings.teams && !is_team_count(*settings.teams)) return setting_error(Setting::teams);
+  if (name(settings.metric).empty()) return setting_error(Setting::metric);
+  if (!is_min_ratio(settings.min_ratio)) return setting_error(Setting::min_ratio);
+  if (!is_weight(settings.weight)) return setting_error(Setting::weight);
+  return std::nullopt;
+}
+
+bool is_min_ratio(double value) { return value >= 0 && value <= 1; }
+
+bool is_weight(double value) { return value > 0 && std::isfinite(value); }
+
+}  // namespace evenlift

@@ -1,0 +1,118 @@
+#include "evenlift/predicates.h"
+
+#include <cmath>
+
+#include "exact/double_double.h"
+#include "exact/dyadic.h"
+
+namespace evenlift {
+namespace {
+
+// Below this size products may underflow and the error bounds do not hold.
+constexpr double smallest_safe = 1e-250;
+// A double result larger than this part of the sum of its products has a relative error below
+// 2^-45: each product is off by at most 2^-50 of the sizes that entered it.
+constexpr double double_is_enough = 0x1p-5;
+// The same for double-double, whose products are off by at most 2^-98.
+constexpr double double_double_is_enough = 0x1p-55;
+
+// The factors of x1 y2 - x2 y1 in a number type.
+template <class Number>
+struct Products {
+  Number x1, y1, x2, y2;
+};
+
+// The determinant x1 y2 - x2 y1. `coarse` holds the four factors rounded once from at most two
+// differences, `size1` and `size2` bounds on what entered the factors of each product; `fine` and
+// `exact` make the factors again in the better number types, only when asked.
+template <class Fine, class Exact>
+double robust(const Products<double>& coarse, double size1, double size2, const Fine& fine,
+              const Exact& exact) {
+  // A factor is exactly 0 only if its differences are: gradual underflow.
+  const bool first_is_zero = coarse.x1 == 0 || coarse.y2 == 0;
+  const bool second_is_zero = coarse.x2 == 0 || coarse.y1 == 0;
+  if (first_is_zero && second_is_zero) return 0;
+
+  const double size = size1 + size2;
+  if (size > smallest_safe) {
+    const double value = coarse.x1 * coarse.y2 - coarse.x2 * coarse.y1;
+    if (std::fabs(value) > double_is_enough * size) return value;
+
+    const Products<DoubleDouble> f = fine();
+    if (f.x1.is_double() && f.y1.is_double() && f.x2.is_double() && f.y2.is_double()) {
+      // Integers and other short coordinates: both products are exact. Equal products are what
+      // points on one line of a grid give, the most frequent case after the first test.
+      const DoubleDouble first = two_product(f.x1.hi, f.y2.hi),
+                         second = two_product(f.x2.hi, f.y1.hi);
+      if (first.hi == second.hi && first.lo == second.lo) return 0;
+      const double value_of_exact = (first.hi - second.hi) + (first.lo - second.lo);
+      if (value_of_exact != 0) return value_of_exact;
+    }
+    const DoubleDouble first = f.x1 * f.y2, second = f.x2 * f.y1;
+    const DoubleDouble difference = first - second;
+    const double refined = difference.to_double();
+    if (std::fabs(refined) > double_double_is_enough * size) return refined;
+  }
+
+  const Products<Dyadic> e = exact();
+  return (e.x1 * e.y2 - e.x2 * e.y1).to_double();
+}
+
+DoubleDouble fine_difference(double a, double b) { return two_difference(a, b); }
+Dyadic exact_difference(double a, double b) { return Dyadic(a) - Dyadic(b); }
+
+}  // namespace
+
+double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
+  const Products<double> coarse{a1.x() - a0.x(), a1.y() - a0.y(), b1.x() - b0.x(), b1.y() - b0.y()};
+  return robust(
+      coarse, std::fabs(coarse.x1 * coarse.y2), std::fabs(coarse.x2 * coarse.y1),
+      [&] {
+        return Products<DoubleDouble>{
+            fine_difference(a1.x(), a0.x()), fine_difference(a1.y(), a0.y()),
+            fine_difference(b1.x(), b0.x()), fine_difference(b1.y(), b0.y())};
+      },
+      [&] {
+        return Products<Dyadic>{exact_difference(a1.x(), a0.x()), exact_difference(a1.y(), a0.y()),
+                                exact_difference(b1.x(), b0.x()), exact_difference(b1.y(), b0.y())};
+      });
+}
+
+double orient(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return cross_of_differences(a, b, a, c);
+}
+
+double dot_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
+  // a . b = a x (b turned by +90 degrees): the same determinant with other coordinates.
+  const Vec2 c0(-b0.y(), b0.x()), c1(-b1.y(), b1.x());
+  return cross_of_differences(a0, a1, c0, c1);
+}
+
+double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c) {
+  // b - w' = (b - centre) + (w - centre)
+  const double bx = b.x() - centre.x(), by = b.y() - centre.y();
+  const double wx = w.x() - centre.x(), wy = w.y() - centre.y();
+  const Products<double> coarse{bx + wx, by + wy, c.x() - b.x(), c.y() - b.y()};
+  const double size1 = (std::fabs(bx) + std::fabs(wx)) * std::fabs(coarse.y2);
+  const double size2 = (std::fabs(by) + std::fabs(wy)) * std::fabs(coarse.x2);
+  // The rounded sum may vanish without its parts doing so: tell `robust` by a factor that does not.
+  Products<double> guarded = coarse;
+  if (guarded.x1 == 0 && bx != 0) guarded.x1 = 0x1p-1074;
+  if (guarded.y1 == 0 && by != 0) guarded.y1 = 0x1p-1074;
+  return robust(
+      guarded, size1, size2,
+      [&] {
+        return Products<DoubleDouble>{
+            fine_difference(b.x(), centre.x()) + fine_difference(w.x(), centre.x()),
+            fine_difference(b.y(), centre.y()) + fine_difference(w.y(), centre.y()),
+            fine_difference(c.x(), b.x()), fine_difference(c.y(), b.y())};
+      },
+      [&] {
+        return Products<Dyadic>{
+            exact_difference(b.x(), centre.x()) + exact_difference(w.x(), centre.x()),
+            exact_difference(b.y(), centre.y()) + exact_difference(w.y(), centre.y()),
+            exact_difference(c.x(), b.x()), exact_difference(c.y(), b.y())};
+      });
+}
+
+}  // namespace evenlift

@@ -1,0 +1,55 @@
+// Reads the fields of a row one after another; and settings as fields, which parts and shard lists
+// hold.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "evenlift/experiment/measure.h"
+#include "evenlift/numbers.h"
+#include "experiment/measure/csv.h"
+
+namespace evenlift::csv {
+
+class Fields {
+ public:
+  explicit Fields(const Row& row, std::size_t first = 0) : row_(row), at_(first) {}
+
+  std::string text() { return at_ < row_.size() ? row_[at_++] : (good_ = false, std::string()); }
+
+  double number() {
+    const std::optional<double> value = read_number(text());
+    good_ = good_ && value;
+    return value.value_or(0);
+  }
+
+  std::uint32_t whole() {
+    const std::optional<std::uint64_t> value = read_whole(text());
+    good_ = good_ && value && *value <= 0xFFFFFFFFu;
+    return good_ ? static_cast<std::uint32_t>(*value) : 0;
+  }
+
+  // Whether all fields have been read, and each was as expected.
+  bool done() const { return good_ && at_ == row_.size(); }
+
+ private:
+  const Row& row_;
+  std::size_t at_;
+  bool good_ = true;
+};
+
+inline Row settings_fields(const ExperimentSettings& settings) {
+  return {shortest(settings.min_ratio), std::to_string(settings.samples),
+          std::to_string(settings.most_teams), shortest(settings.weight)};
+}
+
+inline ExperimentSettings read_settings(Fields& fields) {
+  ExperimentSettings settings;
+  settings.min_ratio = fields.number();
+  settings.samples = fields.whole();
+  settings.most_teams = fields.whole();
+  settings.weight = fields.number();
+  return settings;
+}
+
+}  // namespace evenlift::csv

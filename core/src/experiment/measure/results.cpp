@@ -1,0 +1,203 @@
+#include "evenlift/experiment/results.h"
+#include "evenlift/formats.h"
+#include "evenlift/numbers.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "experiment/measure/fields.h"
+
+namespace evenlift {
+namespace {
+
+// Changes whenever the same polygon gives other rows, or rows look different: older parts are then
+// measured anew.
+constexpr const char* part_format = "evenlift experiment 2";
+
+const csv::Row measurement_columns = {"set",     "polygon",   "method",    "teams",
+                                      "robots",  "samples",   "coverage",  "form_closure",
+                                      "no_area", "load_min",  "load_mean", "load_max",
+                                      "spread",  "max_share", "chosen"};
+
+csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
+  return {of.set,
+          of.polygon,
+          std::string(name(m.method)),
+          std::to_string(m.teams),
+          std::to_string(2 * std::uint64_t{m.teams}),
+          std::to_string(m.samples),
+          shortest(m.coverage),
+          shortest(m.form_closure),
+          shortest(m.no_area),
+          shortest(m.load_min),
+          shortest(m.load_mean),
+          shortest(m.load_max),
+          shortest(m.spread),
+          shortest(m.max_share),
+          m.chosen ? std::to_string(*m.chosen) : ""};
+}
+
+csv::Row polygon_row(const PolygonResult& r) {
+  if (!r.problem.empty()) return {r.set, r.polygon, "", "", "", r.problem};
+  return {r.set,
+          r.polygon,
+          std::to_string(r.vertices),
+          r.convex ? "1" : "0",
+          std::to_string(r.candidates),
+          ""};
+}
+
+bool read_heading(const csv::Row& row, Part& part) {
+  csv::Fields fields(row, 1);
+  part.settings = csv::read_settings(fields);
+  part.fingerprint = fields.text();
+  return fields.done() && row[0] == part_format;
+}
+
+bool read_polygon_row(const csv::Row& row, PolygonResult& result) {
+  if (row.size() != 7 || row[0] != "polygon") return false;
+  result.set = row[1];
+  result.polygon = row[2];
+  result.problem = row[6];
+  if (!result.problem.empty()) return row[3].empty() && row[4].empty() && row[5].empty();
+  csv::Fields fields(row, 3);
+  result.vertices = fields.whole();
+  result.convex = fields.whole() == 1;
+  result.candidates = fields.whole();
+  return fields.text().empty() && fields.done();
+}
+
+bool read_measurement(const csv::Row& row, PolygonResult& result) {
+  if (row.size() != measurement_columns.size() + 1 || row[1] != result.set ||
+      row[2] != result.polygon)
+    return false;
+  const std::optional<Metric> method = metric_from_name(row[3]);
+  if (!method) return false;
+  Measurement m;
+  m.method = *method;
+  csv::Fields fields(row, 4);
+  m.teams = fields.whole();
+  if (fields.whole() != 2 * m.teams) return false;
+  m.samples = fields.whole();
+  for (double* value : {&m.coverage, &m.form_closure, &m.no_area, &m.load_min, &m.load_mean,
+                        &m.load_max, &m.spread, &m.max_share})
+    *value = fields.number();
+  if (!row.back().empty()) {
+    m.chosen = fields.whole();
+  } else {
+    fields.text();
+  }
+  if (!fields.done()) return false;
+  result.measurements.push_back(m);
+  return true;
+}
+
+bool read_time(const csv::Row& row, Times& times) {
+  csv::Fields fields(row, 1);
+  std::string stage = fields.text();
+  const double seconds = fields.number();
+  if (!fields.done()) return false;
+  times.emplace_back(std::move(stage), seconds);
+  return true;
+}
+
+csv::Row tagged(const char* tag, csv::Row row) {
+  row.insert(row.begin(), tag);
+  return row;
+}
+
+}  // namespace
+
+std::string fingerprint(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[hash >> shift & 15];
+  return text;
+}
+
+std::string fingerprint(const Document& document, const ExperimentSettings& settings) {
+  return fingerprint(csv::line(csv::settings_fields(settings)) + write_thesis(document));
+}
+
+PolygonResult describe(const std::string& set, const std::string& polygon, const Subject& subject) {
+  PolygonResult result;
+  result.set = set;
+  result.polygon = polygon;
+  result.vertices = static_cast<std::uint32_t>(subject.polygon.size());
+  result.convex = subject.polygon.convex();
+  result.candidates = static_cast<std::uint32_t>(subject.candidates.size());
+  return result;
+}
+
+void sort_results(std::vector<PolygonResult>& results) {
+  std::sort(results.begin(), results.end(), [](const PolygonResult& a, const PolygonResult& b) {
+    return std::tie(a.set, a.polygon) < std::tie(b.set, b.polygon);
+  });
+}
+
+std::vector<ResultSet> group_by_set(std::vector<PolygonResult> results) {
+  std::vector<ResultSet> sets;
+  for (PolygonResult& result : results) {
+    if (sets.empty() || sets.back().name != result.set) sets.push_back({result.set, {}});
+    sets.back().results.push_back(std::move(result));
+  }
+  return sets;
+}
+
+std::string write_part(const Part& part) {
+  csv::Row heading = csv::settings_fields(part.settings);
+  heading.insert(heading.begin(), part_format);
+  heading.push_back(part.fingerprint);
+  std::string text = csv::line(heading);
+  text += csv::line(tagged("polygon", polygon_row(part.result)));
+  for (const Measurement& m : part.result.measurements)
+    text += csv::line(tagged("measured", measurement_row(part.result, m)));
+  for (const auto& [stage, seconds] : part.times)
+    text += csv::line({"time", stage, shortest(seconds)});
+  return text + "end\n";
+}
+
+std::optional<Part> read_part(std::string_view text) {
+  const auto rows = csv::read(text);
+  if (!rows || rows->size() < 3 || rows->back() != csv::Row{"end"}) return std::nullopt;
+  Part part;
+  if (!read_heading((*rows)[0], part) || !read_polygon_row((*rows)[1], part.result))
+    return std::nullopt;
+  for (std::size_t i = 2; i + 1 < rows->size(); ++i) {
+    const csv::Row& row = (*rows)[i];
+    const bool read = row[0] == "measured" ? read_measurement(row, part.result)
+                      : row[0] == "time"   ? read_time(row, part.times)
+                                           : false;
+    if (!read) return std::nullopt;
+  }
+  // There are other ways to write the same numbers; no others were written.
+  if (write_part(part) != text) return std::nullopt;
+  return part;
+}
+
+std::string measurements_csv(const std::vector<ResultSet>& sets) {
+  std::string text = csv::line(measurement_columns);
+  for (const ResultSet& set : sets)
+    for (const PolygonResult& result : set.results)
+      for (const Measurement& m : result.measurements)
+        text += csv::line(measurement_row(result, m));
+  return text;
+}
+
+std::string times_csv(const std::vector<Part>& parts) {
+  std::string text = csv::line({"set", "polygon", "stage", "seconds"});
+  for (const Part& part : parts)
+    for (const auto& [stage, seconds] : part.times)
+      text += csv::line({part.result.set, part.result.polygon, stage, shortest(seconds)});
+  return text;
+}
+
+std::string polygons_csv(const std::vector<ResultSet>& sets) {
+  std::string text = csv::line({"set", "polygon", "vertices", "convex", "candidates", "problem"});
+  for (const ResultSet& set : sets)
+    for (const PolygonResult& result : set.results) text += csv::line(polygon_row(result));
+  return text;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,187 @@
+#include "experiment/thesis/by_polygon.h"
+
+#include <algorithm>
+#include <set>
+
+namespace evenlift {
+namespace {
+
+constexpr Metric metrics[] = {Metric::area, Metric::circle, Metric::distance};
+
+// The candidate that each metric's last team took; none if a metric has no such team.
+std::optional<std::vector<std::uint32_t>> choices(const PolygonResult& result,
+                                                  std::uint32_t teams) {
+  std::vector<std::uint32_t> chosen;
+  for (const Metric method : metrics) {
+    const Measurement* m = find(result, method, teams);
+    if (!m || !m->chosen) return std::nullopt;
+    chosen.push_back(*m->chosen);
+  }
+  return chosen;
+}
+
+bool all_same(const std::vector<std::uint32_t>& chosen) {
+  return std::all_of(chosen.begin(), chosen.end(),
+                     [&](std::uint32_t c) { return c == chosen.front(); });
+}
+
+std::optional<double> algorithm_coverage(const PolygonResult& result, std::uint32_t teams) {
+  double sum = 0;
+  for (const Metric method : metrics) {
+    const Measurement* m = find(result, method, teams);
+    if (!m) return std::nullopt;
+    sum += m->coverage;
+  }
+  return sum / 3;
+}
+
+// The most teams that were measured.
+std::uint32_t most_teams(const PolygonResult& result) {
+  std::uint32_t most = 0;
+  for (const Measurement& m : result.measurements)
+    if (m.method == Metric::area) most = std::max(most, m.teams);
+  return most;
+}
+
+}  // namespace
+
+const Measurement* find(const PolygonResult& result, Metric method, std::uint32_t teams) {
+  // Rows are by method, then teams.
+  const auto at = std::lower_bound(
+      result.measurements.begin(), result.measurements.end(), std::pair(method, teams),
+      [](const Measurement& m, auto key) { return std::pair(m.method, m.teams) < key; });
+  const bool found = at != result.measurements.end() && at->method == method && at->teams == teams;
+  return found ? &*at : nullptr;
+}
+
+Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
+                  std::uint32_t most_vertices) {
+  Count count;
+  for (const PolygonResult& result : results) {
+    if (result.vertices > most_vertices) continue;
+    const auto chosen = choices(result, teams);
+    if (!chosen) continue;
+    if (teams > 2 && !all_same(*choices(result, teams - 1))) continue;
+    ++count.of;
+    if (all_same(*chosen)) ++count.yes;
+  }
+  return count;
+}
+
+Count alike_coverage(const std::vector<PolygonResult>& results, double difference) {
+  Count count;
+  for (const PolygonResult& result : results) {
+    const auto chosen = choices(result, 2);
+    if (!chosen || all_same(*chosen)) continue;
+    const auto [least, most] = std::minmax({find(result, Metric::area, 2)->coverage,
+                                            find(result, Metric::circle, 2)->coverage,
+                                            find(result, Metric::distance, 2)->coverage});
+    ++count.of;
+    if (most - least < difference) ++count.yes;
+  }
+  return count;
+}
+
+std::vector<double> coverage_differences(const std::vector<PolygonResult>& results, Metric method) {
+  std::vector<double> differences;
+  for (const PolygonResult& result : results) {
+    double sum = 0;
+    int count = 0;
+    const std::uint32_t most = most_teams(result);
+    for (std::uint32_t teams = 2; teams <= most; ++teams) {
+      const std::optional<double> ours = algorithm_coverage(result, teams);
+      const Measurement* other = find(result, method, teams);
+      if (!ours || !other) continue;
+      sum += other->coverage - *ours;
+      ++count;
+    }
+    if (count > 0) differences.push_back(sum / count);
+  }
+  return differences;
+}
+
+std::vector<double> final_coverages(const std::vector<PolygonResult>& results) {
+  std::vector<double> coverages;
+  for (const PolygonResult& result : results)
+    if (const auto covered = algorithm_coverage(result, most_teams(result)))
+      coverages.push_back(*covered);
+  return coverages;
+}
+
+std::vector<double> all_coverages(const std::vector<PolygonResult>& results) {
+  std::vector<double> coverages;
+  for (const PolygonResult& result : results)
+    for (const Measurement& m : result.measurements)
+      if (m.teams >= 2 &&
+          std::find(std::begin(metrics), std::end(metrics), m.method) != std::end(metrics))
+        coverages.push_back(m.coverage);
+  return coverages;
+}
+
+std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t teams) {
+  std::optional<Loss> greatest;
+  for (const PolygonResult& moved : results) {
+    const std::size_t name = moved.polygon.rfind("-moved");
+    if (name == std::string::npos) continue;
+    const auto outline = std::find_if(
+        results.begin(), results.end(),
+        [&](const PolygonResult& other) { return other.polygon == moved.polygon.substr(0, name); });
+    if (outline == results.end()) continue;
+    const Measurement *before = find(*outline, Metric::area, teams),
+                      *after = find(moved, Metric::area, teams);
+    if (!before || !after) continue;
+    if (!greatest || before->coverage - after->coverage > greatest->before - greatest->after)
+      greatest = {moved.polygon, before->coverage, after->coverage};
+  }
+  return greatest;
+}
+
+Count closed(const std::vector<PolygonResult>& results, Closed closed) {
+  Count count;
+  for (const PolygonResult& result : results) {
+    bool by_any = false, by_algorithm = false;
+    for (const Measurement& m : result.measurements) {
+      if (m.*closed == 0) continue;
+      by_any = true;
+      by_algorithm |= m.method != Metric::distributed && m.method != Metric::random;
+    }
+    count.of += by_any;
+    count.yes += by_algorithm;
+  }
+  return count;
+}
+
+Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Metric method,
+                  std::uint32_t teams, std::uint32_t most_vertices) {
+  Count count;
+  for (const PolygonResult& result : results) {
+    const Measurement* m = find(result, method, teams);
+    if (!m || result.vertices > most_vertices) continue;
+    const bool possible = std::any_of(result.measurements.begin(), result.measurements.end(),
+                                      [&](const Measurement& other) { return other.*closed > 0; });
+    count.of += possible;
+    count.yes += m->*closed > 0;
+  }
+  return count;
+}
+
+Lost closure_lost(const std::vector<PolygonResult>& results, Closed closed, Metric method) {
+  Lost lost;
+  std::set<std::uint32_t> robots;
+  for (const PolygonResult& result : results) {
+    const std::uint32_t most = most_teams(result);
+    for (std::uint32_t teams = 2; teams <= most; ++teams) {
+      const Measurement *before = find(result, method, teams - 1),
+                        *after = find(result, method, teams);
+      if (!before || !after || before->*closed == 0) continue;
+      ++lost.steps.of;
+      if (after->*closed >= before->*closed) continue;
+      ++lost.steps.yes;
+      robots.insert(2 * teams);
+    }
+  }
+  lost.robots.assign(robots.begin(), robots.end());
+  return lost;
+}
+
+}  // namespace evenlift

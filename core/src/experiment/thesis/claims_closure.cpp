@@ -1,0 +1,95 @@
+#include "experiment/thesis/claims_sections.h"
+
+namespace evenlift::claims {
+namespace {
+
+// Form closure as this project decides it, and by the thesis's own test.
+struct Reading {
+  Closed closed;
+  std::optional<double> Aggregate::*rate;
+  std::uint32_t Aggregate::*of;
+  const char* in_words;  // after what is counted
+};
+constexpr Reading readings[] = {
+    {&Measurement::form_closure, &Aggregate::form_closure, &Aggregate::closable, ""},
+    {&Measurement::no_area, &Aggregate::no_area, &Aggregate::no_area_possible,
+     ", by the thesis’s test that no region has an area"}};
+
+std::string lost_in_words(const Lost& lost) {
+  if (lost.steps.of == 0) return none;
+  if (lost.steps.yes == 0) return "never (in " + std::to_string(lost.steps.of) + " steps)";
+  std::string text = std::to_string(lost.steps.yes) + " of " + std::to_string(lost.steps.of) +
+                     " steps, on the way to ";
+  for (std::size_t i = 0; i < lost.robots.size(); ++i)
+    text += (i == 0                        ? ""
+             : i + 1 == lost.robots.size() ? " and "
+                                           : ", ") +
+            std::to_string(lost.robots[i]);
+  return text + " robots";
+}
+
+// Numbers of robots from 4 to 12 with which no other method closes more polygons than distributed.
+std::string distributed_leads(const Rows& rows, const Reading& reading) {
+  std::string text;
+  for (std::uint32_t teams = 2; teams <= 6; ++teams) {
+    const Aggregate* ours = find(rows, Metric::distributed, teams);
+    if (!ours || !(ours->*reading.rate)) continue;
+    bool leads = true;
+    for (const Metric method : all_metrics)
+      if (const Aggregate* a = find(rows, method, teams); a && a->*reading.rate)
+        leads = leads && *(a->*reading.rate) <= *(ours->*reading.rate);
+    if (leads) text += (text.empty() ? "" : ", ") + std::to_string(2 * teams);
+  }
+  return text.empty() ? "with none of 4 to 12" : "with " + text;
+}
+
+void add_rates(std::vector<Claim>& claims, const Rows& rows, const Reading& reading,
+               std::uint32_t teams, Metric stated_method, const char* stated) {
+  for (const Metric method : all_metrics) {
+    const Aggregate* a = find(rows, method, teams);
+    claims.push_back({"5.5",
+                      "Closed with " + std::to_string(2 * teams) + " robots, " +
+                          std::string(name(method)) + reading.in_words,
+                      method == stated_method ? stated : none,
+                      a && a->*reading.rate ? percent(*(a->*reading.rate)) + " (of " +
+                                                  std::to_string(a->*reading.of) + ")"
+                                            : none});
+  }
+}
+
+std::string never_closed(const Results& results, const Reading& reading) {
+  std::uint32_t measured = 0;
+  for (const PolygonResult& result : results) measured += !result.measurements.empty();
+  const Count possible = closed(results, reading.closed);
+  return std::to_string(measured - possible.of) + " of " + std::to_string(measured);
+}
+
+void add_reading(std::vector<Claim>& claims, const Results& results, const Rows& rows,
+                 const Reading& reading) {
+  const std::string how = reading.in_words;
+  claims.push_back(
+      {"5.5", "Polygons that no method closes" + how, "12", never_closed(results, reading)});
+  add_rates(claims, rows, reading, 2, Metric::distributed, "41 %");
+  add_rates(claims, rows, reading, 4, Metric::distance, "80 %");
+  claims.push_back({"5.5",
+                    "Closed with 8 robots, distance, polygons with at most 12 vertices" + how, none,
+                    rate(closed_with(results, reading.closed, Metric::distance, 4, 12))});
+  claims.push_back({"5.5", "Numbers of robots up to 12 with which distributed closes most" + how,
+                    "all", distributed_leads(rows, reading)});
+  for (const Metric method : {Metric::area, Metric::circle, Metric::distance})
+    claims.push_back({"5.5", "Closure lost by adding a team, " + std::string(name(method)) + how,
+                      "never", lost_in_words(closure_lost(results, reading.closed, method))});
+  claims.push_back({"5.5", "Closure lost by adding a team, distributed" + how,
+                    "on the way to 14 and 18 robots",
+                    lost_in_words(closure_lost(results, reading.closed, Metric::distributed))});
+  claims.push_back({"5.5", "Of the polygons that any method closes, the algorithm does" + how,
+                    "over 88 %", rate(closed(results, reading.closed))});
+}
+
+}  // namespace
+
+void add_closure(std::vector<Claim>& claims, const Results& results, const Rows& rows) {
+  for (const Reading& reading : readings) add_reading(claims, results, rows, reading);
+}
+
+}  // namespace evenlift::claims

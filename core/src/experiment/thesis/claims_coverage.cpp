@@ -1,0 +1,73 @@
+#include "evenlift/experiment/algorithm_average.h"
+#include "evenlift/output/words.h"
+#include "experiment/thesis/claims_sections.h"
+
+namespace evenlift::claims {
+namespace {
+
+// The mean of the points of figure 5.7 from two teams on.
+std::optional<double> mean_of_figure(const Rows& rows, std::uint32_t most_teams) {
+  double sum = 0;
+  int count = 0;
+  for (std::uint32_t teams = 2; teams <= most_teams; ++teams) {
+    if (const auto value = algorithm_average(rows, teams, pick_coverage)) {
+      sum += *value;
+      ++count;
+    }
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+std::string mean_and_deviation(const std::vector<double>& values, double sign) {
+  if (values.empty()) return none;
+  const Statistics s = statistics(values);
+  return with_deviation(percent(sign * s.mean, 1), s.deviation, 100, 1, " %");
+}
+
+}  // namespace
+
+void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows& rows,
+                  std::uint32_t most_teams) {
+  claims.push_back({"5.4", "All three metrics choose the same second team", "79 %",
+                    rate(same_choice(results, 2))});
+  claims.push_back({"5.4", "Of these, all three choose the same third team", "95 %",
+                    rate(same_choice(results, 3))});
+  // Fewer vertices leave fewer choices.
+  claims.push_back({"5.4", "The same second team, polygons with at most 12 vertices", none,
+                    rate(same_choice(results, 2, 12))});
+  claims.push_back({"5.4", "Of these the same third team, polygons with at most 12 vertices", none,
+                    rate(same_choice(results, 3, 12))});
+  claims.push_back(
+      {"5.4", "Where the second team differs, the coverages differ by less than 10 % of the object",
+       "most", rate(alike_coverage(results, 0.1))});
+  const auto mean = mean_of_figure(rows, most_teams);
+  claims.push_back({"6.1", "Coverage by the algorithm: mean of figure 5.7 from 4 robots on", "87 %",
+                    mean ? percent(*mean, 1) : none});
+  const auto covered = algorithm_average(rows, 18, pick_coverage);
+  claims.push_back({"6.1", "Coverage by the algorithm: with 36 robots", "87 %",
+                    covered ? percent(*covered, 1) : none});
+  claims.push_back({"6.1",
+                    "Coverage by the algorithm: mean over all its measurements from 4 robots on",
+                    "87 %", mean_and_deviation(all_coverages(results), 1)});
+  claims.push_back({"6.1", "Coverage by the algorithm: with as many teams as can be placed", "87 %",
+                    mean_and_deviation(final_coverages(results), 1)});
+  claims.push_back(
+      {"5.4",
+       "Coverage of distributed less that of the algorithm, mean over a polygon’s numbers of teams",
+       "10 % (s.d. 10 %)",
+       mean_and_deviation(coverage_differences(results, Metric::distributed), 1)});
+  claims.push_back({"5.4", "Coverage of the algorithm less that of random, likewise",
+                    "slightly more",
+                    mean_and_deviation(coverage_differences(results, Metric::random), -1)});
+  const auto loss = greatest_loss(results, 6);
+  claims.push_back(
+      {"5.4",
+       "Coverage with 12 robots before and after the centre of mass is moved, at its worst (figure 5.9)",
+       "84.71 % to 12.98 %",
+       loss ? percent(loss->before, 2) + " to " + percent(loss->after, 2) + " (" + loss->polygon +
+                  ")"
+            : none});
+}
+
+}  // namespace evenlift::claims

@@ -1,0 +1,130 @@
+#include "evenlift/experiment/algorithm_average.h"
+#include "evenlift/output/words.h"
+#include "experiment/thesis/claims_sections.h"
+
+namespace evenlift::claims {
+namespace {
+
+struct Stated {
+  Metric method;
+  const char* value;
+};
+
+constexpr Stated spread_of_4[] = {{Metric::area, "—"},
+                                  {Metric::circle, "—"},
+                                  {Metric::distance, "1.5 kg (s.d. 1.9 kg)"},
+                                  {Metric::distributed, "12.5 kg (s.d. 14.5 kg)"},
+                                  {Metric::random, "—"}};
+constexpr Stated spread_of_30[] = {{Metric::area, "0.4 kg (s.d. 0.3 kg)"},
+                                   {Metric::circle, "—"},
+                                   {Metric::distance, "—"},
+                                   {Metric::distributed, "—"},
+                                   {Metric::random, "3.1 kg (s.d. 2.5 kg)"}};
+constexpr Stated ranges_of_4[] = {{Metric::distance, "24.25–25.75 kg"},
+                                  {Metric::distributed, "18.75–31.25 kg"}};
+constexpr Stated ranges_of_30[] = {{Metric::area, "3.1–3.5 kg"}, {Metric::random, "1.75–4.85 kg"}};
+constexpr Stated shares_of_10_teams[] = {{Metric::area, "46.6–53.4 % (s.d. 2.2 %)"},
+                                         {Metric::circle, "46.6–53.4 % (s.d. 2.2 %)"},
+                                         {Metric::distance, "46.6–53.4 % (s.d. 2.2 %)"},
+                                         {Metric::distributed, "35.5–64.5 % (s.d. 14.0 %)"},
+                                         {Metric::random, "—"}};
+
+template <std::size_t n>
+void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t teams,
+                 const Stated (&stated)[n]) {
+  for (const auto& [method, value] : stated) {
+    const Aggregate* a = find(rows, method, teams);
+    claims.push_back(
+        {"5.3",
+         "Difference of loads with " + std::to_string(2 * teams) + " robots, " +
+             std::string(name(method)),
+         value,
+         a ? with_deviation(fixed(a->spread.mean, 2) + " kg", a->spread.deviation, 1, 2, " kg")
+           : none});
+  }
+}
+
+// The thesis adds and takes half the mean difference to and from the mean load.
+template <std::size_t n>
+void add_ranges(std::vector<Claim>& claims, const Rows& rows, std::uint32_t teams,
+                const Stated (&stated)[n]) {
+  const double mean = experiment_weight / (2.0 * teams);
+  for (const auto& [method, value] : stated) {
+    const Aggregate* a = find(rows, method, teams);
+    claims.push_back(
+        {"5.3",
+         "Loads that follow with " + std::to_string(2 * teams) + " robots, mean ± half, " +
+             std::string(name(method)),
+         value,
+         a ? fixed(mean - a->spread.mean / 2, 2) + "–" + fixed(mean + a->spread.mean / 2, 2) + " kg"
+           : none});
+  }
+}
+
+void add_shares(std::vector<Claim>& claims, const Rows& rows) {
+  for (const auto& [method, value] : shares_of_10_teams) {
+    const Aggregate* a = find(rows, method, 10);
+    claims.push_back(
+        {"5.3", "Shares of their team’s load with 10 teams, " + std::string(name(method)), value,
+         a ? with_deviation(
+                 fixed(100 - 100 * a->max_share.mean, 1) + "–" + percent(a->max_share.mean, 1),
+                 a->max_share.deviation, 100, 1, " %")
+           : none});
+  }
+}
+
+// The fewest robots of whose greatest loads the average is within the capacity.
+std::string robots_needed(const Rows& rows, Metric method, double capacity) {
+  const Aggregate* least = nullptr;
+  for (const Aggregate& a : rows)
+    if (a.method == method && a.load_max.mean <= capacity && (!least || a.teams < least->teams))
+      least = &a;
+  return least ? std::to_string(2 * least->teams) + " (" + fixed(least->load_max.mean, 2) +
+                     " kg, " + std::to_string(least->polygons) + " polygons)"
+               : none;
+}
+
+void add_robots_needed(std::vector<Claim>& claims, const Rows& rows) {
+  for (const Metric method : all_metrics) {
+    const char* stated = method == Metric::distributed ? "28"
+                         : method == Metric::random    ? "30"
+                                                       : "22";
+    claims.push_back(
+        {"5.3",
+         "Fewest robots whose greatest load is at most 5 kg of 100 kg, averaged over the polygons, " +
+             std::string(name(method)),
+         stated, robots_needed(rows, method, 5)});
+  }
+}
+
+void add_times(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_teams) {
+  const auto add = [&](const std::string& where, const char* stated, auto made) {
+    for (const Metric method : {Metric::distributed, Metric::random})
+      claims.push_back({"6.1",
+                        "How many times more evenly than " + std::string(name(method)) +
+                            " the algorithm shares the weight, " + where,
+                        stated, made(method)});
+  };
+  add("over the numbers of robots shown", "5–8", [&](Metric method) -> std::string {
+    const auto range = spread_ratio(rows, method, most_teams);
+    return range ? fixed(range->least, 1) + "–" + fixed(range->most, 1) : none;
+  });
+  add("with 4 robots", none, [&](Metric method) -> std::string {
+    const auto times = spread_times(rows, method, 2);
+    return times ? fixed(*times, 1) : none;
+  });
+}
+
+}  // namespace
+
+void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_teams) {
+  add_spreads(claims, rows, 2, spread_of_4);
+  add_ranges(claims, rows, 2, ranges_of_4);
+  add_spreads(claims, rows, 15, spread_of_30);
+  add_ranges(claims, rows, 15, ranges_of_30);
+  add_shares(claims, rows);
+  add_robots_needed(claims, rows);
+  add_times(claims, rows, most_teams);
+}
+
+}  // namespace evenlift::claims

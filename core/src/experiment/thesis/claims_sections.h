@@ -1,0 +1,30 @@
+// The claims by the thesis's sections.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evenlift/experiment/claims.h"
+#include "experiment/thesis/by_polygon.h"
+
+namespace evenlift::claims {
+
+using Results = std::vector<PolygonResult>;
+using Rows = std::vector<Aggregate>;
+
+// Where there is no number.
+inline constexpr const char* none = "—";
+
+std::string percent(double share, int decimals = 0);
+std::string rate(const Count& count);  // "56 % (63 of 113)"
+// "1.5 kg (s.d. 1.9 kg)": the deviation times `scale`.
+std::string with_deviation(const std::string& value, const std::optional<double>& deviation,
+                           double scale, int decimals, const char* unit);
+
+// Each adds its claims. `most_teams` as the charts show.
+void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_teams);  // 5.3
+void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows& rows,
+                  std::uint32_t most_teams);                                             // 5.4
+void add_closure(std::vector<Claim>& claims, const Results& results, const Rows& rows);  // 5.5
+
+}  // namespace evenlift::claims

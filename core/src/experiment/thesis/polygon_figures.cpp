@@ -1,0 +1,91 @@
+// One polygon's measures against the number of robots.
+#include <algorithm>
+
+#include "evenlift/experiment/figures.h"
+#include "experiment/thesis/by_polygon.h"
+#include "experiment/thesis/sentences.h"
+
+namespace evenlift {
+namespace {
+
+using Value = double Measurement::*;
+
+std::uint32_t most_teams(const PolygonResult& result) {
+  std::uint32_t most = 0;
+  for (const Measurement& m : result.measurements) most = std::max(most, m.teams);
+  return most;
+}
+
+std::string random_note(const ExperimentSettings& settings) {
+  return " Random is the mean of " + std::to_string(settings.samples) + " placement" +
+         (settings.samples == 1 ? "." : "s.");
+}
+
+// "With 6 robots 12.3 kg by area, ... and 15.0 kg at random."
+template <class Write>
+std::string all_methods(const PolygonResult& result, Value value, Write write) {
+  const std::uint32_t teams = std::min<std::uint32_t>(3, most_teams(result));
+  std::vector<std::string> items;
+  for (const Metric method : all_metrics)
+    if (const Measurement* m = find(result, method, teams))
+      items.push_back(write(m->*value) + " " + by(method));
+  return "With " + of_robots(teams) + ": " + listed(items) + ".";
+}
+
+// "by area with 8 robots", "by circle with none": with how many robots a method first closes.
+std::string first_closed(const PolygonResult& result, Metric method) {
+  for (const Measurement& m : result.measurements)
+    if (m.method == method && m.form_closure > 0) return by(method) + " with " + of_robots(m.teams);
+  return by(method) + " with none";
+}
+
+// Equal angles are placed anew for each number of teams, so that closure may be lost again.
+std::string lost_again(const PolygonResult& result) {
+  std::vector<std::string> numbers;
+  const Measurement* before = nullptr;
+  for (const Measurement& m : result.measurements) {
+    if (m.method != Metric::distributed) continue;
+    if (before && before->form_closure > 0 && m.form_closure == 0)
+      numbers.push_back(std::to_string(2 * std::uint64_t{m.teams}));
+    before = &m;
+  }
+  if (numbers.empty()) return "";
+  return " Equal angles lose it again with " + listed(numbers) + " robots.";
+}
+
+std::string closure_sentence(const PolygonResult& result) {
+  std::vector<std::string> items;
+  for (const Metric method : all_metrics)
+    if (method != Metric::random) items.push_back(first_closed(result, method));
+  return "First in form closure " + listed(items) + "." + lost_again(result) +
+         " Of random placements it is the part that is in form closure.";
+}
+
+Figure figure_of(const PolygonResult& result, const char* id, const char* title, const char* unit,
+                 Value value, const std::string& sentence) {
+  Figure figure{"", id, title, unit, id, sentence, {}};
+  for (const Measurement& m : result.measurements) {
+    if (figure.series.empty() || figure.series.back().method != m.method)
+      figure.series.push_back({m.method, {}});
+    figure.series.back().points.push_back({2 * m.teams, m.*value, 1});
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> make_polygon_figures(const PolygonResult& result,
+                                         const ExperimentSettings& settings) {
+  if (result.measurements.empty()) return {};
+  return {
+      figure_of(result, "load_max", "Greatest load of a robot", "kg", &Measurement::load_max,
+                all_methods(result, &Measurement::load_max, in_kg) + random_note(settings)),
+      figure_of(result, "spread", "Difference between the greatest and the least load of a robot",
+                "kg", &Measurement::spread, all_methods(result, &Measurement::spread, in_kg)),
+      figure_of(result, "coverage", "Coverage: part of the object inside the lifting base", "%",
+                &Measurement::coverage, all_methods(result, &Measurement::coverage, in_percent)),
+      figure_of(result, "form_closure", "Form closure", "%", &Measurement::form_closure,
+                closure_sentence(result))};
+}
+
+}  // namespace evenlift

@@ -1,0 +1,156 @@
+#include "experiment/thesis/sentences.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/experiment/algorithm_average.h"
+#include "evenlift/output/words.h"
+
+namespace evenlift {
+namespace {
+
+using Rows = std::vector<Aggregate>;
+
+constexpr const char* nothing = "No polygon of this set has a candidate, so nothing was measured.";
+
+std::string points(double share) { return fixed(100 * std::fabs(share), 1) + " percentage points"; }
+
+// "1.20 kg by area, 1.30 kg by circle and 12.5 kg at equal angles": every method with a value.
+template <class Write>
+std::string all_methods(const Rows& rows, std::uint32_t teams, Pick pick, Write write) {
+  std::vector<std::string> items;
+  for (const Metric method : all_metrics) {
+    const Aggregate* a = find(rows, method, teams);
+    const std::optional<double> value = a ? pick(*a) : std::nullopt;
+    if (value) items.push_back(write(*value) + " " + by(method));
+  }
+  return listed(items);
+}
+
+std::string times(const Range& range) {
+  const std::string least = fixed(range.least, 1), most = fixed(range.most, 1);
+  return least == most ? least : least + " to " + most;
+}
+
+// Which method's values vary most between the polygons, and which least, by the greatest deviation
+// with any number of teams.
+template <class Write>
+std::string deviations(const Rows& rows, std::uint32_t most_teams, Pick pick, Write write) {
+  const Aggregate* greatest[std::size(all_metrics)] = {};
+  for (const Aggregate& a : rows) {
+    const Aggregate*& held = greatest[static_cast<std::size_t>(a.method)];
+    if (a.teams <= most_teams && pick(a) && (!held || *pick(a) > *pick(*held))) held = &a;
+  }
+  const Aggregate *most = nullptr, *least = nullptr;
+  for (const Aggregate* a : greatest) {
+    if (!a) continue;
+    if (!most || *pick(*a) > *pick(*most)) most = a;
+    if (!least || *pick(*a) < *pick(*least)) least = a;
+  }
+  if (!most) return "One polygon alone has no standard deviation.";
+  if (*pick(*most) <= 0) return "It is the same for all of these polygons, with every method.";
+  return "Polygons differ most among each other when robots stand " + by(most->method) +
+         " (standard deviation up to " + write(*pick(*most)) + ", with " + of_robots(most->teams) +
+         ") and least " + by(least->method) + " (up to " + write(*pick(*least)) + ", with " +
+         of_robots(least->teams) + ").";
+}
+
+std::string lead_in_words(const std::optional<double>& lead, Metric method) {
+  if (!lead) return "";
+  return points(*lead) + (*lead < 0 ? " less than " : " more than ") + by(method);
+}
+
+}  // namespace
+
+// U+00A0 is between a value and its unit.
+std::string in_kg(double value) { return fixed(value, 2) + "\u00A0kg"; }
+std::string in_percent(double share) { return fixed(100 * share, 1) + "\u00A0%"; }
+
+std::string of_robots(std::uint32_t teams) {
+  return std::to_string(2 * std::uint64_t{teams}) + " robots";
+}
+
+std::string by(Metric method) {
+  switch (method) {
+    case Metric::distributed:
+      return "at equal angles";
+    case Metric::random:
+      return "at random";
+    default:
+      return "by " + std::string(name(method));
+  }
+}
+
+std::string listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+  return text;
+}
+
+std::string spread_sentence(const Rows& rows, std::uint32_t most_teams) {
+  if (most_teams == 0) return nothing;
+  const std::uint32_t teams = std::min<std::uint32_t>(2, most_teams);
+  std::string text = "With " + of_robots(teams) + " the loads differ by " +
+                     all_methods(rows, teams, pick_spread, in_kg) + ", averaged over the polygons.";
+  const auto distributed = spread_ratio(rows, Metric::distributed, most_teams);
+  const auto random = spread_ratio(rows, Metric::random, most_teams);
+  if (distributed && random)
+    text += " From 2 to " + of_robots(most_teams) + " the difference at equal angles is " +
+            times(*distributed) + " times that of the algorithm (the mean of its three metrics), " +
+            "and at random " + times(*random) + " times.";
+  return text;
+}
+
+std::string spread_deviation_sentence(const Rows& rows, std::uint32_t most_teams) {
+  if (most_teams == 0) return nothing;
+  return deviations(
+      rows, most_teams, [](const Aggregate& a) { return a.spread.deviation; }, in_kg);
+}
+
+std::string share_sentence(const Rows& rows, std::uint32_t most_teams) {
+  if (most_teams == 0) return nothing;
+  const std::uint32_t teams = std::min<std::uint32_t>(10, most_teams);
+  return "With " + of_robots(teams) + " the robot that bears most of its team’s load bears " +
+         all_methods(rows, teams, pick_share, in_percent) +
+         ", averaged over the polygons; an even half would be 50\u00A0%.";
+}
+
+std::string share_deviation_sentence(const Rows& rows, std::uint32_t most_teams) {
+  if (most_teams == 0) return nothing;
+  return deviations(
+      rows, most_teams, [](const Aggregate& a) { return a.max_share.deviation; }, in_percent);
+}
+
+std::string coverage_sentence(const Rows& rows, std::uint32_t most_teams) {
+  if (most_teams == 0) return nothing;
+  if (most_teams == 1) return "One team stands on a line, which covers nothing.";
+  const std::uint32_t teams = std::min<std::uint32_t>(6, most_teams);
+  std::string text = "With " + of_robots(teams) + " the lifting base covers " +
+                     all_methods(rows, teams, pick_coverage, in_percent) + ".";
+  const auto distributed = coverage_lead(rows, Metric::distributed, most_teams);
+  const auto random = coverage_lead(rows, Metric::random, most_teams);
+  if (distributed && random)
+    text += " From 4 to " + of_robots(most_teams) + " the algorithm covers on average " +
+            lead_in_words(distributed, Metric::distributed) + ", and " +
+            lead_in_words(random, Metric::random) + ".";
+  return text;
+}
+
+std::string coverage_deviation_sentence(const Rows& rows, std::uint32_t most_teams) {
+  if (most_teams == 0) return nothing;
+  return deviations(
+      rows, most_teams, [](const Aggregate& a) { return a.coverage.deviation; }, in_percent);
+}
+
+std::string closure_sentence(const Rows& rows, std::uint32_t most_teams) {
+  if (most_teams == 0) return nothing;
+  const Aggregate* first = find(rows, Metric::area, 1);
+  if (!first || first->closable == 0)
+    return "No method brings any of these polygons into form closure.";
+  const std::uint32_t teams = std::min<std::uint32_t>(4, most_teams);
+  return "With " + of_robots(teams) + ", of the polygons that some method can close, " +
+         all_methods(rows, teams, pick_closure, in_percent) + " are in form closure.";
+}
+
+}  // namespace evenlift

@@ -1,0 +1,282 @@
+// GeoJSON (RFC 7946): a Polygon, or a Feature of one, whose property `centre_of_mass: [x, y]` is
+// taken. Members may come in any order, so what is wrong with coordinates is kept until the type
+// is known: they may be another geometry's.
+#include <vector>
+
+#include "formats/readers.h"
+#include "numbers/json_events.h"
+#include "numbers/text_cursor.h"
+
+namespace evenlift {
+namespace {
+
+// What a value is to us.
+enum class Role : std::uint8_t {
+  ignored,
+  whole,
+  type,           // of the whole or of the geometry
+  geometry,       // of the whole
+  properties,     // of the whole
+  centre,         // of the properties: an array of
+  centre_number,  // numbers
+  rings,          // "coordinates" of the whole or of the geometry: an array of
+  ring,           // arrays of
+  position,       // arrays of
+  number          // numbers
+};
+
+Role role_of_member(Role object, std::string_view name) {
+  if (object == Role::whole || object == Role::geometry) {
+    if (name == "type") return Role::type;
+    if (name == "coordinates") return Role::rings;
+  }
+  if (object == Role::whole && name == "geometry") return Role::geometry;
+  if (object == Role::whole && name == "properties") return Role::properties;
+  if (object == Role::properties && name == "centre_of_mass") return Role::centre;
+  return Role::ignored;
+}
+
+Role role_of_element(Role array) {
+  switch (array) {
+    case Role::centre:
+      return Role::centre_number;
+    case Role::rings:
+      return Role::ring;
+    case Role::ring:
+      return Role::position;
+    case Role::position:
+      return Role::number;
+    default:
+      return Role::ignored;
+  }
+}
+
+// What the whole, or its geometry, says of itself.
+struct Shape {
+  std::optional<std::string> type;
+  std::size_t type_offset = 0;
+  bool has_coordinates = false;
+  Points ring;
+  std::optional<InputError> fault;  // the first in the coordinates, taken as a polygon's
+};
+
+class GeojsonReader final : public JsonSink {
+ public:
+  explicit GeojsonReader(std::string_view text) : text_(text) {}
+  Result<Document> read();
+
+  bool value(const JsonValue& value) override;
+  bool key(std::string_view name, std::size_t offset) override;
+  bool end() override;
+
+ private:
+  struct Level {  // an object or array that is open
+    Role role;
+    Role next = Role::ignored;  // of the value that comes next
+    std::size_t elements = 0;   // of an array, so far
+    unsigned members = 0;       // of an object, so far: a bit for each role
+  };
+  using Kind = JsonValue::Kind;
+
+  InputError error_at(std::size_t offset, ErrorCode code, const char* message) const {
+    return text_error(code, message, text_, offset);
+  }
+  // Ends the reading.
+  bool fail(ErrorCode code, const char* message, std::size_t offset) {
+    error_ = error_at(offset, code, message);
+    return false;
+  }
+  // Goes on, as it may not matter.
+  bool blame(ErrorCode code, const char* message, std::size_t offset) {
+    if (!shape().fault) shape().fault = error_at(offset, code, message);
+    return true;
+  }
+  Shape& shape() { return in_geometry_ ? geometry_ : whole_; }
+
+  bool take(Role role, const JsonValue& value, std::size_t index);
+  bool take_centre(Role role, const JsonValue& value, std::size_t index);
+  bool take_coordinates(Role role, const JsonValue& value, std::size_t index);
+  bool end_of(const Level& level);
+  Result<Document> document_of(Shape& shape);
+  Result<Document> finish();
+
+  std::string_view text_;
+  std::vector<Level> levels_;
+  std::size_t offset_ = 0;  // of the last value
+  bool in_geometry_ = false;
+  bool has_geometry_ = false;
+  Shape whole_;
+  Shape geometry_;
+  Vec2 centre_ = Vec2::Zero();
+  bool has_centre_ = false;
+  Vec2 position_ = Vec2::Zero();
+  std::optional<InputError> error_;
+};
+
+bool GeojsonReader::value(const JsonValue& value) {
+  offset_ = value.offset;
+  Role role = Role::whole;
+  std::size_t index = 0;
+  if (!levels_.empty()) {
+    role = levels_.back().next;
+    index = levels_.back().elements++;
+  }
+  if (!take(role, value, index)) return false;
+  if (value.kind == Kind::object || value.kind == Kind::array) {
+    Level level{role};
+    if (value.kind == Kind::array) level.next = role_of_element(role);
+    levels_.push_back(level);
+    if (role == Role::geometry) in_geometry_ = true;
+  }
+  return true;
+}
+
+bool GeojsonReader::key(std::string_view name, std::size_t offset) {
+  Level& object = levels_.back();
+  object.next = role_of_member(object.role, name);
+  if (object.next == Role::ignored) return true;
+  const unsigned bit = 1u << static_cast<unsigned>(object.next);
+  if ((object.members & bit) != 0) {
+    return fail(ErrorCode::bad_syntax, "the object has this member twice", offset);
+  }
+  object.members |= bit;
+  return true;
+}
+
+bool GeojsonReader::end() {
+  const Level level = levels_.back();
+  levels_.pop_back();
+  if (!end_of(level)) return false;
+  if (level.role == Role::geometry) in_geometry_ = false;
+  return true;
+}
+
+bool GeojsonReader::take(Role role, const JsonValue& value, std::size_t index) {
+  switch (role) {
+    case Role::whole:
+      if (value.kind == Kind::object) return true;
+      return fail(ErrorCode::bad_syntax, "expected a GeoJSON object", value.offset);
+    case Role::type:
+      if (value.kind != Kind::string) {
+        return fail(ErrorCode::bad_syntax, "the \"type\" is not a string", value.offset);
+      }
+      shape().type = std::string(value.text);
+      shape().type_offset = value.offset;
+      return true;
+    case Role::geometry:
+      has_geometry_ = value.kind == Kind::object;
+      return true;
+    case Role::centre:
+    case Role::centre_number:
+      return take_centre(role, value, index);
+    case Role::rings:
+    case Role::ring:
+    case Role::position:
+    case Role::number:
+      return take_coordinates(role, value, index);
+    case Role::properties:
+    case Role::ignored:
+      break;
+  }
+  return true;
+}
+
+bool GeojsonReader::take_centre(Role role, const JsonValue& value, std::size_t index) {
+  if (role == Role::centre) {
+    if (value.kind == Kind::null) return true;  // the same as none
+    has_centre_ = value.kind == Kind::array;
+    if (has_centre_) return true;
+  } else if (value.kind == Kind::number) {
+    if (index > 1) return fail(ErrorCode::unsupported, no_third_coordinate, value.offset);
+    centre_[static_cast<Eigen::Index>(index)] = value.number;
+    return true;
+  }
+  return fail(ErrorCode::bad_syntax, "\"centre_of_mass\" is not [x, y]", value.offset);
+}
+
+bool GeojsonReader::take_coordinates(Role role, const JsonValue& value, std::size_t index) {
+  if (role == Role::rings) shape().has_coordinates = true;
+  if (role == Role::ring && index > 0) {
+    return blame(ErrorCode::unsupported, no_holes, value.offset);
+  }
+  if (role != Role::number) {
+    if (value.kind == Kind::array) return true;
+    return blame(ErrorCode::bad_syntax,
+                 role == Role::position ? "expected a position [x, y] in the ring"
+                                        : "expected an array of rings of positions [x, y]",
+                 value.offset);
+  }
+  if (value.kind != Kind::number) {
+    return blame(ErrorCode::bad_syntax, "expected a number as a coordinate", value.offset);
+  }
+  if (index > 1) return blame(ErrorCode::unsupported, no_third_coordinate, value.offset);
+  position_[static_cast<Eigen::Index>(index)] = value.number;
+  return true;
+}
+
+bool GeojsonReader::end_of(const Level& level) {
+  if (level.role == Role::centre && level.elements < 2) {
+    return fail(ErrorCode::bad_syntax, "\"centre_of_mass\" is not [x, y]", offset_);
+  }
+  if (level.role != Role::position || shape().fault) return true;
+  if (level.elements < 2) {
+    return blame(ErrorCode::bad_syntax, "a position has fewer than two coordinates", offset_);
+  }
+  if (shape().ring.size() > max_vertices) {  // one more than that may close the ring
+    return blame(ErrorCode::too_many_vertices, no_more_vertices, offset_);
+  }
+  shape().ring.push_back(position_);
+  return true;
+}
+
+Result<Document> GeojsonReader::document_of(Shape& shape) {
+  if (!shape.has_coordinates) {
+    return error_at(shape.type_offset, ErrorCode::bad_syntax, "the Polygon has no \"coordinates\"");
+  }
+  if (shape.fault) return *std::move(shape.fault);
+  drop_closing_vertex(shape.ring);
+  if (shape.ring.empty()) {
+    return error_at(shape.type_offset, ErrorCode::too_few_vertices, no_vertices);
+  }
+  if (shape.ring.size() > max_vertices) {
+    return error_at(offset_, ErrorCode::too_many_vertices, no_more_vertices);
+  }
+  Document document;
+  document.vertices = std::move(shape.ring);
+  return document;
+}
+
+Result<Document> GeojsonReader::finish() {
+  if (!whole_.type) {
+    return error_at(0, ErrorCode::bad_syntax, "the object has no \"type\", so it is not GeoJSON");
+  }
+  if (*whole_.type == "Polygon") return document_of(whole_);
+  constexpr char only[] = "only a Polygon, or a Feature of one, is supported";
+  if (*whole_.type != "Feature") {
+    return error_at(whole_.type_offset, ErrorCode::unsupported, only);
+  }
+  if (!has_geometry_) {
+    return error_at(whole_.type_offset, ErrorCode::unsupported, "the Feature has no geometry");
+  }
+  if (!geometry_.type) {
+    return error_at(whole_.type_offset, ErrorCode::bad_syntax, "the geometry has no \"type\"");
+  }
+  if (*geometry_.type != "Polygon") {
+    return error_at(geometry_.type_offset, ErrorCode::unsupported, only);
+  }
+  Result<Document> document = document_of(geometry_);
+  if (document && has_centre_) document->centre_of_mass = centre_;
+  return document;
+}
+
+Result<Document> GeojsonReader::read() {
+  if (auto invalid = read_json(text_, *this)) return *std::move(invalid);
+  if (error_) return *std::move(error_);
+  return finish();
+}
+
+}  // namespace
+
+Result<Document> read_geojson(std::string_view text) { return GeojsonReader(text).read(); }
+
+}  // namespace evenlift

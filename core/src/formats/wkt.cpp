@@ -1,0 +1,113 @@
+// Well-known text: `POLYGON ((x y, ...))`, one ring, two coordinates.
+#include <algorithm>
+#include <iterator>
+
+#include "formats/readers.h"
+#include "numbers/text_cursor.h"
+
+namespace evenlift {
+namespace {
+
+bool names_other_geometry(std::string_view word) {
+  static constexpr std::string_view names[] = {
+      "point",          "linestring",        "multipoint",   "multilinestring",
+      "multipolygon",   "multicurve",        "multisurface", "geometrycollection",
+      "circularstring", "compoundcurve",     "curvepolygon", "curve",
+      "surface",        "polyhedralsurface", "tin",          "triangle"};
+  return std::any_of(std::begin(names), std::end(names),
+                     [&](std::string_view name) { return same_word(word, name); });
+}
+
+bool names_dimensions(std::string_view word) {
+  return same_word(word, "z") || same_word(word, "m") || same_word(word, "zm");
+}
+
+// Everything before the first parenthesis.
+std::optional<InputError> take_keywords(TextCursor& cursor) {
+  const std::size_t start = cursor.offset();
+  const std::string_view word = cursor.take_word();
+  if (same_word(word, "srid")) {
+    return cursor.error_at(start, ErrorCode::unsupported,
+                           "a prefix 'SRID=...;' is not supported: leave it out");
+  }
+  if (names_other_geometry(word)) {
+    return cursor.error_at(start, ErrorCode::unsupported,
+                           "only a POLYGON is supported, no other geometry");
+  }
+  const bool polygon = same_word(word.substr(0, 7), "polygon");
+  if (!polygon || (word.size() > 7 && !names_dimensions(word.substr(7)))) {
+    return cursor.error_at(start, ErrorCode::bad_syntax,
+                           "expected '(', 'CoM:', 'POLYGON' or '{' but found a word");
+  }
+  if (word.size() > 7) return cursor.error_at(start, ErrorCode::unsupported, no_third_coordinate);
+
+  cursor.skip_white_space();
+  const std::size_t second = cursor.offset();
+  const std::string_view what = cursor.take_word();
+  if (names_dimensions(what)) {
+    return cursor.error_at(second, ErrorCode::unsupported, no_third_coordinate);
+  }
+  if (same_word(what, "empty")) {
+    return cursor.error_at(second, ErrorCode::too_few_vertices, no_vertices);
+  }
+  if (!what.empty()) {
+    return cursor.error_at(second, ErrorCode::bad_syntax,
+                           "expected '((' after 'POLYGON' but found a word");
+  }
+  return std::nullopt;
+}
+
+// `x y`; what may follow is the caller's.
+std::optional<InputError> take_position(TextCursor& cursor, Vec2& point) {
+  cursor.skip_white_space();
+  if (auto error = cursor.take_number(point.x(), "a number")) return error;
+  const std::size_t end_of_first = cursor.offset();
+  cursor.skip_white_space();
+  if (cursor.offset() == end_of_first) return cursor.expected("a space between the coordinates");
+  if (auto error = cursor.take_number(point.y(), "a number")) return error;
+  const std::size_t end_of_second = cursor.offset();
+  cursor.skip_white_space();
+  if (cursor.offset() > end_of_second && cursor.sees_number()) {
+    return cursor.error(ErrorCode::unsupported, no_third_coordinate);
+  }
+  return std::nullopt;
+}
+
+std::optional<InputError> take_ring(TextCursor& cursor, Points& ring) {
+  do {
+    if (ring.size() > max_vertices) {
+      return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
+    }
+    Vec2 point;
+    if (auto error = take_position(cursor, point)) return error;
+    ring.push_back(point);
+  } while (cursor.take(','));
+  if (!cursor.take(')')) return cursor.expected("',' or ')' after the coordinates");
+  drop_closing_vertex(ring);
+  if (ring.size() > max_vertices) {
+    return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Document> read_wkt(std::string_view text) {
+  Document document;
+  TextCursor cursor(text);
+  cursor.skip_white_space();
+  if (auto error = take_keywords(cursor)) return *std::move(error);
+  if (!cursor.take('(')) return cursor.expected("'((' after 'POLYGON'");
+  cursor.skip_white_space();
+  if (!cursor.take('(')) return cursor.expected("'((' after 'POLYGON'");
+  if (auto error = take_ring(cursor, document.vertices)) return *std::move(error);
+
+  cursor.skip_white_space();
+  if (cursor.sees(',')) return cursor.error(ErrorCode::unsupported, no_holes);
+  if (!cursor.take(')')) return cursor.expected("')' after the ring");
+  cursor.skip_white_space();
+  if (!cursor.at_end()) return cursor.expected("the end of the text after the polygon");
+  return document;
+}
+
+}  // namespace evenlift

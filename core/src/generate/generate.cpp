@@ -1,0 +1,233 @@
+#include "evenlift/generate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "evenlift/angles.h"
+#include "evenlift/document.h"
+#include "generate/families.h"
+
+namespace evenlift {
+
+namespace families {
+
+double units(int decimals) {
+  double power = 1;
+  for (int i = 0; i < decimals; ++i) power *= 10;
+  return power;
+}
+
+std::int64_t nearest(double value) {
+  const double size = std::floor(std::abs(value) + 0.5);
+  return static_cast<std::int64_t>(value < 0 ? -size : size);
+}
+
+double doubled_area(const std::vector<GridPoint>& vertices) {
+  const auto x = [&](std::size_t i) { return static_cast<double>(vertices[i].x - vertices[0].x); };
+  const auto y = [&](std::size_t i) { return static_cast<double>(vertices[i].y - vertices[0].y); };
+  double sum = 0;
+  for (std::size_t i = 2; i < vertices.size(); ++i) sum += x(i - 1) * y(i) - y(i - 1) * x(i);
+  return sum;
+}
+
+namespace {
+
+constexpr double radius = 500;  // of the circle about (500, 500) that regular, star and spiral fill
+
+GridPoint on_grid(double x, double y, int decimals) {
+  return {nearest(x * units(decimals)), nearest(y * units(decimals))};
+}
+
+// The point at an angle about (500, 500).
+GridPoint polar(double distance, double angle_rad, int decimals) {
+  GridPoint p = on_grid(distance * cosine(angle_rad), distance * sine(angle_rad), decimals);
+  const GridPoint middle = on_grid(radius, radius, decimals);
+  p.x += middle.x;
+  p.y += middle.y;
+  return p;
+}
+
+// Three decimals while a file is something to read; beyond, enough to keep n vertices apart.
+int readable_decimals(std::size_t n) { return n <= 1000 ? 3 : 6; }
+
+}  // namespace
+
+// The first edge lies flat at the bottom. A turn of a regular polygon is about (2 pi)^3 r^2 / n^3,
+// and rounding must stay well below it.
+GridPolygon regular(std::size_t n) {
+  GridPolygon polygon;
+  polygon.decimals = n <= 1000 ? 3 : n <= 10000 ? 5 : n <= 100000 ? 7 : 9;
+  const auto count = static_cast<std::int64_t>(n);
+  for (std::int64_t i = 0; i < count; ++i) {
+    // Half steps from straight down, in (-n, n], so that mirrored vertices have mirrored
+    // coordinates.
+    const std::int64_t half_steps = 2 * i - 1 > count ? 2 * i - 1 - 2 * count : 2 * i - 1;
+    const double angle = pi * static_cast<double>(half_steps) / static_cast<double>(count);
+    GridPoint p = on_grid(radius * sine(angle), -radius * cosine(angle), polygon.decimals);
+    const GridPoint middle = on_grid(radius, radius, polygon.decimals);
+    polygon.vertices.push_back({p.x + middle.x, p.y + middle.y});
+  }
+  return polygon;
+}
+
+// Directions are drawn one in each n-th of the circle, less a margin, so that they stay in order
+// after rounding and, of three or four, no two are 180 degrees apart.
+GridPolygon star(std::size_t n, Rng& rng) {
+  GridPolygon polygon;
+  polygon.decimals = readable_decimals(n);
+  const double margin = n < 5 ? 0.3 : 0.1;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double place = static_cast<double>(i) + margin + (1 - 2 * margin) * rng.uniform();
+    const double distance = radius * (0.3 + 0.7 * rng.uniform());
+    polygon.vertices.push_back(
+        polar(distance, 2 * pi * place / static_cast<double>(n), polygon.decimals));
+  }
+  return polygon;
+}
+
+// A flat base with teeth to the left and right of a block in the middle. All slanted edges cross
+// the height of C, so that a level line through C meets all of them, and every edge on
+// the left faces every edge on the right. The outline above the base goes strictly leftwards: it is
+// simple.
+GridPolygon comb(std::size_t n, Rng& rng) {
+  GridPolygon polygon;
+  polygon.decimals = readable_decimals(n);
+  const auto add = [&](double x, double y) {
+    polygon.vertices.push_back(on_grid(x, y, polygon.decimals));
+  };
+  const auto valley = [&] { return 120 + 100 * rng.uniform(); };
+  const auto tip = [&] { return 860 + 140 * rng.uniform(); };
+
+  // From the block's edge outwards: a valley, a tip, and so on; the last one at the end of the
+  // base.
+  struct Tooth {
+    double distance, height;
+  };
+  const auto teeth = [&](std::size_t count) {
+    std::vector<Tooth> row;
+    const double step = 455.0 / static_cast<double>(count);
+    for (std::size_t i = 1; i <= count; ++i) {
+      const double jitter = i == count ? 0 : 0.6 * rng.uniform() - 0.3;
+      const double height = i % 2 == 1 ? valley() : tip();
+      row.push_back({45 + step * (static_cast<double>(i) + jitter), height});
+    }
+    return row;
+  };
+
+  const std::size_t in_teeth = n - 4;
+  const std::vector<Tooth> right = teeth((in_teeth + 1) / 2);
+  const std::vector<Tooth> left = teeth(in_teeth / 2);
+  add(0, 0);
+  add(1000, 0);
+  for (std::size_t i = right.size(); i-- > 0;) add(500 + right[i].distance, right[i].height);
+  const double block_right = tip();
+  const double block_left = tip();
+  add(545, block_right);
+  add(455, block_left);
+  for (const Tooth& tooth : left) add(500 - tooth.distance, tooth.height);
+  return polygon;
+}
+
+// A strip wound about (500, 500) along r = start + pitch * turns. The vertices of all turns lie on
+// the same k rays; between two neighbouring rays the strip's edges keep the order in which
+// they cross both, so none meet. Six turns are enough for ever more vertices: they make it rounder.
+GridPolygon spiral(std::size_t n, Rng& rng) {
+  GridPolygon polygon;
+  polygon.decimals = readable_decimals(n);
+  const std::size_t steps = n / 2 - 1;
+  const double wished_turns = std::min(6.0, 0.35 * std::sqrt(static_cast<double>(steps)));
+  const auto rays = std::max<std::size_t>(
+      5, static_cast<std::size_t>(std::round(static_cast<double>(steps) / wished_turns)));
+  const double turns = static_cast<double>(steps) / static_cast<double>(rays);
+
+  const double width = 0.35 + 0.25 * rng.uniform();  // of the strip, in pitches
+  const double first_angle = 2 * pi * rng.uniform();
+  const bool mirrored = rng.below(2) == 1;
+  const double pitch = radius / (0.5 + turns + width);
+  const auto point = [&](double step, double across) {
+    const double turned = step / static_cast<double>(rays);
+    const double angle = first_angle + 2 * pi * turned;
+    return polar(pitch * (0.5 + turned + width * across), mirrored ? pi - angle : angle,
+                 polygon.decimals);
+  };
+
+  for (std::size_t i = 0; i <= steps; ++i)
+    polygon.vertices.push_back(point(static_cast<double>(i), 1));
+  if (n % 2 == 1)
+    polygon.vertices.push_back(point(static_cast<double>(steps) + 0.5, 0.5));  // a pointed end
+  for (std::size_t i = steps + 1; i-- > 0;)
+    polygon.vertices.push_back(point(static_cast<double>(i), 0));
+  return polygon;
+}
+
+}  // namespace families
+
+namespace {
+
+struct FamilyInfo {
+  Family family;
+  std::string_view name;
+  std::size_t fewest;
+};
+constexpr FamilyInfo family_table[] = {
+    {Family::regular, "regular", 3}, {Family::convex, "convex", 3}, {Family::star, "star", 3},
+    {Family::comb, "comb", 8},       {Family::spiral, "spiral", 8}, {Family::random, "random", 3},
+};
+
+const FamilyInfo& info(Family family) { return family_table[static_cast<std::size_t>(family)]; }
+
+families::GridPolygon draw(Family family, std::size_t n, std::uint64_t seed) {
+  Rng rng(seed);
+  switch (family) {
+    case Family::regular:
+      return families::regular(n);
+    case Family::convex:
+      return families::convex(n, rng);
+    case Family::star:
+      return families::star(n, rng);
+    case Family::comb:
+      return families::comb(n, rng);
+    case Family::spiral:
+      return families::spiral(n, rng);
+    case Family::random:
+      return families::labyrinth(n, rng);
+  }
+  return {};
+}
+
+InputError bad_size(std::string message) {
+  return {ErrorCode::bad_setting, std::move(message), {Place::Kind::option, 0, 0, "n"}};
+}
+
+}  // namespace
+
+std::string_view name(Family family) { return info(family).name; }
+
+std::optional<Family> family_from_name(std::string_view name) {
+  for (const FamilyInfo& entry : family_table)
+    if (entry.name == name) return entry.family;
+  return std::nullopt;
+}
+
+Result<Points> generate(Family family, std::size_t n, std::uint64_t seed) {
+  if (n < info(family).fewest)
+    return bad_size("a polygon of the family \"" + std::string(name(family)) + "\" has at least " +
+                    std::to_string(info(family).fewest) + " vertices, not " + std::to_string(n));
+  if (n > max_vertices)
+    return bad_size("at most " + std::to_string(max_vertices) + " vertices can be generated, not " +
+                    std::to_string(n));
+
+  families::GridPolygon polygon = draw(family, n, seed);
+  if (families::doubled_area(polygon.vertices) < 0)
+    std::reverse(polygon.vertices.begin(), polygon.vertices.end());
+  Points points;
+  points.reserve(n);
+  // A quotient of whole numbers is the double nearest to the decimal number: it is written as such.
+  const double unit = families::units(polygon.decimals);
+  for (const families::GridPoint& p : polygon.vertices)
+    points.emplace_back(static_cast<double>(p.x) / unit, static_cast<double>(p.y) / unit);
+  return points;
+}
+
+}  // namespace evenlift

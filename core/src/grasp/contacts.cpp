@@ -1,0 +1,68 @@
+#include <algorithm>
+
+#include "evenlift/closure.h"
+#include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
+
+namespace evenlift {
+namespace {
+
+// Finds the vertex within a distance of a point.
+class VertexFinder {
+ public:
+  VertexFinder(const Polygon& polygon, double near)
+      : polygon_(polygon), near_(near), by_x_(lexicographic_order(polygon.vertices())) {}
+
+  // The nearest one within `near`, if any.
+  std::optional<std::uint32_t> find(const Vec2& p) const {
+    auto at =
+        std::lower_bound(by_x_.begin(), by_x_.end(), p.x() - near_,
+                         [&](std::uint32_t v, double x) { return polygon_.vertex(v).x() < x; });
+    std::optional<std::uint32_t> nearest;
+    double least = near_;
+    for (; at != by_x_.end() && polygon_.vertex(*at).x() <= p.x() + near_; ++at) {
+      const double distance = length(polygon_.vertex(*at) - p);
+      if (distance < least || (distance == least && !nearest)) {
+        nearest = *at;
+        least = distance;
+      }
+    }
+    return nearest;
+  }
+
+ private:
+  const Polygon& polygon_;
+  double near_;
+  std::vector<std::uint32_t> by_x_;
+};
+
+}  // namespace
+
+Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
+  Vec2 along = polygon.edge_end(edge) - polygon.edge_start(edge);
+  // The squares of shorter edges would leave the range of doubles.
+  if (along.cwiseAbs().maxCoeff() < 0x1p-400) along *= 0x1p600;
+  const Vec2 left = left_normal(along) / length(along);
+  return polygon.counter_clockwise() ? left : Vec2(-left);
+}
+
+std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
+  const VertexFinder finder(polygon, near_distance(polygon.diagonal()));
+  std::vector<Contact> contacts;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const auto vertex = finder.find(points[i].position);
+    if (!vertex) {
+      contacts.push_back({points[i].position, points[i].edge, i});
+      continue;
+    }
+    const Turn turn = polygon.turn(*vertex);
+    if (turn == Turn::convex) continue;
+    const Vec2& position = polygon.vertex(*vertex);
+    contacts.push_back({position, *vertex, i});
+    if (turn == Turn::reflex)
+      contacts.push_back({position, static_cast<std::uint32_t>(polygon.previous(*vertex)), i});
+  }
+  return contacts;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,235 @@
+// The text of a lesson, line by line.
+#include <array>
+#include <iterator>
+
+#include "evenlift/lesson.h"
+#include "evenlift/numbers.h"
+
+namespace evenlift {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+// Whether a line is UTF-8 without control characters other than tabs.
+bool is_readable(std::string_view line) {
+  for (std::size_t i = 0; i < line.size();) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(line[k]); };
+    const unsigned char first = byte(i);
+    if ((first < 0x20 && first != '\t' && first != '\r') || first == 0x7f) return false;
+    const std::size_t more = first < 0x80   ? 0
+                             : first < 0xc2 ? 4
+                             : first < 0xe0 ? 1
+                             : first < 0xf0 ? 2
+                             : first < 0xf5 ? 3
+                                            : 4;
+    if (more == 4 || i + more >= line.size()) return false;
+    for (std::size_t k = 1; k <= more; ++k)
+      if ((byte(i + k) & 0xc0) != 0x80) return false;
+    if (more > 1) {  // too long for what it says, a surrogate, or beyond the last character
+      const unsigned char second = byte(i + 1);
+      if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
+          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
+        return false;
+    }
+    i += more + 1;
+  }
+  return true;
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : text_(text) {}
+
+  Result<Lesson> read() {
+    if (text_.size() > max_lesson_bytes)
+      return InputError{ErrorCode::text_too_long, "a lesson has at most 65536 bytes", {}};
+    if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);  // some editors' mark
+    while (!text_.empty() && !error_) {
+      const std::size_t end = text_.find('\n');
+      const std::string_view whole_line = text_.substr(0, end);
+      text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+      ++line_;
+      read_line(whole_line);
+    }
+    finish();
+    if (error_) return *error_;
+    return std::move(lesson_);
+  }
+
+ private:
+  void refuse(const char* message, std::size_t line) {
+    if (!error_)
+      error_ = InputError{ErrorCode::bad_syntax, message, {Place::Kind::line, line, 0, {}}};
+  }
+  void refuse(const char* message) { refuse(message, line_); }
+
+  void read_line(std::string_view whole_line) {
+    if (!is_readable(whole_line)) return refuse("not readable text (UTF-8)");
+    const std::string_view line = trimmed(whole_line);
+    if (!line.empty() && line.front() == '#') return;
+    if (!line.empty() && line.front() == '[') return begin_step(line);
+    if (lesson_.steps.empty()) return read_heading(line);
+    read_words(line);
+  }
+
+  // A line before the first step: a name and its value.
+  void read_heading(std::string_view line) {
+    if (line.empty()) return;
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos)
+      return refuse("expected a setting such as `title: ...`, or a step such as [team 2]");
+    const std::string_view key = trimmed(line.substr(0, colon));
+    const std::string_view value = trimmed(line.substr(colon + 1));
+    if (value.empty()) return refuse("the setting has no value");
+    const Key* known = nullptr;
+    for (const Key& each : keys)
+      if (each.name == key) known = &each;
+    if (!known)
+      return refuse(
+          "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, seed and predict");
+    bool& seen = seen_[static_cast<std::size_t>(known - keys)];
+    if (seen) return refuse("the setting is there twice");
+    seen = true;
+    (this->*(known->take))(value, known->setting);
+  }
+
+  void take_title(std::string_view value, Setting) {
+    if (value.size() > max_lesson_title) return refuse("the title is longer than 100 bytes");
+    lesson_.title = value;
+  }
+
+  void take_polygon(std::string_view value, Setting) {
+    for (const char c : value)
+      if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'))
+        return refuse("a sample's name has small letters, digits and hyphens only");
+    lesson_.polygon = value;
+  }
+
+  void take_link(std::string_view value, Setting) { lesson_.link = value; }
+
+  // A setting of the algorithm, as everywhere: it is only tried here.
+  void take_setting(std::string_view value, Setting setting) {
+    Document tried;
+    if (read_setting(setting, value, tried)) return refuse(requirement(setting));
+    lesson_.settings.push_back({setting, std::string(value)});
+  }
+
+  void take_predict(std::string_view value, Setting) {
+    if (value != "yes" && value != "no") return refuse("expected yes or no");
+    lesson_.predict = value == "yes";
+  }
+
+  struct Key {
+    std::string_view name;
+    void (Reader::*take)(std::string_view value, Setting setting);
+    Setting setting;  // of take_setting
+  };
+  static constexpr Key keys[] = {
+      {"title", &Reader::take_title, {}},
+      {"polygon", &Reader::take_polygon, {}},
+      {"link", &Reader::take_link, {}},
+      {"teams", &Reader::take_setting, Setting::teams},
+      {"metric", &Reader::take_setting, Setting::metric},
+      {"min-ratio", &Reader::take_setting, Setting::min_ratio},
+      {"com", &Reader::take_setting, Setting::com},
+      {"weight", &Reader::take_setting, Setting::weight},
+      {"seed", &Reader::take_setting, Setting::seed},
+      {"predict", &Reader::take_predict, {}},
+  };
+
+  void begin_step(std::string_view line) {
+    finish_step();
+    if (line.back() != ']') return refuse("a step's address ends in ]");
+    if (lesson_.steps.size() == max_lesson_steps) return refuse("a lesson has at most 200 steps");
+    LessonStep step;
+    step.line = line_;
+    if (!read_address(trimmed(line.substr(1, line.size() - 2)), step.address))
+      return refuse(
+          "expected the address of a step, such as [centre], [vertex 3], [pair 2], [edges 4 7], [team 2] or [end]");
+    lesson_.steps.push_back(std::move(step));
+    gap_ = false;
+  }
+
+  // A word and up to two numbers from 1.
+  static bool read_address(std::string_view text, StepAddress& address) {
+    std::array<std::uint32_t, 2> numbers{};
+    std::size_t count = 0;
+    const std::string_view word = next_word(text);
+    for (; !text.empty(); ++count) {
+      const auto number = read_whole(next_word(text));
+      if (count == numbers.size() || !number || *number < 1 || *number > ~std::uint32_t{0})
+        return false;
+      numbers[count] = static_cast<std::uint32_t>(*number - 1);
+    }
+    address.item = numbers[0];
+    address.other = numbers[1];
+    if (word == "end") return count == 0;
+    address.by = StepAddress::By::edges;
+    if (word == "edges") return count == 2;
+    address.by = StepAddress::By::vertex;
+    if (word == "vertex") return count == 1;
+    address.by = StepAddress::By::number;
+    if (word == "step") return count == 1;
+    address.by = StepAddress::By::kind;
+    const auto kind = step_kind_from_name(word == "pair" ? "outcome" : word);
+    if (!kind) return false;
+    address.kind = *kind;
+    return count < 2;
+  }
+
+  static std::string_view next_word(std::string_view& text) {
+    const std::size_t end = text.find_first_of(" \t");
+    const std::string_view word = text.substr(0, end);
+    text = end == std::string_view::npos ? std::string_view() : trimmed(text.substr(end));
+    return word;
+  }
+
+  void read_words(std::string_view line) {
+    std::string& words = lesson_.steps.back().words;
+    if (line.empty()) {
+      gap_ = !words.empty();
+      return;
+    }
+    if (!words.empty()) words += gap_ ? '\n' : ' ';
+    gap_ = false;
+    words += line;
+    if (words.size() > max_lesson_words)
+      refuse("a step has more than 1000 bytes of words", lesson_.steps.back().line);
+  }
+
+  void finish_step() {
+    if (!lesson_.steps.empty() && lesson_.steps.back().words.empty())
+      refuse("the step has no words", lesson_.steps.back().line);
+  }
+
+  void finish() {
+    finish_step();
+    if (error_) return;
+    const char* missing = lesson_.title.empty() ? "the lesson has no title"
+                          : lesson_.polygon.empty() && lesson_.link.empty()
+                              ? "the lesson names neither a polygon nor a link"
+                          : !lesson_.polygon.empty() && !lesson_.link.empty()
+                              ? "the lesson names a polygon and a link; give one of them"
+                          : lesson_.steps.empty() ? "the lesson shows no step"
+                                                  : nullptr;
+    if (missing) refuse(missing, line_ > 0 ? line_ : 1);
+  }
+
+  std::string_view text_;
+  std::size_t line_ = 0;
+  Lesson lesson_;
+  std::array<bool, std::size(keys)> seen_{};  // by key
+  bool gap_ = false;                          // an empty line since the last words
+  std::optional<InputError> error_;
+};
+
+}  // namespace
+
+Result<Lesson> parse_lesson(std::string_view text) { return Reader(text).read(); }
+
+}  // namespace evenlift

@@ -1,0 +1,100 @@
+// The settings in share links of version 1, for either coder; and numbers that stand alone.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "evenlift/document.h"
+#include "exact/bits.h"
+#include "link/quantizer.h"
+#include "link/range_coder.h"
+
+namespace evenlift {
+
+// What a link of version 1 means by leaving a setting out. Should Settings ever get other defaults,
+// these stay (test_link.cpp notices).
+inline Settings defaults_of_link_1() {
+  Settings settings;
+  settings.teams = 3;
+  settings.metric = Metric::area;
+  settings.min_ratio = 0.8;
+  settings.weight = 100;
+  settings.seed = 1;
+  settings.overlays = {false, true, true, true, true, false};
+  settings.step = std::nullopt;
+  return settings;
+}
+
+// A finite number that stands alone: with the decimals that it needs, else its bits. O(1).
+template <class Coder>
+double code_number(Coder& coder, double value) {
+  int kind = 0;
+  std::int64_t number = 0;
+  if constexpr (!Coder::decoding) {
+    kind = decimals_of(value);
+    number = Scale(kind).number_of(value).value_or(0);
+  }
+  kind = static_cast<int>(coder.uniform(static_cast<std::uint32_t>(kind), Scale::doubles + 1));
+  if (kind == Scale::doubles) return from_bits(code_bits(coder, to_bits(value), 64));
+  const bool negative = coder.uniform(number < 0 ? 1 : 0, 2) != 0;
+  const auto size =
+      code_integer(coder, static_cast<std::uint64_t>(negative ? -number : number), 51);
+  number = static_cast<std::int64_t>(size);
+  return Scale(kind).value_of(negative ? -number : number);
+}
+
+// All but tipping, which came later.
+inline std::uint32_t overlay_mask(const Overlays& shown) {
+  return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.hull ? 4u : 0u) |
+         (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
+}
+
+inline Overlays overlays_of_mask(std::uint32_t mask, bool tipping) {
+  return {(mask & 1) != 0, (mask & 2) != 0,  (mask & 4) != 0,
+          (mask & 8) != 0, (mask & 16) != 0, tipping};
+}
+
+template <class Coder>
+std::optional<std::uint32_t> code_teams(Coder& coder, std::optional<std::uint32_t> teams) {
+  constexpr int widest = 21;
+  static_assert(max_teams == 1u << (widest - 1));
+  const bool every_candidate = coder.uniform(teams ? 0 : 1, 2) != 0;
+  if (every_candidate) return std::nullopt;
+  return static_cast<std::uint32_t>(code_integer(coder, teams.value_or(0), widest));
+}
+
+// Those settings that differ from their defaults; when decoding, `settings` are the defaults. O(1).
+template <class Coder>
+void code_settings(Coder& coder, Settings& settings) {
+  const Settings usual = defaults_of_link_1();
+  // Of the doubles, -0 differs from 0.
+  const bool ratio = !same_bits(settings.min_ratio, usual.min_ratio);
+  const bool weight = !same_bits(settings.weight, usual.weight);
+  const auto differs = [&](bool different) { return coder.uniform(different ? 1 : 0, 2) != 0; };
+
+  Odds odds{{15, 1}};
+  if (!coder.choice(ratio || weight || !(settings == usual), odds)) return;
+  if (differs(settings.teams != usual.teams)) settings.teams = code_teams(coder, settings.teams);
+  if (differs(settings.metric != usual.metric)) {
+    const auto index = std::max(1u, static_cast<unsigned>(settings.metric)) - 1;  // area is usual
+    settings.metric = static_cast<Metric>(1 + coder.uniform(index, 4));
+  }
+  if (differs(ratio)) settings.min_ratio = code_number(coder, settings.min_ratio);
+  if (differs(weight)) settings.weight = code_number(coder, settings.weight);
+  if (differs(settings.seed != usual.seed)) settings.seed = code_integer(coder, settings.seed, 64);
+  if (differs(!(settings.overlays == usual.overlays))) {
+    // A mask that differs in nothing is the sign that tipping is shown; the mask itself follows.
+    const std::uint32_t sign = overlay_mask(usual.overlays),
+                        shown = overlay_mask(settings.overlays);
+    std::uint32_t mask = coder.uniform(settings.overlays.tipping ? sign : shown, 32);
+    const bool tipping = mask == sign;
+    if (tipping) mask = coder.uniform(shown, 32);
+    settings.overlays = overlays_of_mask(mask, tipping);
+  }
+  if (differs(settings.step.has_value())) {
+    settings.step = static_cast<std::uint32_t>(code_integer(coder, settings.step.value_or(0), 32));
+  }
+}
+
+}  // namespace evenlift

@@ -1,0 +1,130 @@
+#include <cfloat>
+#include <cmath>
+#include <cstdlib>
+
+#include "numbers/number_text.h"
+
+namespace evenlift {
+namespace {
+
+static_assert(FLT_EVAL_METHOD == 0, "a product of doubles must be rounded once, to a double");
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// The number's digits as an integer, the first `limit` significant ones; then `exponent` counts the
+// rest. No more than 768 digits decide a rounding: beyond the limit it only matters whether
+// anything but zeros follows.
+struct Digits {
+  static constexpr int limit = 800;
+  char text[limit];
+  int count = 0;
+  bool more = false;          // a digit other than 0 follows
+  std::int64_t exponent = 0;  // the value is text * 10^exponent (a little more if `more`)
+
+  void take(char digit, bool after_point) {
+    if (count == 0 && digit == '0') {
+      if (after_point) --exponent;  // leading zeros are no digits, but count as places
+      return;
+    }
+    if (count < limit) {
+      text[count++] = digit;
+      if (after_point) --exponent;
+    } else {
+      more = more || digit != '0';
+      if (!after_point) ++exponent;
+    }
+  }
+};
+
+// Exact where both the digits and the power of ten are doubles: then one operation rounds once.
+bool quick_value(const Digits& digits, double& value) {
+  static constexpr double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  if (digits.count > 15 || digits.exponent > 22 || digits.exponent < -22) return false;
+  std::uint64_t integer = 0;  // below 10^15, so below 2^53
+  for (int i = 0; i < digits.count; ++i) {
+    integer = 10 * integer + static_cast<unsigned>(digits.text[i] - '0');
+  }
+  value = static_cast<double>(integer);
+  if (digits.exponent < 0) value /= powers[-digits.exponent];
+  if (digits.exponent > 0) value *= powers[digits.exponent];
+  return true;
+}
+
+// The C library's strtod rounds correctly (glibc, musl, and others of today). It is given digits
+// and an exponent, never a decimal point: so the locale has no say.
+double library_value(const Digits& digits) {
+  char text[Digits::limit + 16];
+  int size = 0;
+  for (; size < digits.count; ++size) text[size] = digits.text[size];
+  std::int64_t exponent = digits.exponent;
+  if (digits.more) {
+    text[size++] = '1';
+    --exponent;
+  }
+  text[size++] = 'e';
+  if (exponent < 0) text[size++] = '-';
+  // Within 4 digits: the caller has dealt with everything beyond.
+  const unsigned power = static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
+  for (unsigned unit = 1000; unit > 0; unit /= 10) {
+    text[size++] = static_cast<char>('0' + power / unit % 10);
+  }
+  text[size] = '\0';
+  return std::strtod(text, nullptr);
+}
+
+// The value without its sign; infinity where it is beyond the largest double.
+double nearest_double(const Digits& digits) {
+  double value = 0;
+  if (digits.count == 0 || quick_value(digits, value)) return value;
+  const std::int64_t magnitude = digits.count + digits.exponent;  // value < 10^magnitude
+  if (magnitude > 310) return HUGE_VAL;
+  if (magnitude < -325) return 0;  // below half of the smallest subnormal
+  return library_value(digits);
+}
+
+}  // namespace
+
+ScannedNumber scan_number(std::string_view text) {
+  const ScannedNumber none{ScannedNumber::Kind::none, 0, 0};
+  std::size_t at = 0;
+  const auto digit_here = [&] { return at < text.size() && is_digit(text[at]); };
+
+  const bool negative = !text.empty() && text[0] == '-';
+  if (negative || (!text.empty() && text[0] == '+')) ++at;
+
+  Digits digits;
+  bool any = false;
+  for (; digit_here(); ++at, any = true) digits.take(text[at], false);
+  if (at < text.size() && text[at] == '.') {
+    const std::size_t point = at++;
+    for (; digit_here(); ++at, any = true) digits.take(text[at], true);
+    if (!any) at = point;
+  }
+  if (!any) return none;
+
+  const std::size_t mantissa_end = at;
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    ++at;
+    const bool below = at < text.size() && text[at] == '-';
+    if (below || (at < text.size() && text[at] == '+')) ++at;
+    if (digit_here()) {
+      // Saturates far beyond what digits before or after the point can make up for.
+      constexpr std::int64_t enough = std::int64_t{1} << 40;
+      std::int64_t exponent = 0;
+      for (; digit_here(); ++at) {
+        if (exponent < enough) exponent = 10 * exponent + (text[at] - '0');
+      }
+      digits.exponent += below ? -exponent : exponent;
+    } else {
+      at = mantissa_end;  // an 'e' that begins something else
+    }
+  }
+
+  const double size = nearest_double(digits);
+  if (size == HUGE_VAL) return {ScannedNumber::Kind::too_large, at, 0};
+  return {ScannedNumber::Kind::finite, at, negative ? -size : size};
+}
+
+}  // namespace evenlift

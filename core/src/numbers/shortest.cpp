@@ -1,0 +1,217 @@
+// Shortest decimals by Schubfach: Raffaello Giulietti, The Schubfach way to render doubles (2020).
+// C++20's std::to_chars does the same, but older Emscripten's standard library lacks it.
+#include <cassert>
+#include <cmath>
+
+#include "evenlift/numbers.h"
+#include "exact/bits.h"
+#include "numbers/number_text.h"
+
+namespace evenlift {
+namespace {
+
+struct Uint128 {
+  std::uint64_t high;
+  std::uint64_t low;
+};
+
+Uint128 multiply(std::uint64_t a, std::uint64_t b) {
+  const std::uint64_t a0 = a & 0xffffffffu, a1 = a >> 32;
+  const std::uint64_t b0 = b & 0xffffffffu, b1 = b >> 32;
+  const std::uint64_t low = a0 * b0;
+  const std::uint64_t middle = a1 * b0 + (low >> 32);
+  const std::uint64_t other = a0 * b1 + (middle & 0xffffffffu);
+  return {a1 * b1 + (middle >> 32) + (other >> 32), (other << 32) | (low & 0xffffffffu)};
+}
+
+// floor(log10(2^e)), floor(log10(3/4 2^e)) and floor(log2(10^e)), for every e that doubles need.
+// The shifts of negative numbers round down, as C++20 promises.
+constexpr int floor_log10_pow2(int e) { return (e * 1262611) >> 22; }
+constexpr int floor_log10_three_quarters_pow2(int e) { return (e * 1262611 - 524031) >> 22; }
+constexpr int floor_log2_pow10(int e) { return (e * 1741647) >> 19; }
+
+// 10^e for e from -292 to 324, as 128-bit numbers g with 2^127 <= g < 2^128, rounded up:
+// g = ceil(10^e / 2^(floor_log2_pow10(e) - 127)). Made at first use: as constants they would be 10
+// KB of the page that do not compress.
+class PowersOfTen {
+ public:
+  static constexpr int least = -292;
+  static constexpr int greatest = 324;
+
+  PowersOfTen() {
+    // 10^e and 5^e differ by a power of two only. Upwards the products are exact; downwards each
+    // quotient is floor(2^1023 / 5^n), as dividing a rounded-down quotient again loses nothing.
+    Limbs power{};
+    power.limb[0] = 1;
+    for (int e = 0; e <= greatest; ++e, power.multiply_by_5()) store(e, power, false);
+    Limbs quotient{};
+    quotient.limb[Limbs::count - 1] = 1u << 31;
+    for (int e = -1; e >= least; --e) {
+      quotient.divide_by_5();
+      store(e, quotient, true);
+    }
+  }
+
+  const Uint128& operator[](int e) const { return powers_[e - least]; }
+
+ private:
+  struct Limbs {
+    static constexpr int count = 32;  // 5^324 has 753 bits; 2^1023 / 5^292 keeps 345
+    std::uint32_t limb[count];        // the lowest first
+
+    void multiply_by_5() {
+      std::uint64_t carry = 0;
+      for (std::uint32_t& part : limb) {
+        carry += std::uint64_t{5} * part;
+        part = static_cast<std::uint32_t>(carry);
+        carry >>= 32;
+      }
+    }
+    void divide_by_5() {
+      std::uint64_t rest = 0;
+      for (int i = count; i-- > 0;) {
+        rest = (rest << 32) | limb[i];
+        limb[i] = static_cast<std::uint32_t>(rest / 5);
+        rest %= 5;
+      }
+    }
+    bool bit(int i) const { return i >= 0 && ((limb[i / 32] >> (i % 32)) & 1u) != 0; }
+  };
+
+  void store(int e, const Limbs& number, bool inexact) {
+    int top = 32 * Limbs::count - 1;
+    while (!number.bit(top)) --top;
+    Uint128 g{0, 0};
+    for (int i = 0; i < 64; ++i) {
+      g.high = (g.high << 1) | (number.bit(top - i) ? 1u : 0u);
+      g.low = (g.low << 1) | (number.bit(top - 64 - i) ? 1u : 0u);
+    }
+    for (int i = top - 128; i >= 0 && !inexact; --i) inexact = number.bit(i);
+    if (inexact && ++g.low == 0) ++g.high;
+    powers_[e - least] = g;
+  }
+
+  Uint128 powers_[greatest - least + 1];
+};
+
+const Uint128& power_of_ten(int e) {
+  static const PowersOfTen powers;
+  return powers[e];
+}
+
+// floor(g * x / 2^128), with its lowest bit set if anything was cut off: "round to odd".
+std::uint64_t product_rounded_to_odd(const Uint128& g, std::uint64_t x) {
+  const Uint128 low = multiply(g.low, x);
+  Uint128 high = multiply(g.high, x);
+  high.low += low.high;
+  if (high.low < low.high) ++high.high;
+  return high.high | (high.low > 1 ? 1u : 0u);
+}
+
+struct Digits {
+  std::uint64_t digits;
+  int exponent;
+};
+
+// The shortest decimal of significand * 2^exponent, perhaps with trailing zeros.
+// `at_binade` says that the next smaller double is nearer than the next larger one.
+Digits schubfach(std::uint64_t significand, int exponent, bool at_binade) {
+  const bool even = significand % 2 == 0;  // then the ends of the rounding interval belong to it
+  const int k = at_binade ? floor_log10_three_quarters_pow2(exponent) : floor_log10_pow2(exponent);
+  const int h = exponent + floor_log2_pow10(-k) + 1;
+  const Uint128& g = power_of_ten(-k);
+
+  // The value and the ends of its interval, each times 4 / 10^k.
+  const std::uint64_t value = product_rounded_to_odd(g, (4 * significand) << h);
+  const std::uint64_t left =
+      product_rounded_to_odd(g, (4 * significand - (at_binade ? 1 : 2)) << h) + (even ? 0 : 1);
+  const std::uint64_t right =
+      product_rounded_to_odd(g, (4 * significand + 2) << h) - (even ? 0 : 1);
+
+  const std::uint64_t s = value / 4;
+  if (s >= 10) {  // one digit fewer, if just one of the two neighbours lies inside
+    const std::uint64_t tens = s / 10;
+    const bool lower_inside = left <= 40 * tens;
+    const bool upper_inside = 40 * tens + 40 <= right;
+    if (lower_inside != upper_inside) return {tens + (upper_inside ? 1 : 0), k + 1};
+  }
+  const bool lower_inside = left <= 4 * s;
+  const bool upper_inside = 4 * s + 4 <= right;
+  if (lower_inside != upper_inside) return {s + (upper_inside ? 1 : 0), k};
+  const std::uint64_t middle = 4 * s + 2;  // both inside: the nearer, of equals the even one
+  const bool up = value > middle || (value == middle && s % 2 == 1);
+  return {s + (up ? 1 : 0), k};
+}
+
+}  // namespace
+
+Decimal shortest_decimal(double value) {
+  assert(std::isfinite(value));
+  const auto bits = to_bits(value);
+  const bool negative = (bits >> 63) != 0;
+  const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  if (biased == 0 && fraction == 0) return {0, 0, negative};
+
+  const std::uint64_t significand = biased == 0 ? fraction : fraction | (std::uint64_t{1} << 52);
+  const int exponent = biased == 0 ? -1074 : biased - 1075;
+  Digits found;
+  if (exponent <= 0 && exponent > -53 &&
+      (significand & ((std::uint64_t{1} << -exponent) - 1)) == 0) {
+    found = {significand >> -exponent, 0};  // an integer below 2^53 has no shorter decimal
+  } else {
+    found = schubfach(significand, exponent, fraction == 0 && biased > 1);
+  }
+  while (found.digits % 10 == 0) {
+    found.digits /= 10;
+    ++found.exponent;
+  }
+  return {found.digits, found.exponent, negative};
+}
+
+// The rules of ECMAScript's Number::toString, so that the page's own scripts print the same; only
+// -0 keeps its sign, as "-0.0", which no reader of JSON takes for an integer.
+void append_shortest(std::string& text, double value) {
+  const Decimal decimal = shortest_decimal(value);
+  if (decimal.digits == 0) {
+    text += decimal.negative ? "-0.0" : "0";
+    return;
+  }
+  char digits[20];
+  int count = 0;
+  for (std::uint64_t rest = decimal.digits; rest != 0; rest /= 10) {
+    digits[19 - count++] = static_cast<char>('0' + rest % 10);
+  }
+  const std::string_view shown(digits + 20 - count, static_cast<std::size_t>(count));
+  const int point = count + decimal.exponent;  // digits before the decimal point
+  if (decimal.negative) text += '-';
+
+  if (count <= point && point <= 21) {
+    text += shown;
+    text.append(static_cast<std::size_t>(point - count), '0');
+  } else if (0 < point && point <= 21) {
+    text += shown.substr(0, static_cast<std::size_t>(point));
+    text += '.';
+    text += shown.substr(static_cast<std::size_t>(point));
+  } else if (-6 < point && point <= 0) {
+    text += "0.";
+    text.append(static_cast<std::size_t>(-point), '0');
+    text += shown;
+  } else {
+    text += shown[0];
+    if (count > 1) {
+      text += '.';
+      text += shown.substr(1);
+    }
+    text += point > 0 ? "e+" : "e-";
+    text += std::to_string(point > 0 ? point - 1 : 1 - point);
+  }
+}
+
+std::string shortest(double value) {
+  std::string text;
+  append_shortest(text, value);
+  return text;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,206 @@
+#include "evenlift/output/svg.h"
+
+#include <algorithm>
+
+#include "evenlift/output/picture.h"
+#include "evenlift/output/words.h"
+#include "output/svg/label_places.h"
+#include "output/svg/svg_caption.h"
+#include "output/svg/svg_markup.h"
+#include "output/svg/svg_paper.h"
+#include "output/svg/svg_stands.h"
+#include "output/svg/svg_style.h"
+
+namespace evenlift {
+namespace svg {
+namespace {
+
+// More loads than these nobody could read; the JSON has them.
+constexpr std::size_t most_labels = 150;
+
+class Drawing {
+ public:
+  explicit Drawing(const Placement& placement) : placement_(placement), paper_(placement.vertices) {
+    const auto robots = static_cast<double>(2 * placement.teams.size());
+    disc_ = std::clamp(13.5 - robots / 12, 6.5, 13.0);
+    number_size_ = 1.15 * disc_;
+    label_size_ = robots <= 12 ? 14 : robots <= 40 ? 12 : 10;
+    chord_width_ = robots <= 24 ? 2 : robots <= 200 ? 1.25 : 0.6;
+    largest_load_ = placement.loads ? placement.loads->max : 0;
+    stands_ = find_stands(placement, paper_, 0.8 * disc_);
+  }
+
+  std::string finished() {
+    // One after another: what has been drawn tells the later steps what to avoid and to explain.
+    std::string drawing;
+    for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
+      drawing += drawn(shape);
+    drawing += robots();
+    drawing += loads();
+    const Caption caption = make_caption(placement_, shown_, paper_.height, paper_.width);
+
+    const double width = paper_.width, height = paper_.height + caption.height;
+    const auto rect = [](double inset, double w, double h, const std::string& look) {
+      return element("rect", attribute("x", inset) + attribute("y", inset) +
+                                 attribute("width", w - 2 * inset) +
+                                 attribute("height", h - 2 * inset) + look);
+    };
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) +
+           attribute("height", height) +
+           attribute("viewBox", "0 0 " + px(width) + " " + px(height)) +
+           " role=\"img\" aria-labelledby=\"evenlift-title evenlift-description\""
+           " font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\">\n" +
+           "<title id=\"evenlift-title\">" + escaped(title()) + "</title>\n" +
+           "<desc id=\"evenlift-description\">" + escaped(verdict(placement_)) + "</desc>\n" +
+           fills() + rect(0, width, height, attribute("fill", panel_colour)) +
+           rect(0, width, paper_.height, attribute("fill", ground_colour)) + drawing +
+           caption.markup +
+           rect(0.5, width, height, attribute("fill", "none") + attribute("stroke", line_colour)) +
+           "</svg>\n";
+  }
+
+ private:
+  std::string title() const {
+    const std::size_t teams = placement_.teams.size();
+    return std::to_string(teams) + (teams == 1 ? " team" : " teams") +
+           " of two robots lifting a polygonal object";
+  }
+
+  std::string drawn(const Shape& shape) {
+    switch (shape.role) {
+      case Role::object:
+        outline_ = visible(paper_(shape.points));
+        return drawn_path("object", outline_, true,
+                          attribute("fill", object_colour) + attribute("stroke", outline_colour) +
+                              attribute("stroke-width", 2));
+      case Role::clockwise:
+        return region(shape, true, shown_.clockwise);
+      case Role::counterclockwise:
+        return region(shape, false, shown_.counterclockwise);
+      case Role::hull:
+        return hull(shape);
+      case Role::candidate:
+        return drawn_path(
+            "candidate", paper_(shape.points), false,
+            attribute("stroke", candidate_colour) + attribute("stroke-dasharray", "5 4"));
+      case Role::chord:
+        chords_.emplace_back(paper_(shape.points[0]), paper_(shape.points[1]));
+        return drawn_path(
+            "chord", paper_(shape.points), false,
+            attribute("stroke", chord_colour) + attribute("stroke-width", chord_width_));
+      case Role::centre_of_mass:
+        return centre_mark(paper_(shape.points[0]), 8);
+      case Role::robot:
+        break;  // with those it shares its place with: robots()
+    }
+    return "";
+  }
+
+  static std::string drawn_path(std::string_view name, const Points& points, bool closed,
+                                const std::string& look) {
+    return element("path", attribute("class", name) + path(points, closed) + look +
+                               attribute("stroke-linejoin", "round"));
+  }
+
+  // With a single team H is a segment, drawn as a broad stroke under its chord.
+  std::string hull(const Shape& shape) {
+    shown_.hull = shape.points.size() >= 3;
+    const std::string stroke = attribute("stroke", hull_outline_colour);
+    return drawn_path(
+        "hull", paper_(shape.points), shown_.hull,
+        shown_.hull ? attribute("fill", hull_colour) + attribute("fill-opacity", 0.24) + stroke +
+                          attribute("stroke-width", 1.75)
+                    : stroke + attribute("stroke-width", 7) + attribute("stroke-opacity", 0.4) +
+                          attribute("stroke-linecap", "round"));
+  }
+
+  std::string region(const Shape& shape, bool clockwise, bool& shown) const {
+    const Points area = clipped(paper_(shape.points), paper_);
+    shown = !area.empty();
+    if (!shown) return "";
+    const std::string_view name = clockwise ? "clockwise" : "counterclockwise";
+    const std::string look =
+        region_fill(clockwise) +
+        attribute("stroke", clockwise ? clockwise_colour : counterclockwise_colour) +
+        attribute("stroke-width", 1.5) + attribute("stroke-opacity", 0.7);
+    if (shape.points.size() > 1) return drawn_path(name, area, true, look);
+    return element("circle", attribute("class", name) + attribute("cx", area[0].x()) +
+                                 attribute("cy", area[0].y()) + attribute("r", 5) + look);
+  }
+
+  // A disc, or a longer one for several numbers.
+  labels::Box disc(const Stand& stand) const {
+    const double needed = text_width(stand.numbers, number_size_, 0.6) + 0.9 * disc_;
+    const Vec2 half(std::max(disc_, needed / 2), disc_);
+    return {stand.at - half, stand.at + half};
+  }
+
+  // Text about a point; a capital's middle lies 0.36 of the size above its baseline.
+  static std::string centred(const Vec2& at, double size, std::string_view words,
+                             const std::string& look) {
+    return text(at + Vec2(0, 0.36 * size), size, words,
+                attribute("text-anchor", "middle") + attribute("font-weight", 600) + look);
+  }
+
+  std::string robots() const {
+    std::string out;
+    for (std::size_t i = stands_.size(); i-- > 0;) {  // the first teams on top
+      const labels::Box box = disc(stands_[i]);
+      const Vec2 size = box.high - box.low;
+      out += element("rect", attribute("class", "robot") + attribute("x", box.low.x()) +
+                                 attribute("y", box.low.y()) + attribute("width", size.x()) +
+                                 attribute("height", size.y()) + attribute("rx", disc_) +
+                                 attribute("fill", text_colour) + attribute("stroke", "#FFFFFF") +
+                                 attribute("stroke-width", 1.5));
+      out += centred(stands_[i].at, number_size_, stands_[i].numbers, attribute("fill", "#FFFFFF"));
+    }
+    return out;
+  }
+
+  std::string loads() const {
+    if (stands_.size() > most_labels) return "";
+    const Vec2 centre = paper_(placement_.centre_of_mass);
+    const labels::Surroundings around = {
+        {Vec2(6, 6), Vec2(paper_.width - 6, paper_.height - 6)},
+        outline_,
+        chords_,
+        {{centre - Vec2(11, 11), centre + Vec2(11, 11)}},
+    };
+    std::vector<labels::Request> requests;
+    for (const Stand& stand : stands_) {
+      const double width = text_width(load_text(stand, largest_load_), label_size_, 0.58);
+      requests.push_back({disc(stand), stand.at - centre, {width, label_size_}});
+    }
+    const std::vector<std::optional<labels::Box>> places = labels::place(requests, around);
+
+    // A white border keeps a number readable on hatching or a line.
+    const std::string look = attribute("class", "load") + attribute("fill", text_colour) +
+                             attribute("stroke", "#FFFFFF") + attribute("stroke-width", 3.5) +
+                             attribute("stroke-linejoin", "round") +
+                             attribute("paint-order", "stroke");
+    std::string out;
+    for (std::size_t i = 0; i < stands_.size(); ++i)
+      if (places[i])
+        out += centred((places[i]->low + places[i]->high) / 2, label_size_,
+                       load_text(stands_[i], largest_load_), look);
+    return out;
+  }
+
+  const Placement& placement_;
+  const Paper paper_;
+  double disc_ = 0;  // a robot's radius
+  double number_size_ = 0, label_size_ = 0, chord_width_ = 0;
+  double largest_load_ = 0;
+  std::vector<Stand> stands_;
+  // Known once drawn:
+  Points outline_;
+  std::vector<labels::Segment> chords_;
+  Shown shown_;
+};
+
+}  // namespace
+}  // namespace svg
+
+std::string placement_svg(const Placement& placement) { return svg::Drawing(placement).finished(); }
+
+}  // namespace evenlift

@@ -1,0 +1,122 @@
+#include "output/svg/svg_caption.h"
+
+#include <string_view>
+#include <vector>
+
+#include "evenlift/output/words.h"
+#include "output/svg/svg_markup.h"
+#include "output/svg/svg_style.h"
+
+namespace evenlift::svg {
+namespace {
+
+// "Area metric · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure"
+std::string settings_line(const Placement& placement) {
+  const Settings& settings = placement.settings;
+  std::string line(name(settings.metric));
+  line[0] = static_cast<char>(line[0] - 'a' + 'A');
+  const bool by_ratio = selects_candidates(settings.metric);
+  line += by_ratio ? " metric" : " placement";
+  if (settings.metric == Metric::random) line += ", seed " + std::to_string(settings.seed);
+  const std::size_t teams = placement.teams.size();
+  line += " · " + std::to_string(teams) + (teams == 1 ? " team" : " teams");
+  if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);
+  line += " · coverage " + percentage(placement.coverage);
+  return line + (placement.closure.form_closure ? " · form closure" : " · no form closure");
+}
+
+struct KeyEntry {
+  std::string swatch;  // about (0, 0), in a box of 18 x 12
+  std::string_view words;
+};
+
+std::vector<KeyEntry> key(const Shown& shown) {
+  const auto swatch = [](const std::string& fill, std::string_view stroke) {
+    return element("rect", attribute("x", -9) + attribute("y", -6) + attribute("width", 18) +
+                               attribute("height", 12) + attribute("rx", 2) + fill +
+                               attribute("stroke", stroke) + attribute("stroke-width", 1.25));
+  };
+  std::vector<KeyEntry> entries;
+  if (shown.hull)
+    entries.push_back({swatch(attribute("fill", hull_colour) + attribute("fill-opacity", 0.24),
+                              hull_outline_colour),
+                       "lifting base"});
+  if (shown.clockwise)
+    entries.push_back(
+        {swatch(region_fill(true), clockwise_colour), "can turn clockwise about here"});
+  if (shown.counterclockwise)
+    entries.push_back({swatch(region_fill(false), counterclockwise_colour),
+                       "can turn counter-clockwise about here"});
+  entries.push_back({centre_mark(Vec2(0, 0), 6), "centre of mass"});
+  return entries;
+}
+
+}  // namespace
+
+Caption make_caption(const Placement& placement, const Shown& shown, double top, double width) {
+  const std::string dark = attribute("fill", text_colour);
+  const std::string grey = attribute("fill", second_text_colour);
+  Caption caption;
+  double y = top + 14;
+  const auto paragraph = [&](const std::string& words, double size, const std::string& look) {
+    for (const std::string& line : wrapped(words, size, width - 2 * caption_margin)) {
+      y += 1.4 * size;
+      caption.markup += text({caption_margin, y}, size, line, look);
+    }
+    y += 2;
+  };
+  paragraph(loads_in_words(placement), 17, dark + attribute("font-weight", 600));
+  paragraph(detail_in_words(placement), 15, dark);
+  paragraph(settings_line(placement), 13, grey);
+
+  double x = caption_margin;
+  y += 24;
+  for (const KeyEntry& entry : key(shown)) {
+    const double needed = 26 + text_width(entry.words, 13) + 18;
+    if (x > caption_margin && x + needed > width) {
+      x = caption_margin;
+      y += 22;
+    }
+    const std::string place = "translate(" + px(x + 9) + " " + px(y - 4.5) + ")";
+    caption.markup += "<g" + attribute("transform", place) + ">" + entry.swatch + "</g>\n";
+    caption.markup += text({x + 26, y}, 13, entry.words, grey);
+    x += needed;
+  }
+  caption.height = y + 20 - top;
+  return caption;
+}
+
+std::string region_fill(bool clockwise) {
+  return attribute("fill",
+                   clockwise ? "url(#evenlift-clockwise)" : "url(#evenlift-counterclockwise)");
+}
+
+std::string fills() {
+  const auto pattern = [](std::string_view id, std::string_view colour, std::string_view turn) {
+    const std::string side = attribute("width", 9);
+    return "<pattern" + attribute("id", id) + side + attribute("height", 9) +
+           attribute("patternUnits", "userSpaceOnUse") + attribute("patternTransform", turn) + ">" +
+           element("rect", side + attribute("height", 9) + attribute("fill", colour) +
+                               attribute("fill-opacity", 0.08)) +
+           element("rect", side + attribute("height", 1.2) + attribute("fill", colour) +
+                               attribute("fill-opacity", 0.42)) +
+           "</pattern>\n";
+  };
+  return "<defs>\n" + pattern("evenlift-clockwise", clockwise_colour, "rotate(-45)") +
+         pattern("evenlift-counterclockwise", counterclockwise_colour, "rotate(45)") + "</defs>\n";
+}
+
+std::string centre_mark(const Vec2& at, double radius) {
+  const std::string r = px(radius);
+  const std::string arc = "A" + r + " " + r + " 0 0 1 ";
+  const std::string quarters = "M0 0V-" + r + arc + r + " 0ZM0 0V" + r + arc + "-" + r + " 0Z";
+  return "<g class=\"centre-of-mass\"" +
+         attribute("transform", "translate(" + px(at.x()) + " " + px(at.y()) + ")") + ">\n" +
+         element("circle", attribute("r", radius + 2) + attribute("fill", "#FFFFFF")) +
+         element("path", attribute("d", quarters) + attribute("fill", text_colour)) +
+         element("circle", attribute("r", radius) + attribute("fill", "none") +
+                               attribute("stroke", text_colour) + attribute("stroke-width", 1.75)) +
+         "</g>\n";
+}
+
+}  // namespace evenlift::svg

@@ -1,0 +1,78 @@
+#include "output/svg/svg_markup.h"
+
+#include "output/words/ascii_number.h"
+
+namespace evenlift::svg {
+
+std::string px(double value) {
+  std::string text = ascii_fixed(value, 2);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string attribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + std::string(value) + "\"";
+}
+
+std::string attribute(std::string_view name, double value) { return attribute(name, px(value)); }
+
+std::string element(std::string_view tag, std::string_view attributes) {
+  return "<" + std::string(tag) + std::string(attributes) + "/>\n";
+}
+
+std::string path(const Points& points, bool closed) {
+  std::string data;
+  for (const Vec2& p : points) data += (data.empty() ? "M" : "L") + px(p.x()) + " " + px(p.y());
+  return attribute("d", data + (closed ? "Z" : ""));
+}
+
+std::string text(const Vec2& at, double size, std::string_view words, std::string_view attributes) {
+  return "<text" + attribute("x", at.x()) + attribute("y", at.y()) + attribute("font-size", size) +
+         std::string(attributes) + ">" + escaped(words) + "</text>\n";
+}
+
+std::string escaped(std::string_view words) {
+  std::string out;
+  for (const char c : words) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+double text_width(std::string_view words, double size, double average) {
+  std::size_t characters = 0;  // of UTF-8
+  for (const char c : words) characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  return average * size * static_cast<double>(characters);
+}
+
+std::vector<std::string> wrapped(std::string_view words, double size, double width) {
+  std::vector<std::string> lines = {""};
+  while (!words.empty()) {
+    const std::size_t end = words.find(' ');
+    const std::string word(words.substr(0, end));
+    words = end == std::string_view::npos ? "" : words.substr(end + 1);
+    std::string& line = lines.back();
+    if (line.empty())
+      line = word;
+    else if (text_width(line + " " + word, size) <= width)
+      line += " " + word;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
+
+}  // namespace evenlift::svg

@@ -1,0 +1,48 @@
+#include "output/svg/svg_stands.h"
+
+#include <algorithm>
+
+#include "evenlift/output/words.h"
+
+namespace evenlift::svg {
+
+std::vector<Stand> find_stands(const Placement& placement, const Paper& paper, double apart) {
+  std::vector<Stand> stands;
+  const auto add = [&](const LiftingPoint& point, const std::string& number, double load) {
+    const Vec2 at = paper(point.position);
+    const auto taken = std::find_if(stands.begin(), stands.end(), [&](const Stand& stand) {
+      return length(stand.at - at) < apart;
+    });
+    if (taken == stands.end()) {
+      stands.push_back({at, number, {load}});
+    } else {
+      taken->numbers += "·" + number;
+      taken->loads.push_back(load);
+    }
+  };
+  for (std::size_t i = 0; i < placement.teams.size(); ++i) {
+    const Team& team = placement.teams[i];
+    add(team.chord.r1, std::to_string(i + 1), team.loads[0]);
+    add(team.chord.r2, std::to_string(i + 1), team.loads[1]);
+  }
+  for (Stand& stand : stands)
+    if (stand.loads.size() > 3) stand.numbers = "×" + std::to_string(stand.loads.size());
+  return stands;
+}
+
+std::string load_text(const Stand& stand, double largest) {
+  std::vector<std::string> texts;
+  double sum = 0;
+  for (const double load : stand.loads) {
+    texts.push_back(amount(load, largest));
+    sum += load;
+  }
+  const std::string& first = texts.front();
+  if (texts.size() == 1) return first;
+  if (std::all_of(texts.begin(), texts.end(), [&](const std::string& t) { return t == first; }))
+    return std::to_string(texts.size()) + " × " + first;
+  if (texts.size() == 2) return first + " + " + texts.back();
+  return "Σ " + amount(sum, largest);
+}
+
+}  // namespace evenlift::svg

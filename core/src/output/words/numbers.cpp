@@ -1,0 +1,146 @@
+// Numbers in words.
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/numbers.h"
+#include "evenlift/output/words.h"
+#include "evenlift/tolerance.h"
+#include "numbers/number_text.h"
+#include "output/words/ascii_number.h"
+
+namespace evenlift {
+namespace {
+
+constexpr int most_decimals = 9;
+
+std::string with_minus_sign(std::string text) {
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at))
+    text.replace(at, 1, "−");
+  return text;
+}
+
+// The decimal in units of 10^-decimals, as a whole number.
+std::string whole_units(const Decimal& decimal, int decimals) {
+  const int zeros = decimal.exponent + decimals;
+  if (zeros >= 0)
+    return decimal.digits == 0
+               ? "0"
+               : std::to_string(decimal.digits) + std::string(static_cast<std::size_t>(zeros), '0');
+  if (zeros < -18) return "0";
+  std::uint64_t unit = 1;
+  for (int i = 0; i < -zeros; ++i) unit *= 10;
+  const std::uint64_t rest = decimal.digits % unit;
+  return std::to_string(decimal.digits / unit + (rest >= unit - rest ? 1 : 0));
+}
+
+std::string with_point(std::string units, int decimals) {
+  const auto places = static_cast<std::size_t>(decimals);
+  if (units.size() <= places) units.insert(0, places + 1 - units.size(), '0');
+  if (places > 0) units.insert(units.size() - places, 1, '.');
+  return units;
+}
+
+bool is_zero(const std::string& units) { return units.find_first_not_of('0') == std::string::npos; }
+
+// The first power of ten above the size of the number; 0 for 0.
+int magnitude(const Decimal& decimal) {
+  return decimal.digits == 0
+             ? 0
+             : static_cast<int>(std::to_string(decimal.digits).size()) + decimal.exponent;
+}
+
+}  // namespace
+
+std::string ascii_fixed(double value, int decimals) {
+  if (!(std::fabs(value) < 1e15)) return shortest(value);
+  const Decimal decimal = shortest_decimal(value);
+  const std::string units = whole_units(decimal, decimals);
+  return (decimal.negative && !is_zero(units) ? "-" : "") + with_point(units, decimals);
+}
+
+std::string fixed(double value, int decimals) {
+  return with_minus_sign(ascii_fixed(value, decimals));
+}
+
+std::string plain(double value) {
+  return value == 0 ? "0" : with_minus_sign(shortest(value));  // of -0, too
+}
+
+std::string significant(double value, int digits) {
+  const Decimal decimal = shortest_decimal(value);
+  if (decimal.digits == 0) return "0";
+  const int decimals = digits - magnitude(decimal);
+  const std::string units = whole_units(decimal, decimals);
+  const std::string sign = decimal.negative ? "-" : "";
+  return plain(*read_number(sign + units + "e" + std::to_string(-decimals)));
+}
+
+int decimals_for(double largest) {
+  const Decimal decimal = shortest_decimal(std::fabs(largest));
+  if (decimal.digits == 0) return 0;
+  constexpr int digits = 3;
+  int decimals = digits - magnitude(decimal);
+  // 99.95 is rounded to 100, which has three digits by itself.
+  if (whole_units(decimal, decimals).size() > digits) --decimals;
+  return std::clamp(decimals, 0, most_decimals);
+}
+
+std::string amount(double value, double largest) {
+  constexpr double least_fixed = 1e-6;  // below, fixed() would show fewer than three digits
+  if (std::fabs(largest) < least_fixed) return significant(value, 3);
+  return fixed(value, decimals_for(largest));
+}
+
+std::string kilograms(double value, double largest) { return amount(value, largest) + "\u00A0kg"; }
+
+std::string kilograms(double low, double high, double largest) {
+  const std::string from = amount(low, largest), to = amount(high, largest);
+  return (from == to ? from : from + "–" + to) + "\u00A0kg";
+}
+
+std::string percentage(double share, int decimals) {
+  if (share <= tau) return "0\u00A0%";
+  if (share >= 1 - tau) return "100\u00A0%";
+  const std::string units = whole_units(shortest_decimal(share), decimals + 2);
+  const std::string all = std::string("100") + std::string(static_cast<std::size_t>(decimals), '0');
+  std::string text = with_point(units, decimals);
+  if (is_zero(units)) text = "<\u00A0" + with_point("1", decimals);
+  if (units == all) text = ">\u00A0" + with_point(std::string(all.size() - 1, '9'), decimals);
+  return text + "\u00A0%";
+}
+
+std::string count_of(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+std::string ratio_in_words(double ratio) { return fixed(ratio, 3); }
+
+std::string given_point(const Vec2& point) {
+  // What rounding has left of a zero is written as one.
+  const double least = 1e-9 * point.cwiseAbs().maxCoeff();
+  const auto coordinate = [&](double value) {
+    return significant(std::fabs(value) < least ? 0 : value, 6);
+  };
+  return "(" + coordinate(point.x()) + ", " + coordinate(point.y()) + ")";
+}
+
+std::string point_in_words(const Vec2& point, int decimals) {
+  return "(" + fixed(point.x(), decimals) + ", " + fixed(point.y(), decimals) + ")";
+}
+
+int coordinate_decimals(const Points& vertices) {
+  Vec2 low = vertices[0], high = vertices[0];
+  for (const Vec2& v : vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  return std::min(decimals_for((high - low).maxCoeff()) + 1, most_decimals);
+}
+
+int margin_decimals(double margin) {
+  return std::fabs(margin) < tau ? 0 : std::max(3, decimals_for(margin));
+}
+
+std::string margin_in_words(double margin) { return fixed(margin, margin_decimals(margin)); }
+
+}  // namespace evenlift

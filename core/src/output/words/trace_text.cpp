@@ -1,0 +1,152 @@
+#include "output/words/trace_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/angles.h"
+#include "evenlift/output/words.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+constexpr int most_decimals = 9;
+constexpr double least_fixed = 1e-5;  // below, fixed() would show hardly a digit
+
+// About four significant digits, none after the point of a large number.
+int decimals_shown(double scale) { return scale >= 1e4 ? 0 : decimals_for(scale) + 1; }
+
+std::string rounded(double value, int decimals, double scale) {
+  return scale < least_fixed ? significant(value, 4)
+                             : fixed(value, std::min(decimals, most_decimals));
+}
+
+std::string number_written(double value, double other, double scale) {
+  int decimals = decimals_shown(scale);
+  const bool differs = value != other && !lengths_tie(value, other);
+  while (differs && decimals < most_decimals &&
+         rounded(value, decimals, scale) == rounded(other, decimals, scale))
+    ++decimals;
+  return rounded(value, decimals, scale);
+}
+
+std::string ratio_written(double ratio, double other) {
+  if (std::fabs(ratio - 1) <= tau) return "1";
+  int decimals = 3;
+  const auto looks_like = [&](double known) {
+    return std::fabs(ratio - known) > tau && fixed(ratio, decimals) == fixed(known, decimals);
+  };
+  while (decimals < most_decimals && (looks_like(1) || looks_like(other))) ++decimals;
+  return fixed(ratio, decimals);
+}
+
+std::string counted_written(const Piece& piece) {
+  const std::string one(piece.text), many = one == "vertex" ? "vertices" : one + "s";
+  return count_of(static_cast<std::size_t>(piece.a), one.c_str(), many.c_str());
+}
+
+}  // namespace
+
+std::string written(const Piece& piece) {
+  switch (piece.kind) {
+    case Piece::Kind::whole:
+      return fixed(piece.a, 0);
+    case Piece::Kind::counted:
+      return counted_written(piece);
+    case Piece::Kind::number:
+      return number_written(piece.a, piece.b, piece.c);
+    case Piece::Kind::ratio:
+      return ratio_written(piece.a, piece.b);
+    case Piece::Kind::point:
+      return '(' + number_written(piece.a, piece.a, piece.c) + ", " +
+             number_written(piece.b, piece.b, piece.c) + ')';
+    case Piece::Kind::fixed:
+      return fixed(piece.a, static_cast<int>(piece.b));
+    case Piece::Kind::amount:
+      return amount(piece.a, piece.b);
+    case Piece::Kind::kilograms:
+      return kilograms(piece.a, piece.b);
+    case Piece::Kind::exact:
+      return plain(piece.a);
+    case Piece::Kind::percent:
+      return percentage(piece.a);
+    case Piece::Kind::text:
+      break;
+  }
+  return std::string(piece.text);
+}
+
+std::string fill(std::string_view pattern, std::initializer_list<Piece> pieces) {
+  std::string text;
+  const Piece* piece = pieces.begin();
+  for (const char c : pattern) {
+    if (c == '#' && piece != pieces.end()) {
+      text += written(*piece++);
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+Piece whole(std::size_t number) { return {Piece::Kind::whole, static_cast<double>(number)}; }
+
+Piece counted_from_1(std::size_t index) { return whole(index + 1); }
+
+Piece counted(std::size_t number, std::string_view noun) {
+  return {Piece::Kind::counted, static_cast<double>(number), 0, 0, noun};
+}
+
+Piece number(double value, double scale) { return {Piece::Kind::number, value, value, scale}; }
+
+Piece number_unlike(double value, double other, double scale) {
+  return {Piece::Kind::number, value, other, scale};
+}
+
+Piece with_decimals(double value, int decimals) {
+  return {Piece::Kind::fixed, value, static_cast<double>(decimals)};
+}
+
+Piece exact(double value) { return {Piece::Kind::exact, value}; }
+
+Piece percent(double share) { return {Piece::Kind::percent, share}; }
+
+Piece ratio_text(double ratio, double other) { return {Piece::Kind::ratio, ratio, other}; }
+
+Piece length_text(const Trace& trace, double value) {
+  return number(value, trace.polygon.diagonal());
+}
+
+Piece area_text(const Trace& trace, double value) {
+  return number(value, 0.1 * trace.polygon.diagonal() * trace.polygon.diagonal());
+}
+
+Piece point_text(const Trace& trace, const Vec2& point) {
+  return {Piece::Kind::point, point.x(), point.y(), trace.polygon.diagonal()};
+}
+
+Piece load_text(const Trace& trace, double value) {
+  return {Piece::Kind::amount, value, trace.placement.loads->max};
+}
+
+Piece kilograms_text(const Trace& trace, double value) {
+  return {Piece::Kind::kilograms, value, trace.placement.loads->max};
+}
+
+Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
+
+Piece score_text(const Trace& trace, Rule rule, double value, double other) {
+  if (rule == Rule::most_even) return ratio_text(value, other);
+  const double size = trace.polygon.diagonal();
+  const bool is_length =
+      rule == Rule::longest_even || trace.placement.settings.metric == Metric::distance;
+  return number_unlike(value, other, is_length ? size : 0.1 * size * size);
+}
+
+double slope_degrees(const Vec2& direction) {
+  if (is_vertical(direction)) return 90;
+  const Vec2 u = direction.x() < 0 ? Vec2(-direction) : direction;
+  return 180 / pi * arctangent2(u.y(), u.x());
+}
+
+}  // namespace evenlift

@@ -1,0 +1,175 @@
+// A placement in words.
+#include "evenlift/output/words.h"
+
+#include <string_view>
+
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+std::string joined(std::initializer_list<std::string> sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) {
+    if (!text.empty() && !sentence.empty()) text += ' ';
+    text += sentence;
+  }
+  return text;
+}
+
+// "teams 1, 2 and 5", with at most eight of them by number.
+std::string teams_of(const std::vector<std::size_t>& robots) {
+  std::vector<std::size_t> teams;
+  for (const std::size_t robot : robots)
+    if (teams.empty() || teams.back() != robot / 2) teams.push_back(robot / 2);
+  constexpr std::size_t most_named = 8;
+  const std::size_t named = teams.size() > most_named ? most_named - 1 : teams.size();
+  std::string text = teams.size() == 1 ? "team " : "teams ";
+  for (std::size_t i = 0; i < named; ++i) {
+    if (i > 0) text += i + 1 == teams.size() ? " and " : ", ";
+    text += std::to_string(teams[i] + 1);
+  }
+  if (named < teams.size()) text += " and " + std::to_string(teams.size() - named) + " more";
+  return text;
+}
+
+std::string overload_in_words(const Placement& placement, double capacity) {
+  const std::vector<std::size_t> robots = overloaded_robots(placement, capacity);
+  if (placement.teams.empty()) return {};
+  const std::string limit = plain(capacity) + "\u00A0kg";
+  if (robots.empty()) return "No robot carries more than " + limit + ".";
+  const std::size_t all = 2 * placement.teams.size();
+  return (robots.size() == all
+              ? "All " + std::to_string(all) + " robots"
+              : std::to_string(robots.size()) + " of " + std::to_string(all) + " robots") +
+         (robots.size() == 1 ? " is" : " are") + " overloaded, with more than " + limit + ": " +
+         teams_of(robots) + ".";
+}
+
+std::string need_in_words(const CapacityPlan& plan) {
+  if (plan.possible)
+    return "This method needs " + count_of(2 * plan.teams, "robot", "robots") + ", with at most " +
+           kilograms(plan.greatest_load, plan.greatest_load) + " each.";
+  if (plan.tried >= most_teams_for_capacity)
+    return "Even " + std::to_string(2 * plan.tried) + " robots are too few.";
+  if (plan.tried == 0) return {};
+  return "Not even all " + std::to_string(2 * plan.tried) + " robots that find a place are enough.";
+}
+
+}  // namespace
+
+std::string loads_in_words(const Placement& placement) {
+  if (placement.teams.empty()) return "No team can be placed.";
+  const LoadSummary& loads = *placement.loads;
+  return std::to_string(2 * placement.teams.size()) + " robots carry " +
+         kilograms(loads.min, loads.max, loads.max) + " each (" + plain(placement.settings.weight) +
+         "\u00A0kg in all).";
+}
+
+std::string shortage_in_words(const Placement& placement) {
+  const bool by_ratio = selects_candidates(placement.settings.metric);
+  const std::size_t teams = placement.teams.size();
+  if (teams == 0)
+    return by_ratio
+               ? "No chord through the centre of mass is this even. Lower the minimum load ratio, or move the centre of mass."
+               : "No line through the centre of mass meets the boundary on both sides of it.";
+  if (teams >= placement.requested_teams) return {};
+  return "There is room for only " + std::to_string(teams) + " of " +
+         count_of(placement.requested_teams, "team", "teams") +
+         (by_ratio ? " at this minimum load ratio." : ".");
+}
+
+std::string coverage_in_words(const Placement& placement) {
+  if (placement.teams.empty()) return {};
+  if (placement.hull.size() < 3) return "They stand on one line, so the object can tip.";
+  if (placement.coverage >= 1 - tau) return "All of the object is safe to push on.";
+  std::string share = percentage(placement.coverage);
+  for (const auto& [sign, words] : {std::pair("<", "Less than"), {">", "More than"}})
+    if (share.starts_with(sign)) share.replace(0, 1, words);
+  return share + " of the object is safe to push on.";
+}
+
+std::string closure_in_words(const Placement& placement) {
+  if (placement.teams.empty()) return {};
+  const Closure& closure = placement.closure;
+  if (closure.form_closure) return "The robots' contact alone stops it from sliding or turning.";
+  if (closure.second_order)
+    return "It is held, but only by the curvature of the contact (second order).";
+  if (!closure.margin) return "Nothing keeps it from sliding or turning.";
+  return "It can still " + free_motions_in_words(closure) + ".";
+}
+
+std::string free_motions_in_words(const Closure& closure) {
+  const bool clockwise = closure.clockwise.exists,
+             counterclockwise = closure.counterclockwise.exists;
+  const std::string turn = clockwise && counterclockwise ? "turn either way"
+                           : clockwise                   ? "turn clockwise"
+                           : counterclockwise            ? "turn counter-clockwise"
+                                                         : "";
+  if (!closure.translation_free) return turn;
+  return turn.empty() ? "slide" : turn + " and slide";
+}
+
+std::string detail_in_words(const Placement& placement) {
+  return joined(
+      {shortage_in_words(placement), coverage_in_words(placement), closure_in_words(placement)});
+}
+
+std::string verdict(const Placement& placement) {
+  return joined({loads_in_words(placement), detail_in_words(placement)});
+}
+
+std::string capacity_in_words(const Placement& placement, double capacity,
+                              const CapacityPlan* plan) {
+  return joined(
+      {overload_in_words(placement, capacity), plan ? need_in_words(*plan) : std::string()});
+}
+
+std::vector<Fact> facts_in_words(const Placement& placement) {
+  std::vector<Fact> facts;
+  facts.push_back({"Candidate teams", std::to_string(placement.candidates.size()),
+                   "One for each candidate chord at this minimum load ratio; two robots each"});
+  if (!placement.loads) return facts;
+  const LoadSummary& loads = *placement.loads;
+  facts.push_back({"Coverage", percentage(placement.coverage, 1),
+                   "Share of the object inside the lifting base"});
+  facts.push_back({"Mean load", kilograms(loads.mean, loads.max), "Of all robots"});
+  facts.push_back(
+      {"Spread of loads", kilograms(loads.spread, loads.max), "Greatest load less the least"});
+  facts.push_back({"Greatest share in a team", percentage(loads.max_share, 1),
+                   "50 % in a team that is perfectly even"});
+  const Closure& closure = placement.closure;
+  facts.push_back({"Form closure", form_closure_in_words(closure),
+                   "Whether the robots' contact alone keeps the object from moving in the plane"});
+  if (closure.margin)
+    facts.push_back({"How firmly held", margin_in_words(*closure.margin),
+                     "The margin of form closure: above 0 in form closure"});
+  return facts;
+}
+
+TeamInWords team_in_words(const Placement& placement, std::size_t team, int coordinate_decimals) {
+  const Chord& chord = placement.teams[team].chord;
+  const std::array<double, 2>& loads = placement.teams[team].loads;
+  const double length = chord.arm1 + chord.arm2, largest = placement.loads->max;
+  return {ratio_in_words(chord.ratio),
+          amount(length, length),
+          {point_in_words(chord.r1.position, coordinate_decimals),
+           point_in_words(chord.r2.position, coordinate_decimals)},
+          {amount(loads[0], largest), amount(loads[1], largest)}};
+}
+
+std::string form_closure_in_words(const Closure& closure) {
+  return closure.form_closure ? "yes" : closure.second_order ? "second order" : "no";
+}
+
+std::string sentence(const InputError& error) {
+  const std::string place = describe(error.place);
+  std::string text = place.empty() ? error.message : place + ": " + error.message;
+  // The name of a setting stays as it is written.
+  const bool names = error.place.kind == Place::Kind::option;
+  if (!names && !text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+}  // namespace evenlift

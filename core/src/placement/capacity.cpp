@@ -1,0 +1,127 @@
+#include "evenlift/capacity.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "evenlift/selection.h"
+#include "selection/equal_angles.h"
+#include "selection/greedy_selector.h"
+
+namespace evenlift {
+namespace {
+
+std::uint32_t number_of_teams(double value) {
+  return static_cast<std::uint32_t>(
+      std::clamp(std::ceil(value), 1.0, static_cast<double>(most_teams_for_capacity)));
+}
+
+// The greater of a team's two loads, as a share of what the team carries.
+double greater_share(const Chord& chord) {
+  return std::max(chord.arm1, chord.arm2) / (chord.arm1 + chord.arm2);
+}
+
+// Follows the teams of a method that chooses one after another. Placements of different numbers of
+// teams give the same team the same share of different weights, so the most uneven team so far
+// carries the greatest load.
+class Growing {
+ public:
+  Growing(double weight, double capacity) : weight_(weight), capacity_(capacity) {}
+
+  // Adds a team. Whether they are enough now.
+  bool add(const Chord& chord) {
+    share_ = std::max(share_, greater_share(chord));
+    const double greatest = weight_ / ++plan_.tried * share_;
+    if (greatest <= capacity_) plan_ = {true, plan_.tried, greatest, plan_.tried};
+    return plan_.possible;
+  }
+
+  const CapacityPlan& plan() const { return plan_; }
+
+ private:
+  double weight_, capacity_;
+  double share_ = 0.5;
+  CapacityPlan plan_;
+};
+
+CapacityPlan plan_by_candidates(const Polygon& polygon, const Placement& placement,
+                                double capacity) {
+  Growing growing(placement.settings.weight, capacity);
+  Selector selector(polygon, placement.centre_of_mass, placement.candidates,
+                    placement.settings.metric, most_teams_for_capacity);
+  while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
+    if (growing.add(placement.candidates[selector.taken().back()].chord)) break;
+  return growing.plan();
+}
+
+CapacityPlan plan_at_random(const Polygon& polygon, const Placement& placement, double capacity) {
+  const Settings& settings = placement.settings;
+  Growing growing(settings.weight, capacity);
+  // No robot carries more than its team: so many are enough, if there are so many.
+  const std::uint32_t enough = number_of_teams(settings.weight / capacity + 1);
+  for (const Chord& chord : random_teams(polygon, placement.centre_of_mass, enough, settings.seed))
+    if (growing.add(chord)) break;
+  return growing.plan();
+}
+
+// The least of the numbers of teams from `first` to before `end` that keeps to the capacity.
+CapacityPlan plan_among(const EqualAngles& angles, double weight, double capacity,
+                        std::uint32_t first, std::uint32_t end) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t teams = first; teams < end; ++teams) numbers.push_back(teams);
+  std::vector<double> greatest(numbers.size(), 0);
+  angles.for_each_chord(numbers, [&](std::size_t i, const Chord& chord) {
+    greatest[i] = std::max(greatest[i], weight / numbers[i] * greater_share(chord));
+    return greatest[i] <= capacity;
+  });
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (greatest[i] <= capacity) return {true, numbers[i], greatest[i], numbers[i]};
+  return {false, 0, 0, end - 1};
+}
+
+CapacityPlan plan_at_equal_angles(const Polygon& polygon, const Placement& placement,
+                                  double capacity) {
+  const EqualAngles angles(polygon, placement.centre_of_mass);
+  if (!angles.has_chords()) return {};
+  const double weight = placement.settings.weight;
+  // With all robots even, each would carry weight / (2 teams): fewer teams are not enough. One
+  // sweep serves several numbers, and more and more, so that not many are tried beyond the least.
+  std::uint32_t first = number_of_teams(weight / (2 * capacity)), numbers = 8;
+  for (;; numbers *= 2) {
+    const std::uint32_t end = std::min(first + numbers, most_teams_for_capacity + 1);
+    const CapacityPlan plan = plan_among(angles, weight, capacity, first, end);
+    if (plan.possible || end > most_teams_for_capacity) return plan;
+    first = end;
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> overloaded_robots(const Placement& placement, double capacity) {
+  std::vector<std::size_t> robots;
+  for (std::size_t t = 0; t < placement.teams.size(); ++t)
+    for (std::size_t end = 0; end < 2; ++end)
+      if (placement.teams[t].loads[end] > capacity) robots.push_back(2 * t + end);
+  return robots;
+}
+
+bool same_plan(const Placement& a, const Placement& b) {
+  const Settings &s = a.settings, &t = b.settings;
+  return s.metric == t.metric && s.min_ratio == t.min_ratio && s.weight == t.weight &&
+         s.seed == t.seed && a.centre_of_mass == b.centre_of_mass && a.vertices == b.vertices;
+}
+
+CapacityPlan plan_capacity(const Placement& placement, double capacity) {
+  const Result<Polygon> polygon = Polygon::create(placement.vertices);
+  assert(polygon.ok());  // place() has accepted it
+  switch (placement.settings.metric) {
+    case Metric::distributed:
+      return plan_at_equal_angles(*polygon, placement, capacity);
+    case Metric::random:
+      return plan_at_random(*polygon, placement, capacity);
+    default:
+      return plan_by_candidates(*polygon, placement, capacity);
+  }
+}
+
+}  // namespace evenlift

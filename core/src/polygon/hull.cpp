@@ -1,0 +1,145 @@
+#include "evenlift/hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
+
+namespace evenlift {
+namespace {
+
+// Appends the chain of left turns through [first, last) to `hull`, without its last point.
+template <class Iterator>
+void append_chain(Iterator first, Iterator last, Points& hull) {
+  const std::size_t base = hull.size();
+  for (Iterator p = first; p != last; ++p) {
+    while (hull.size() >= base + 2 && orient(hull[hull.size() - 2], hull.back(), *p) <= 0)
+      hull.pop_back();
+    hull.push_back(*p);
+  }
+  hull.pop_back();
+}
+
+// The two corners that are farthest apart along the longer side of the bounding box. If all corners
+// lie near one line, these are its ends.
+std::pair<Vec2, Vec2> extremes(const Points& hull) {
+  const auto by_x = std::minmax_element(hull.begin(), hull.end(), lexicographically_before);
+  const auto by_y = std::minmax_element(hull.begin(), hull.end(), [](const Vec2& a, const Vec2& b) {
+    return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
+  });
+  const double width = by_x.second->x() - by_x.first->x();
+  const double height = by_y.second->y() - by_y.first->y();
+  if (width >= height) return {*by_x.first, *by_x.second};
+  std::pair<Vec2, Vec2> ends{*by_y.first, *by_y.second};
+  if (lexicographically_before(ends.second, ends.first)) std::swap(ends.first, ends.second);
+  return ends;
+}
+
+// The greatest distance of a corner from the line a b.
+double distance_from_line(const Points& hull, const Vec2& a, const Vec2& b) {
+  double greatest = 0;
+  for (const Vec2& v : hull) greatest = std::max(greatest, std::fabs(orient(a, b, v)));
+  return greatest / length(b - a);
+}
+
+// Whether all corners lie within `flat` of one line: the least width of a convex polygon is that
+// beside one of its sides. O(h) for h corners that do not, O(h^2) for those that nearly do.
+bool is_flat(const Points& hull, const std::pair<Vec2, Vec2>& ends, double flat) {
+  // A strip that holds both ends, farthest apart along an axis, leaves their line by less than
+  // this.
+  if (distance_from_line(hull, ends.first, ends.second) > 4 * flat) return false;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (distance_from_line(hull, hull[i], hull[(i + 1) % hull.size()]) <= 2 * flat) return true;
+  }
+  return false;
+}
+
+double squared_distance(const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  return dot(d, d);
+}
+
+// Leaves out the corners that rounding alone makes: those within `flat` of the corner before them,
+// and those on a straight run, which lie off the side that spans the run by at most tau of its
+// length. It begins with the corner farthest from the first: no point within a straight run is
+// that. A corner is left out only together with all others of its run, so that many slight turns,
+// which add up, stay.
+Points without_straight_corners(const Points& hull, double flat) {
+  const std::size_t n = hull.size();
+  std::size_t start = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (squared_distance(hull[0], hull[i]) > squared_distance(hull[0], hull[start])) start = i;
+  }
+  const auto corner = [&](std::size_t i) -> const Vec2& { return hull[(start + i) % n]; };
+  const auto is_straight = [&](std::size_t from, std::size_t to) {
+    const Vec2 &a = corner(from), &b = corner(to);
+    const double reach = tau * squared_distance(a, b);
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const bool same_place = squared_distance(a, corner(i)) <= flat * flat ||
+                              squared_distance(corner(i), b) <= flat * flat;
+      if (!same_place && std::fabs(orient(a, b, corner(i))) > reach) return false;
+    }
+    return true;
+  };
+  Points kept{corner(0)};
+  std::size_t last = 0;
+  for (std::size_t next = 2; next <= n; ++next) {
+    if (is_straight(last, next)) continue;
+    last = next - 1;
+    kept.push_back(corner(last));
+  }
+  if (kept.size() < 3) return hull;
+  std::rotate(kept.begin(), std::min_element(kept.begin(), kept.end(), lexicographically_before),
+              kept.end());
+  return kept;
+}
+
+// The hull of points from left to right.
+Points hull_of_sorted(Points points, double flat) {
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 2) return points;
+
+  Points hull;
+  append_chain(points.begin(), points.end(), hull);
+  append_chain(points.rbegin(), points.rend(), hull);
+
+  const std::pair<Vec2, Vec2> ends = extremes(hull);
+  if (is_flat(hull, ends, flat)) return {ends.first, ends.second};
+  return flat > 0 ? without_straight_corners(hull, flat) : hull;
+}
+
+}  // namespace
+
+Points convex_hull(Points points, double flat) {
+  Points sorted;
+  sorted.reserve(points.size());
+  for (const std::uint32_t i : lexicographic_order(points)) sorted.push_back(points[i]);
+  return hull_of_sorted(std::move(sorted), flat);
+}
+
+Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat) {
+  const auto right = std::max_element(hull.begin(), hull.end(), lexicographically_before);
+  Points points;
+  points.reserve(hull.size() + 2);
+  std::merge(hull.begin(), right, hull.rbegin(), std::make_reverse_iterator(right),
+             std::back_inserter(points), lexicographically_before);
+  for (const Vec2& added : {p, q}) {
+    points.insert(std::upper_bound(points.begin(), points.end(), added, lexicographically_before),
+                  added);
+  }
+  return hull_of_sorted(std::move(points), flat);
+}
+
+double signed_area(const Points& points) {
+  double twice = 0;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    twice += cross(points[i - 1] - points[0], points[i] - points[0]);
+  }
+  return 0.5 * twice;
+}
+
+}  // namespace evenlift

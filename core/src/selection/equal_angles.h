@@ -1,0 +1,47 @@
+// Teams at equal angles (algorithm.md, Selection: distributed; thesis 5.2), for several numbers of
+// teams at once.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "chords/radial_view.h"
+#include "chords/ray_caster.h"
+#include "evenlift/chords.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+
+// The polygon must outlive it.
+class EqualAngles {
+ public:
+  // O(n log n).
+  EqualAngles(const Polygon& polygon, const Vec2& centre);
+
+  // The total angle of the directions in [0, pi) whose lines through C meet the boundary on both
+  // sides of C. Directions along radial edges are excluded.
+  double measure_rad() const { return measure_; }
+
+  // Whether there are any but what rounding leaves between radial edges.
+  bool has_chords() const { return measure_ > tau; }
+
+  // Visits the chords of the placements of `numbers` of teams: visit(i, chord) for a chord of
+  // numbers[i], of each number by rising angle. Where it returns false, no more chords of that
+  // number are visited. There are no chords where no line meets the boundary on both sides. O(n)
+  // and, for each chord, O(number of edges that its line meets), mostly O(1) for many chords.
+  using Visit = std::function<bool(std::size_t i, const Chord& chord)>;
+  void for_each_chord(const std::vector<std::uint32_t>& numbers, const Visit& visit) const;
+
+ private:
+  template <class VisitOpening>
+  void for_each_opening(VisitOpening visit) const;
+
+  const Polygon& polygon_;
+  Vec2 centre_;
+  RadialView view_;
+  RayCaster rays_;
+  double measure_ = 0;
+};
+
+}  // namespace evenlift

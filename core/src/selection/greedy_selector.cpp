@@ -1,0 +1,302 @@
+#include "selection/greedy_selector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "evenlift/hull.h"
+#include "evenlift/tolerance.h"
+#include "exact/pseudo_angle.h"
+#include "exact/tie_classes.h"
+
+namespace evenlift {
+namespace {
+
+// Keeps those whose key ties with the largest.
+template <class Key, class Ties>
+void keep_best(std::vector<std::uint32_t>& indices, Key key, Ties ties) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const std::uint32_t i : indices) best = std::max(best, key(i));
+  std::erase_if(indices, [&](std::uint32_t i) { return !ties(best, key(i)); });
+}
+
+// Drops those that are behind `count` others by their keys, largest first, and tie with none of
+// them: `least(key)` is the least key that ties with one. The others stay in order of index.
+template <class Key, class Least>
+void keep_first(std::vector<std::uint32_t>& indices, std::size_t count, Key key, Least least) {
+  if (indices.size() <= count) return;
+  const auto last = indices.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+  std::nth_element(indices.begin(), last, indices.end(),
+                   [&](std::uint32_t i, std::uint32_t j) { return key(i) > key(j); });
+  const double kept = least(key(*last));
+  std::erase_if(indices, [&](std::uint32_t i) { return key(i) < kept; });
+  std::sort(indices.begin(), indices.end());
+}
+
+double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
+  const Vec2 line = b - a;
+  const double along = std::clamp(dot(p - a, line) / dot(line, line), 0.0, 1.0);
+  return length(p - (a + along * line));
+}
+
+}  // namespace
+
+Selector::Selector(const Polygon& polygon, const Vec2& centre,
+                   const std::vector<Candidate>& candidates, Metric metric, std::size_t most_teams)
+    : candidates_(candidates),
+      surroundings_(polygon, centre),
+      metric_(metric),
+      most_teams_(most_teams),
+      near_(near_distance(polygon.diagonal())),
+      floor_(metric == Metric::distance ? score_floor * polygon.diagonal()
+                                        : score_floor * polygon.diagonal() * polygon.diagonal()),
+      is_taken_(candidates.size()) {
+  ends_.reserve(2 * candidates.size());
+  for (const Candidate& candidate : candidates) {
+    for (const LiftingPoint* point : {&candidate.chord.r1, &candidate.chord.r2}) {
+      const Vec2 relative = point->position - centre;
+      ends_.push_back({relative, direction_key(relative), 0, {}, {}});
+    }
+  }
+  // The keys beside the indices: twice as fast as looking each up.
+  std::vector<std::pair<double, Index>> keys;
+  keys.reserve(ends_.size());
+  for (Index i = 0; i < ends_.size(); ++i) keys.emplace_back(ends_[i].key, i);
+  std::sort(keys.begin(), keys.end());
+  by_direction_.reserve(keys.size());
+  for (const auto& [key, index] : keys) by_direction_.push_back(index);
+}
+
+bool Selector::take_next() {
+  if (taken_.size() == candidates_.size()) return false;
+  if (taken_.empty()) {
+    take(best_first_team());
+    return true;
+  }
+  if (!line_.empty()) {
+    const Index next = line_.back();
+    take(next);
+    return true;
+  }
+  Indices leaders = find_leaders();
+  Indices chosen = leaders;
+  keep_best(
+      chosen, [&](Index i) { return candidates_[i].chord.ratio; }, ratios_tie);
+  keep_best(
+      chosen, [&](Index i) { return candidates_[i].length; }, lengths_tie);
+  const Points before = hull_;
+  take(chosen.front());
+  if (hull_ == before) line_up(std::move(leaders));
+  return true;
+}
+
+void Selector::take(std::uint32_t candidate) {
+  taken_.push_back(candidate);
+  is_taken_[candidate] = 1;
+  const bool was_best = !line_.empty() && bound(candidate) == best_score_;
+  if (!line_.empty()) line_.pop_back();
+  if (widen_base(candidate) || (was_best && --best_in_line_ == 0)) line_.clear();
+}
+
+double Selector::score(std::uint32_t candidate) {
+  for (End* end : {&ends_[2 * candidate], &ends_[2 * candidate + 1]})
+    if (!end->gain.exact()) evaluate(*end);
+  return bound(candidate);
+}
+
+double Selector::evaluate(const End& end, Index wedge) const {
+  return gains(wedges_[wedge], end.position) ? wedges_[wedge].evaluate(end.position) : 0;
+}
+
+// Finds the gain of an end. Of two wedges the one with the larger gain becomes the end's first.
+void Selector::evaluate(End& end) {
+  end.gain = {evaluate(end, end.wedge), Certainty::exact};
+  if (!end.other_wedge) return;
+  const double other = evaluate(end, *end.other_wedge);
+  if (other <= end.gain.value) return;
+  end.gain.value = other;
+  std::swap(end.wedge, *end.other_wedge);
+}
+
+// Brings what is known of a candidate that is not exact one step further: the worse known end.
+void Selector::sharpen(Index candidate) {
+  End &first = ends_[2 * candidate], &second = ends_[2 * candidate + 1];
+  End& end = first.gain.certainty <= second.gain.certainty ? first : second;
+  if (end.other_wedge) return evaluate(end);
+  end.gain = wedges_[end.wedge].sharpen(end.position, end.gain);
+}
+
+Selector::Index Selector::best_first_team() const {
+  const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
+  const auto length_of = [&](Index i) { return candidates_[i].length; };
+  Indices even;
+  for (Index i = 0; i < candidates_.size(); ++i) {
+    if (is_even(candidates_[i].chord)) even.push_back(i);
+  }
+  if (!even.empty()) {
+    keep_best(even, length_of, lengths_tie);
+    keep_best(even, ratio, ratios_tie);
+    return even.front();
+  }
+  Indices all(candidates_.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  keep_best(all, ratio, ratios_tie);
+  keep_best(all, length_of, lengths_tie);
+  return all.front();
+}
+
+// The candidates not taken whose scores tie for the best, in candidate order, all evaluated.
+Selector::Indices Selector::find_leaders() {
+  double best = -std::numeric_limits<double>::infinity();
+  Indices open;  // of which only a bound is known
+  for (Index i = 0; i < candidates_.size(); ++i) {
+    if (is_taken_[i]) continue;
+    if (exact(i)) {
+      best = std::max(best, bound(i));
+    } else {
+      open.push_back(i);
+    }
+  }
+  const auto ties = [&](double largest, double score) {
+    return score >= largest - score_slack(std::fabs(largest), floor_);
+  };
+  const auto smaller_bound = [&](Index a, Index b) {
+    return bound(a) != bound(b) ? bound(a) < bound(b) : a > b;
+  };
+  // The one with the largest bound is examined first: what cannot tie with it need not stand in the
+  // heap.
+  if (!open.empty())
+    best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
+  std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
+  std::make_heap(open.begin(), open.end(), smaller_bound);
+  while (!open.empty() && ties(best, bound(open.front()))) {
+    std::pop_heap(open.begin(), open.end(), smaller_bound);
+    const Index next = open.back();
+    sharpen(next);
+    if (exact(next)) best = std::max(best, bound(next));
+    if (exact(next) || !ties(best, bound(next))) {
+      open.pop_back();
+    } else {
+      std::push_heap(open.begin(), open.end(), smaller_bound);
+    }
+  }
+  best_score_ = best;
+  Indices leaders;
+  for (Index i = 0; i < candidates_.size(); ++i) {
+    if (!is_taken_[i] && exact(i) && ties(best, bound(i))) leaders.push_back(i);
+  }
+  return leaders;
+}
+
+void Selector::line_up(Indices leaders) {
+  std::erase_if(leaders, [&](Index i) { return is_taken_[i] != 0; });
+  best_in_line_ = static_cast<std::size_t>(std::count_if(
+      leaders.begin(), leaders.end(), [&](Index i) { return bound(i) == best_score_; }));
+  if (best_in_line_ == 0) return;
+  const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
+  const auto length_of = [&](Index i) { return candidates_[i].length; };
+  // Of thousands that tie, only those are put in order that may be taken.
+  const std::size_t needed = std::max<std::size_t>(most_teams_ - taken_.size(), 1);
+  keep_first(leaders, needed, ratio, [](double r) { return r - 2 * tau; });
+  line_.clear();
+  for_each_tie_class(leaders, ratio, ratios_tie, [&](std::span<Index> even) {
+    if (line_.size() >= needed) return;
+    Indices first(even.begin(), even.end());
+    std::sort(first.begin(), first.end());
+    keep_first(first, needed - line_.size(), length_of, [](double l) { return l * (1 - 2 * tau); });
+    for_each_tie_class(first, length_of, lengths_tie, [&](std::span<Index> alike) {
+      sort_indices(alike, [](Index i, Index j) { return i < j; });
+      line_.insert(line_.end(), alike.begin(), alike.end());
+    });
+  });
+  std::reverse(line_.begin(), line_.end());
+}
+
+// Whether H has changed. O(h) for its h corners, besides new wedges.
+bool Selector::widen_base(Index candidate) {
+  Points hull =
+      widen_hull(hull_, ends_[2 * candidate].position, ends_[2 * candidate + 1].position, near_);
+  if (hull == hull_) return false;
+  const Points old_hull = std::exchange(hull_, std::move(hull));
+  const Indices old_edges = std::exchange(edges_, {});
+
+  const auto corner = [](const Points& corners, std::size_t i) -> const Vec2& {
+    return corners[i % corners.size()];
+  };
+  // Corners that stay come in the same order in both, and at most two of the new ones are not among
+  // the old: looking for each where the last was found takes O(h) for all.
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < hull_.size(); ++i) {
+    const Vec2 &h1 = hull_[i], &h2 = corner(hull_, i + 1);
+    std::size_t steps = 0;
+    while (steps < old_hull.size() && corner(old_hull, found + steps) != h1) ++steps;
+    if (steps < old_hull.size()) {
+      found = (found + steps) % old_hull.size();
+      // The sides of a segment have a rule of their own for points on its line: they never stay.
+      if (old_hull.size() > 2 && corner(old_hull, found + 1) == h2) {
+        edges_.push_back(old_edges[found]);
+        continue;
+      }
+    }
+    edges_.push_back(static_cast<Index>(wedges_.size()));
+    wedges_.emplace_back(surroundings_, metric_, h1, h2);
+    enter_wedge(edges_.back());
+  }
+  return true;
+}
+
+// Gives the ends that C sees in a new wedge over to it, those in the direction of a corner too:
+// they keep the wedge on the other side of the corner as well.
+void Selector::enter_wedge(Index index) {
+  const Wedge& wedge = wedges_[index];
+  // Whether another wedge lies beyond the corner in whose direction the end is seen.
+  const auto is_beyond_corner = [&](Index other, SeenAt seen_at) {
+    if (other == index) return false;
+    return seen_at == SeenAt::first_corner ? wedges_[other].h2() == wedge.h1()
+                                           : wedges_[other].h1() == wedge.h2();
+  };
+  for_each_between(
+      by_direction_, [&](Index end) -> const End& { return ends_[end]; }, wedge.h1(), wedge.h2(),
+      [&](Index i, SeenAt seen_at) {
+        End& end = ends_[i];
+        std::optional<Index> other;
+        if (seen_at != SeenAt::between) {
+          if (end.other_wedge && is_beyond_corner(*end.other_wedge, seen_at))
+            other = end.other_wedge;
+          else if (is_beyond_corner(end.wedge, seen_at))
+            other = end.wedge;
+        }
+        end.wedge = index;
+        end.other_wedge = other;
+        end.gain = estimate(end);
+      });
+}
+
+// What is known at once of the gain of an end.
+Gain Selector::estimate(const End& end) const {
+  const auto by = [&](Index wedge) {
+    return gains(wedges_[wedge], end.position) ? wedges_[wedge].estimate(end.position) : Gain{};
+  };
+  const Gain gain = by(end.wedge);
+  if (!end.other_wedge) return gain;
+  const double larger = std::max(gain.value, by(*end.other_wedge).value);
+  return {larger, larger == 0 ? Certainty::exact : Certainty::bound};
+}
+
+// Whether p, which C sees in the wedge, is outside H by more than the tolerance. Its line counts as
+// part of an H that is a segment.
+bool Selector::gains(const Wedge& wedge, const Vec2& p) const {
+  const double distance = wedge.distance(p);
+  if (distance <= 0) return false;
+  if (distance > near_) return true;
+  if (hull_.size() <= 2) return false;
+  // Close to the line, yet perhaps far from H, beyond a corner.
+  for (std::size_t i = 0; i < hull_.size(); ++i) {
+    if (distance_to_segment(hull_[i], hull_[(i + 1) % hull_.size()], p) <= near_) return false;
+  }
+  return true;
+}
+
+}  // namespace evenlift

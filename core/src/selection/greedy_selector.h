@@ -1,0 +1,106 @@
+// The greedy choice of teams among candidates (algorithm.md, Selection).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evenlift/candidates.h"
+#include "evenlift/document.h"
+#include "selection/base_edge.h"
+
+namespace evenlift {
+
+// Lazy in two ways. Each end of a candidate carries an upper bound of its gain; only those whose
+// bound can still win are looked at closer, in the end evaluated, and only where the edge of H
+// before them has changed. And while teams are taken that leave H as it is, scores stay too: those
+// that tied for the best stand in line.
+class Selector {
+ public:
+  // No more than `most_teams` will be asked for.
+  Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
+           Metric metric, std::size_t most_teams = ~std::size_t{0});
+
+  // Takes one more team; false if no candidate is left.
+  bool take_next();
+
+  // Takes this candidate next, whatever its score.
+  void take(std::uint32_t candidate);
+
+  const std::vector<std::uint32_t>& taken() const { return taken_; }
+
+  // The score of a candidate against the teams taken so far (at least one).
+  double score(std::uint32_t candidate);
+
+  // Finds those that compete for the next team, as take_next() does, and takes none.
+  void compare() { find_leaders(); }
+
+  // What is known of the gain of an end of a candidate (0: r1, 1: r2) and, if it is outside H, the
+  // edge of H beyond which it lies; relative to C. With at least one team taken.
+  const Gain& gain(std::uint32_t candidate, std::uint32_t end) const {
+    return ends_[2 * candidate + end].gain;
+  }
+  const Wedge& wedge(std::uint32_t candidate, std::uint32_t end) const {
+    return wedges_[ends_[2 * candidate + end].wedge];
+  }
+  bool outside(std::uint32_t candidate, std::uint32_t end) const {
+    return gains(wedge(candidate, end), ends_[2 * candidate + end].position);
+  }
+
+  // Corners of H, relative to C.
+  const Points& base() const { return hull_; }
+
+  // How far below the best score another still ties.
+  double floor() const { return floor_; }
+
+ private:
+  using Index = std::uint32_t;
+  using Indices = std::vector<Index>;
+
+  struct End {
+    Vec2 position;    // relative to C
+    double key = 0;   // its direction
+    Index wedge = 0;  // into wedges_
+    // In the direction of a corner of H the end belongs to the edges on both sides, and the larger
+    // gain counts, so that the mirror image of a shape has the same scores.
+    std::optional<Index> other_wedge;
+    Gain gain;
+  };
+  Index best_first_team() const;
+  Indices find_leaders();
+  double bound(Index candidate) const {
+    return ends_[2 * candidate].gain.value + ends_[2 * candidate + 1].gain.value;
+  }
+  bool exact(Index candidate) const {
+    return ends_[2 * candidate].gain.exact() && ends_[2 * candidate + 1].gain.exact();
+  }
+  double evaluate(const End& end, Index wedge) const;
+  void evaluate(End& end);
+  void sharpen(Index candidate);
+  bool widen_base(Index candidate);
+  void enter_wedge(Index index);
+  Gain estimate(const End& end) const;
+  bool gains(const Wedge& wedge, const Vec2& p) const;
+  void line_up(Indices leaders);
+
+  const std::vector<Candidate>& candidates_;
+  Surroundings surroundings_;
+  Metric metric_;
+  std::size_t most_teams_;
+  double near_;   // tau L
+  double floor_;  // below which scores tie
+
+  std::vector<End> ends_;      // of candidate i: 2 i (r1) and 2 i + 1 (r2)
+  Indices by_direction_;       // ends by key
+  Points hull_;                // corners of H relative to C, counter-clockwise
+  Indices edges_;              // the wedge of each edge of H, from corner i to i + 1
+  std::vector<Wedge> wedges_;  // all that ever were; an end's index stays good
+
+  std::vector<char> is_taken_;
+  std::vector<std::uint32_t> taken_;
+  Indices line_;                  // who comes next while H stays as it is, last first
+  std::size_t best_in_line_ = 0;  // how many of them have the best score itself
+  double best_score_ = 0;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,283 @@
+#include "evenlift/trace.h"
+
+#include <algorithm>
+#include <string>
+
+#include "chords/radial_view.h"
+#include "evenlift/hull.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+constexpr std::string_view chapter_names[] = {"object",        "vertex_chords", "slopes",
+                                              "pairs",         "candidates",    "first_team",
+                                              "further_teams", "loads",         "grasp"};
+constexpr std::string_view kind_names[] = {
+    "polygon", "centroid", "centre",       "radial",     "ray",        "slopes",   "sections",
+    "outcome", "opposite", "duplicates",   "candidates", "directions", "scores",   "team",
+    "base",    "fewer",    "share",        "loads",      "coverage",   "contacts", "cut",
+    "slide",   "closure",  "second_order", "result"};
+static_assert(std::size(chapter_names) == chapter_count &&
+              std::size(kind_names) == step_kind_count);
+
+// The rays in the order of the sweep that finds the chords. It lists a chord between two vertices
+// at the forward one; at the backward one it is named again.
+Trace::Rays make_rays(const Polygon& polygon, const Vec2& centre,
+                      const std::vector<VertexChord>& chords) {
+  const RadialView view(polygon, centre);
+  Trace::Rays rays;
+  rays.begins.push_back(0);
+  std::size_t next = 0;
+  const auto add = [&](std::uint32_t vertex) {
+    rays.vertices.push_back(vertex);
+    for (; next < chords.size() && chords[next].vertex == vertex; ++next)
+      rays.chords.push_back(chords[next]);
+    rays.begins.push_back(static_cast<std::uint32_t>(rays.chords.size()));
+  };
+  for (std::uint32_t group = 0; group < view.turns(); ++group) {
+    const std::uint32_t begin = view.group_begin(group), end = view.group_begin(group + 1);
+    const std::size_t first_ray = rays.vertices.size();
+    for (std::uint32_t k = begin; k < end; ++k)
+      if (view.forward(view.order()[k])) add(view.order()[k]);
+    const std::size_t first_backward = rays.vertices.size();
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint32_t vertex = view.order()[k];
+      if (view.forward(vertex)) continue;
+      for (std::uint32_t i = rays.begins[first_ray]; i < rays.begins[first_backward]; ++i)
+        if (rays.chords[i].hit_vertex == vertex) rays.chords.push_back(rays.chords[i]);
+      add(vertex);
+    }
+  }
+  return rays;
+}
+
+class BlockWriter {
+ public:
+  explicit BlockWriter(Trace& trace) : trace_(trace) {}
+
+  void add(Chapter chapter, std::initializer_list<StepKind> kinds, std::uint64_t items = 1,
+           std::uint32_t first_item = 0) {
+    if (items == 0) return;
+    Trace::Block block;
+    block.first = static_cast<std::uint32_t>(steps_);
+    block.items = static_cast<std::uint32_t>(items);
+    block.first_item = first_item;
+    block.kinds = static_cast<std::uint32_t>(kinds.size());
+    std::copy(kinds.begin(), kinds.end(), block.kind.begin());
+    block.chapter = chapter;
+    steps_ += items * kinds.size();
+    trace_.blocks.push_back(block);
+  }
+  std::uint64_t steps() const { return steps_; }
+
+ private:
+  Trace& trace_;
+  std::uint64_t steps_ = 0;
+};
+
+std::uint64_t write_blocks(Trace& trace) {
+  const Placement& placement = trace.placement;
+  const auto teams = static_cast<std::uint32_t>(placement.teams.size());
+  BlockWriter blocks(trace);
+  for (const StepKind kind : {StepKind::polygon, StepKind::centroid, StepKind::centre})
+    blocks.add(Chapter::object, {kind});
+  const Chapter last_choice = teams > 1 ? Chapter::further_teams : Chapter::first_team;
+  if (trace.by_candidates()) {
+    blocks.add(Chapter::vertex_chords, {StepKind::radial}, !trace.radial_edges.empty());
+    blocks.add(Chapter::vertex_chords, {StepKind::ray}, trace.rays.vertices.size());
+    blocks.add(Chapter::slopes, {StepKind::slopes});
+    blocks.add(Chapter::pairs, {StepKind::sections, StepKind::outcome}, trace.pairs.size());
+    blocks.add(Chapter::pairs, {StepKind::opposite}, trace.opposite.size());
+    blocks.add(Chapter::pairs, {StepKind::duplicates});
+    blocks.add(Chapter::candidates, {StepKind::candidates});
+    const auto choice = {StepKind::scores, StepKind::team, StepKind::base};
+    blocks.add(Chapter::first_team, choice, std::min(teams, 1u));
+    blocks.add(Chapter::further_teams, choice, teams - std::min(teams, 1u), 1);
+  } else {
+    const auto choice = {StepKind::team, StepKind::base};
+    blocks.add(Chapter::first_team, {StepKind::directions},
+               placement.settings.metric == Metric::distributed);
+    blocks.add(Chapter::first_team, choice, std::min(teams, 1u));
+    blocks.add(Chapter::further_teams, choice, teams - std::min(teams, 1u), 1);
+  }
+  blocks.add(last_choice, {StepKind::fewer}, teams == 0 || teams < placement.requested_teams);
+  if (teams > 0) {
+    blocks.add(Chapter::loads, {StepKind::share}, teams);
+    blocks.add(Chapter::loads, {StepKind::loads});
+    blocks.add(Chapter::grasp, {StepKind::coverage});
+    blocks.add(Chapter::grasp, {StepKind::contacts});
+    blocks.add(Chapter::grasp, {StepKind::cut}, trace.contacts.size());
+    blocks.add(Chapter::grasp, {StepKind::slide});
+    blocks.add(Chapter::grasp, {StepKind::closure});
+    blocks.add(Chapter::grasp, {StepKind::second_order}, !placement.closure.form_closure);
+  }
+  blocks.add(Chapter::grasp, {StepKind::result});
+  return blocks.steps();
+}
+
+std::optional<InputError> check_steps(std::uint64_t steps) {
+  if (steps <= max_trace_steps) return std::nullopt;
+  return InputError{ErrorCode::unsupported,
+                    "the algorithm takes at least " + std::to_string(steps) +
+                        " steps here, more than the " + std::to_string(max_trace_steps) +
+                        " that are shown one by one",
+                    {}};
+}
+
+// What the stages before the selection find.
+std::optional<InputError> collect(Trace& trace) {
+  const double min_ratio = trace.placement.settings.min_ratio;
+  if (auto error = check_steps(2 * count_edge_pairs(trace.polygon, trace.centre))) return error;
+  auto chords = vertex_chords(trace.polygon, trace.centre);
+  if (!chords) return chords.error();
+  auto pairs = edge_pairs(trace.polygon, trace.centre);
+  if (!pairs) return pairs.error();
+  auto opposite = opposite_vertices(trace.polygon, trace.centre);
+  if (!opposite) return opposite.error();
+  auto traced = trace_candidates(trace.polygon, trace.centre, min_ratio);
+  if (!traced) return traced.error();
+  trace.rays = make_rays(trace.polygon, trace.centre, *chords);
+  trace.pairs = *std::move(pairs);
+  trace.opposite = *std::move(opposite);
+  trace.candidate_of_source = std::move(traced->of_source);
+
+  const std::vector<bool> radial = radial_edges(trace.polygon, trace.centre);
+  for (std::uint32_t edge = 0; edge < radial.size(); ++edge)
+    if (radial[edge]) trace.radial_edges.push_back(edge);
+
+  for (const Candidate& candidate : traced->candidates)
+    trace.source_of_candidate.push_back(candidate.source);
+  trace.first_source_of_candidate.assign(traced->candidates.size(), no_index);
+  for (std::uint32_t source = 0; source < trace.candidate_of_source.size(); ++source) {
+    const std::uint32_t candidate = trace.candidate_of_source[source];
+    if (candidate != no_index && trace.first_source_of_candidate[candidate] == no_index)
+      trace.first_source_of_candidate[candidate] = source;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name(Chapter chapter) { return chapter_names[static_cast<std::size_t>(chapter)]; }
+
+std::string_view name(StepKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
+std::optional<StepKind> step_kind_from_name(std::string_view text) {
+  for (std::size_t i = 0; i < step_kind_count; ++i)
+    if (kind_names[i] == text) return static_cast<StepKind>(i);
+  return std::nullopt;
+}
+
+Result<Trace> make_trace(const Placement& placement) {
+  Result<Polygon> polygon = Polygon::create(placement.vertices);
+  if (!polygon) return polygon.error();
+  Trace trace{.placement = placement,
+              .polygon = *std::move(polygon),
+              .centre = placement.centre_of_mass,
+              .rays = {},
+              .radial_edges = {},
+              .pairs = {},
+              .opposite = {},
+              .candidate_of_source = {},
+              .source_of_candidate = {},
+              .first_source_of_candidate = {},
+              .contacts = {},
+              .blocks = {}};
+  if (trace.by_candidates())
+    if (auto error = collect(trace)) return *error;
+  std::vector<LiftingPoint> points;
+  for (const Team& team : placement.teams) {
+    points.push_back(team.chord.r1);
+    points.push_back(team.chord.r2);
+  }
+  trace.contacts = contacts(trace.polygon, points);
+  if (auto error = check_steps(write_blocks(trace))) return *error;
+  return trace;
+}
+
+std::uint32_t Trace::size() const {
+  const Block& last = blocks.back();
+  return last.first + last.items * last.kinds;
+}
+
+Step Trace::step(std::uint32_t k) const {
+  std::size_t b = blocks.size() - 1;
+  while (b > 0 && blocks[b].first > k) --b;
+  const Block& block = blocks[b];
+  const std::uint32_t offset = k - block.first;
+  return {block.kind[offset % block.kinds], block.chapter, block.first_item + offset / block.kinds};
+}
+
+std::uint32_t Trace::count(StepKind kind) const {
+  std::uint32_t number = 0;
+  for (const Block& block : blocks)
+    for (std::uint32_t i = 0; i < block.kinds; ++i)
+      if (block.kind[i] == kind) number += block.items;
+  return number;
+}
+
+std::optional<std::uint32_t> Trace::find(StepKind kind, std::uint32_t item) const {
+  for (const Block& block : blocks) {
+    if (item < block.first_item || item - block.first_item >= block.items) continue;
+    for (std::uint32_t i = 0; i < block.kinds; ++i)
+      if (block.kind[i] == kind) return block.first + (item - block.first_item) * block.kinds + i;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> Trace::chapter_begin(Chapter chapter) const {
+  for (const Block& block : blocks)
+    if (block.chapter == chapter) return block.first;
+  return std::nullopt;
+}
+
+bool Trace::by_candidates() const { return selects_candidates(placement.settings.metric); }
+
+std::uint32_t nearest_step(const Trace& trace, const Step& step) {
+  if (const auto same = trace.find(step.kind, step.item)) return *same;
+  if (const std::uint32_t number = trace.count(step.kind))
+    return trace.find(step.kind, std::min(step.item, number - 1)).value_or(0);
+  for (const Trace::Block& block : trace.blocks)
+    if (block.chapter >= step.chapter) return block.first;
+  return trace.size() - 1;
+}
+
+Done done(const Trace& trace, std::uint32_t k) {
+  // Steps of a kind up to k.
+  const auto number = [&](StepKind kind) {
+    std::uint32_t steps = 0;
+    for (const Trace::Block& block : trace.blocks) {
+      if (block.first > k) break;
+      for (std::uint32_t i = 0; i < block.kinds; ++i)
+        if (block.kind[i] == kind)
+          steps += std::min(block.items, (k - block.first + block.kinds - i) / block.kinds);
+    }
+    return steps;
+  };
+  Done done;
+  done.rays = number(StepKind::ray);
+  done.slopes = number(StepKind::slopes) > 0;
+  done.sections = number(StepKind::sections);
+  done.sources = number(StepKind::outcome) + number(StepKind::opposite);
+  done.merged = number(StepKind::duplicates) > 0;
+  done.teams = number(StepKind::team);
+  done.base_teams = number(StepKind::base);
+  done.shares = number(StepKind::share);
+  done.coverage = number(StepKind::coverage) > 0;
+  done.cuts = number(StepKind::cut);
+  done.closure = number(StepKind::closure) > 0;
+  return done;
+}
+
+Points lifting_base(const Trace& trace, std::uint32_t teams) {
+  Points points;
+  for (std::uint32_t i = 0; i < teams && i < trace.placement.teams.size(); ++i) {
+    const Chord& chord = trace.placement.teams[i].chord;
+    points.push_back(chord.r1.position);
+    points.push_back(chord.r2.position);
+  }
+  return convex_hull(std::move(points), near_distance(trace.polygon.diagonal()));
+}
+
+}  // namespace evenlift

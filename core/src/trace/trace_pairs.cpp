@@ -1,0 +1,76 @@
+// The details of an edge-pair and of two opposite vertices: what the stage of candidates decided
+// about them, and from what.
+#include "candidates/pair_candidate.h"
+#include "evenlift/predicates.h"
+#include "evenlift/trace.h"
+
+namespace evenlift {
+namespace {
+
+SeenEdge see(const Trace& trace, std::uint32_t edge) {
+  const Vec2 &p = trace.polygon.edge_start(edge), &q = trace.polygon.edge_end(edge);
+  const double area = orient(trace.centre, p, q);
+  if (area > 0) return {edge, p, q, area};
+  return {edge, q, p, -area};
+}
+
+Outcome outcome_of(const PairVerdict& verdict) {
+  const bool accepted = verdict.candidate.has_value();
+  if (verdict.parallel) return accepted ? Outcome::midpoint : Outcome::parallel_low;
+  if (verdict.bisected) return Outcome::bisecting;
+  return accepted ? Outcome::nearer_end : Outcome::too_uneven;
+}
+
+}  // namespace
+
+std::string_view name(Outcome outcome) {
+  constexpr std::string_view names[] = {"bisecting", "nearer_end", "too_uneven", "midpoint",
+                                        "parallel_low"};
+  return names[static_cast<std::size_t>(outcome)];
+}
+
+PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
+  const Polygon& polygon = trace.polygon;
+  const Vec2& centre = trace.centre;
+  PairDetail detail;
+  detail.pair = trace.pairs[index];
+  const SeenEdge a = see(trace, detail.pair.a), b = see(trace, detail.pair.b);
+  detail.verdict = examine(polygon, centre, a, b, detail.pair, trace.placement.settings.min_ratio);
+  detail.outcome = outcome_of(detail.verdict);
+
+  const SectionRim begin =
+      section_rim(polygon, centre, a, b, detail.pair.begin_a, detail.pair.begin_b);
+  const SectionRim end = section_rim(polygon, centre, a, b, detail.pair.end_a, detail.pair.end_b);
+  detail.a = {begin.on_a, end.on_a};
+  detail.b = {begin.on_b, end.on_b};
+  detail.ends = {begin.chord, end.chord};
+  detail.reflected = {2 * centre - b.first, 2 * centre - b.last};
+  if (!detail.verdict.parallel) detail.meeting = centre + bisecting_offset(centre, a, b);
+  // As the stage compares them: from g alone.
+  const auto evenness = [](double g) { return g < 1 ? g : 1 / g; };
+  detail.nearer = evenness(detail.verdict.g0) > evenness(detail.verdict.g1) ? 0 : 1;
+
+  // Without a minimum, what was refused is what the pair would have.
+  if (detail.verdict.candidate) {
+    detail.chosen = detail.verdict.candidate->chord;
+  } else {
+    detail.chosen = examine(polygon, centre, a, b, detail.pair, 0).candidate->chord;
+  }
+  detail.candidate = trace.candidate_of_source[index];
+  detail.stands =
+      detail.candidate != no_index && trace.source_of_candidate[detail.candidate] == index;
+  return detail;
+}
+
+OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index) {
+  const auto source = static_cast<std::uint32_t>(trace.pairs.size()) + index;
+  OppositeDetail detail;
+  detail.vertices = trace.opposite[index];
+  detail.chord = opposite_chord(trace.polygon, trace.centre, detail.vertices).chord;
+  detail.candidate = trace.candidate_of_source[source];
+  detail.stands =
+      detail.candidate != no_index && trace.source_of_candidate[detail.candidate] == source;
+  return detail;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,150 @@
+// The detail of a choice: every candidate's score, from the selection's own gain functions.
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/tolerance.h"
+#include "evenlift/trace.h"
+#include "exact/sorted_indices.h"
+#include "selection/greedy_selector.h"
+
+namespace evenlift {
+namespace {
+
+// A tournament as the selection holds it: at each key those that tie with the best stay. `stage` is
+// how many keys a candidate survived.
+class Tournament {
+ public:
+  Tournament(const std::vector<Candidate>& candidates, TeamScores& scores, double floor)
+      : candidates_(candidates), scores_(scores), floor_(floor), stage_(candidates.size()) {}
+
+  void run() {
+    for (std::uint32_t i = 0; i < candidates_.size(); ++i)
+      if (!scores_.of_candidate[i].taken) scores_.ranking.push_back(i);
+    for (std::uint32_t key = 0; key < 3; ++key) play(key);
+    const std::vector<std::uint32_t> left = std::move(scores_.ranking);
+    scores_.ranking.clear();
+    for (const std::uint32_t i : sorted_indices(left.size(), [&](std::uint32_t i, std::uint32_t j) {
+           return comes_first(left[i], left[j]);
+         }))
+      scores_.ranking.push_back(left[i]);
+    scores_.decided_by =
+        scores_.ranking.size() < 2 ? DecidedBy::only_one : lost_by(scores_.ranking[1]);
+  }
+
+  // The key at which a candidate that did not win was out.
+  DecidedBy lost_by(std::uint32_t i) const {
+    if (stage_[i] == 1 && scores_.rule == Rule::most_even) return DecidedBy::length;
+    return static_cast<DecidedBy>(1 + stage_[i]);
+  }
+
+ private:
+  // The keys one after another. Of a first team the first key is the score's value already.
+  double key(std::uint32_t i, std::uint32_t which) const {
+    if (which == 0) return scores_.of_candidate[i].value;
+    const bool ratio = (which == 1) == (scores_.rule != Rule::most_even);
+    return ratio ? candidates_[i].chord.ratio : candidates_[i].length;
+  }
+
+  bool ties(double best, double value, std::uint32_t which) const {
+    if (which == 0 && scores_.rule == Rule::score)
+      return value >= best - score_slack(std::fabs(best), floor_);
+    const bool ratio = which == 0 ? scores_.rule == Rule::most_even
+                                  : (which == 1) == (scores_.rule != Rule::most_even);
+    return ratio ? ratios_tie(best, value) : lengths_tie(best, value);
+  }
+
+  void play(std::uint32_t which) {
+    const auto in_play = [&](std::uint32_t i) {
+      return stage_[i] == which && scores_.of_candidate[i].eligible &&
+             scores_.of_candidate[i].exact;
+    };
+    double best = 0;
+    bool any = false;
+    for (const std::uint32_t i : scores_.ranking) {
+      if (!in_play(i)) continue;
+      best = any ? std::max(best, key(i, which)) : key(i, which);
+      any = true;
+    }
+    for (const std::uint32_t i : scores_.ranking)
+      if (in_play(i) && ties(best, key(i, which), which)) ++stage_[i];
+  }
+
+  bool comes_first(std::uint32_t i, std::uint32_t j) const {
+    if (stage_[i] != stage_[j]) return stage_[i] > stage_[j];
+    const Score &a = scores_.of_candidate[i], &b = scores_.of_candidate[j];
+    if (a.eligible != b.eligible) return a.eligible;
+    if (stage_[i] < 3)
+      for (std::uint32_t which = 0; which < 3; ++which)
+        if (key(i, which) != key(j, which)) return key(i, which) > key(j, which);
+    return i < j;
+  }
+
+  const std::vector<Candidate>& candidates_;
+  TeamScores& scores_;
+  double floor_;
+  std::vector<std::uint8_t> stage_;
+};
+
+void score_first_team(const std::vector<Candidate>& candidates, TeamScores& scores) {
+  const bool any_even = std::any_of(candidates.begin(), candidates.end(),
+                                    [](const Candidate& c) { return is_even(c.chord); });
+  scores.rule = any_even ? Rule::longest_even : Rule::most_even;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    Score& score = scores.of_candidate[i];
+    score.value = any_even ? candidates[i].length : candidates[i].chord.ratio;
+    score.eligible = !any_even || is_even(candidates[i].chord);
+  }
+}
+
+double score_further_team(const Trace& trace, TeamScores& scores) {
+  const Placement& placement = trace.placement;
+  const std::vector<Candidate>& candidates = placement.candidates;
+  Selector selector(trace.polygon, trace.centre, candidates, placement.settings.metric);
+  for (std::uint32_t i = 0; i < scores.team; ++i) {
+    const auto taken = static_cast<std::uint32_t>(placement.team_candidates[i]);
+    selector.take(taken);
+    scores.of_candidate[taken].taken = true;
+  }
+  selector.compare();
+  const bool all = std::uint64_t{candidates.size()} * trace.polygon.size() <= exact_score_budget;
+  for (const Vec2& corner : selector.base()) scores.base.push_back(trace.centre + corner);
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    Score& score = scores.of_candidate[i];
+    if (all) selector.score(i);
+    for (std::uint32_t e = 0; e < 2; ++e) {
+      const Gain& gain = selector.gain(i, e);
+      const Chord& chord = candidates[i].chord;
+      EndGain& end = score.ends[e];
+      score.exact = score.exact && gain.exact();
+      end.p = e == 0 ? chord.r1.position : chord.r2.position;
+      end.value = gain.value;
+      end.outside = selector.outside(i, e);
+      end.h1 = trace.centre + selector.wedge(i, e).h1();
+      end.h2 = trace.centre + selector.wedge(i, e).h2();
+    }
+    score.value = score.ends[0].value + score.ends[1].value;
+  }
+  return selector.floor();
+}
+
+}  // namespace
+
+TeamScores look_at_scores(const Trace& trace, std::uint32_t team) {
+  const std::vector<Candidate>& candidates = trace.placement.candidates;
+  TeamScores scores;
+  scores.team = team;
+  scores.of_candidate.resize(candidates.size());
+  double floor = 0;
+  if (team == 0) {
+    score_first_team(candidates, scores);
+  } else {
+    floor = score_further_team(trace, scores);
+  }
+  Tournament tournament(candidates, scores, floor);
+  tournament.run();
+  for (std::uint32_t i = 0; i < candidates.size(); ++i)
+    scores.of_candidate[i].lost_by = tournament.lost_by(i);
+  return scores;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,152 @@
+#include "evenlift/why_not.h"
+
+#include <algorithm>
+
+#include "chords/ray_caster.h"
+#include "chords/section.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+// The choice that a question at step k is about.
+std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
+  const Step step = trace.step(k);
+  if (step.kind == StepKind::scores || step.kind == StepKind::team || step.kind == StepKind::base)
+    return step.item;
+  const std::uint32_t taken = done(trace, k).teams;
+  return taken == 0 ? 0 : taken - 1;
+}
+
+bool same_chord(const Trace& trace, const Chord& a, const Chord& b) {
+  const double near = near_distance(trace.polygon.diagonal());
+  const auto close = [&](const LiftingPoint& p, const LiftingPoint& q) {
+    return length(p.position - q.position) <= near;
+  };
+  return (close(a.r1, b.r1) && close(a.r2, b.r2)) || (close(a.r1, b.r2) && close(a.r2, b.r1));
+}
+
+// Whether a lifting point is on an edge: its own, or the one that meets it at a vertex.
+bool lies_on(const Trace& trace, const LiftingPoint& point, std::uint32_t edge) {
+  if (point.edge == edge) return true;
+  const double near = near_distance(trace.polygon.diagonal());
+  return length(point.position - trace.polygon.edge_start(edge)) <= near ||
+         length(point.position - trace.polygon.edge_end(edge)) <= near;
+}
+
+}  // namespace
+
+WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
+  WhyNot answer;
+  answer.chord = trace.placement.candidates[candidate].chord;
+  answer.candidate = candidate;
+  answer.why = Why::not_by_candidates;
+  if (!trace.by_candidates()) return answer;
+  const std::uint32_t source = trace.source_of_candidate[candidate];
+  if (source < trace.pairs.size()) answer.pair = source;
+  answer.pair_ratio = answer.chord.ratio;
+  answer.team = team_at(trace, k);
+  if (trace.placement.teams.empty()) return answer;
+
+  const std::vector<std::int64_t>& taken = trace.placement.team_candidates;
+  const auto at = std::find(taken.begin(), taken.end(), std::int64_t{candidate});
+  const auto by = static_cast<std::uint32_t>(at - taken.begin());
+  if (at != taken.end() && by < answer.team) answer.team = by;
+  const TeamScores scores = look_at_scores(trace, answer.team);
+  const Score& own = scores.of_candidate[candidate];
+  answer.winner = scores.ranking.front();
+  answer.rank = static_cast<std::uint32_t>(
+      std::find(scores.ranking.begin(), scores.ranking.end(), candidate) - scores.ranking.begin());
+  answer.value = own.value;
+  answer.best = scores.of_candidate[answer.winner].value;
+  answer.exact = own.exact;
+  answer.rule = scores.rule;
+  answer.decided_by = answer.winner == candidate ? scores.decided_by : own.lost_by;
+  answer.why = answer.winner == candidate ? Why::taken : own.eligible ? Why::behind : Why::not_even;
+  return answer;
+}
+
+WhyNot why_not_pair(const Trace& trace, std::uint32_t k, std::uint32_t pair) {
+  const PairDetail detail = look_at_pair(trace, pair);
+  WhyNot answer;
+  if (detail.stands) return why_not(trace, k, detail.candidate);
+  answer.chord = detail.chosen;
+  answer.pair = pair;
+  answer.pair_ratio = detail.chosen.ratio;
+  answer.candidate = detail.candidate;
+  answer.why = detail.candidate == no_index ? Why::too_uneven : Why::duplicate;
+  return answer;
+}
+
+std::vector<Chord> chords_through(const Trace& trace, const Vec2& direction) {
+  std::vector<Chord> chords;
+  if (!(length(direction) > 0)) return chords;
+  const RayCaster rays(trace.polygon, trace.centre);
+  const auto ahead = rays.hits(direction), behind = rays.hits(-direction);
+  for (const RayCaster::Hit& a : ahead) {
+    for (const RayCaster::Hit& b : behind) {
+      if (!(a.distance > 0 && b.distance > 0)) continue;
+      if (chords.size() == most_chords_through) return chords;
+      chords.push_back(order_ends(a.point, a.distance, b.point, b.distance, direction));
+    }
+  }
+  return chords;
+}
+
+std::optional<Chord> chord_at(const Trace& trace, const Vec2& point) {
+  const Vec2 direction = point - trace.centre;
+  const double wanted = length(direction);
+  std::optional<Chord> best;
+  bool reaches = false;
+  for (const Chord& chord : chords_through(trace, direction)) {
+    // The end on the point's side.
+    const double arm = points_right(direction) ? chord.arm2 : chord.arm1;
+    const bool reaches_it = arm >= wanted - near_distance(trace.polygon.diagonal());
+    const double size = chord.arm1 + chord.arm2, best_size = best ? best->arm1 + best->arm2 : 0;
+    if (!best || (reaches_it && !reaches) ||
+        (reaches_it == reaches && (reaches ? size < best_size : size > best_size))) {
+      best = chord;
+      reaches = reaches_it;
+    }
+  }
+  return best;
+}
+
+WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Chord>& chord) {
+  WhyNot answer;
+  if (!chord) return answer;
+  answer.chord = *chord;
+  answer.why = Why::not_by_candidates;
+  if (!trace.by_candidates()) return answer;
+  const std::vector<Candidate>& candidates = trace.placement.candidates;
+  for (std::uint32_t i = 0; i < candidates.size(); ++i)
+    if (same_chord(trace, *chord, candidates[i].chord)) return why_not(trace, k, i);
+
+  for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
+    const OppositeDetail detail = look_at_opposite(trace, i);
+    if (detail.candidate != no_index || !same_chord(trace, *chord, detail.chord)) continue;
+    answer.why = Why::opposite_too_uneven;
+    return answer;
+  }
+
+  // The pairs that both ends lie on: one, or several if an end is at a vertex. The best tells most.
+  answer.why = Why::no_pair;
+  for (std::uint32_t i = 0; i < trace.pairs.size(); ++i) {
+    const EdgePair& pair = trace.pairs[i];
+    const bool on = (lies_on(trace, chord->r1, pair.a) && lies_on(trace, chord->r2, pair.b)) ||
+                    (lies_on(trace, chord->r1, pair.b) && lies_on(trace, chord->r2, pair.a));
+    if (!on) continue;
+    const PairDetail detail = look_at_pair(trace, i);
+    if (answer.pair != no_index && detail.chosen.ratio <= answer.pair_ratio) continue;
+    answer.pair = i;
+    answer.pair_ratio = detail.chosen.ratio;
+    answer.candidate = detail.candidate;
+    answer.why = detail.candidate == no_index ? Why::too_uneven : Why::not_best_of_pair;
+    if (same_chord(trace, *chord, detail.chosen)) {
+      if (detail.candidate != no_index) answer.why = Why::duplicate;
+    }
+  }
+  return answer;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,377 @@
+#include "comparisons/against_oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+#include "evenlift/chords.h"
+#include "evenlift/placement.h"
+#include "evenlift/polygon.h"
+#include "shapes/problem_document.h"
+
+namespace against_oracle {
+namespace {
+
+using evenlift::testing::document_of;
+using oracle::Point;
+
+Point point(const evenlift::Vec2& v) { return {v.x(), v.y()}; }
+
+double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
+
+/// The greater gap between the ends of two chords, matched in the better way.
+double apart(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
+  return std::min(std::max(distance(a[0], b[0]), distance(a[1], b[1])),
+                  std::max(distance(a[0], b[1]), distance(a[1], b[0])));
+}
+
+std::array<Point, 2> ends(const evenlift::Chord& chord) {
+  return {point(chord.r1.position), point(chord.r2.position)};
+}
+
+oracle::Kind kind(evenlift::CandidateKind k) {
+  return k == evenlift::CandidateKind::bisecting  ? oracle::Kind::bisecting
+         : k == evenlift::CandidateKind::midpoint ? oracle::Kind::midpoint
+                                                  : oracle::Kind::vertex;
+}
+
+/// Collects what differs.
+class Differences {
+ public:
+  template <class A, class B>
+  void same(const char* what, const A& core, const B& exact) {
+    if (!(core == exact)) add(what) << "core " << core << ", oracle " << exact << "\n";
+  }
+  void near(const char* what, double core, double exact, double tolerance) {
+    if (!(std::fabs(core - exact) <= tolerance))
+      add(what) << "core " << core << ", oracle " << exact << "\n";
+  }
+  std::ostream& add(const char* what) {
+    out_ << "  " << what << ": ";
+    return out_;
+  }
+  bool none() const { return out_.str().empty(); }
+  std::string text() const { return out_.str(); }
+
+ private:
+  std::ostringstream out_ = [] {
+    std::ostringstream s;
+    s << std::setprecision(17);
+    return s;
+  }();
+};
+
+double size_of(const std::vector<Point>& v) {
+  Point low = v[0], high = v[0];
+  for (const Point& p : v)
+    for (std::size_t k : {0u, 1u}) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  return distance(low, high);
+}
+
+/// How far p is from the convex hull with these corners, in units of `size`; 0 inside.
+double outside(const Point& p, const std::vector<Point>& hull, double size) {
+  const auto seen_from_p = [&](const Point& q) {
+    return Point{(q[0] - p[0]) / size, (q[1] - p[1]) / size};
+  };
+  double least = std::numeric_limits<double>::infinity();
+  bool inside = hull.size() >= 3;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point a = seen_from_p(hull[i]), b = seen_from_p(hull[(i + 1) % hull.size()]);
+    const double ux = b[0] - a[0], uy = b[1] - a[1], squared = ux * ux + uy * uy;
+    const double s = squared > 0 ? std::clamp(-(a[0] * ux + a[1] * uy) / squared, 0.0, 1.0) : 0;
+    least = std::min(least, std::hypot(a[0] + s * ux, a[1] + s * uy));
+    inside = inside && uy * a[0] - ux * a[1] >= 0;
+  }
+  return inside ? 0 : least;
+}
+
+class Comparison {
+ public:
+  Comparison(const Case& c, const evenlift::Placement& core)
+      : case_(c), core_(core), size_(size_of(c.problem.vertices)) {}
+
+  /// Candidates, teams and verdicts, all from the polygon.
+  oracle::ClosestCall whole_way(Differences& d) const {
+    const oracle::CandidateList list = oracle::find_candidates(case_.problem);
+    oracle::ClosestCall closest = list.closest_call;
+    // Which of two duplicates of one ratio stands is a matter of rounding; it counts if they are
+    // not quite the same.
+    for (const oracle::Candidate& c : list.candidates)
+      if (c.ends_slack > 1e-12 * size_) closest.merge({0, "duplicates less than tau L apart"});
+    candidates(d, list);
+    const oracle::Selection selection = oracle::select(case_.problem, list);
+    closest.merge(selection.closest_call);
+    teams(d, selection);
+    // Verdicts on different teams would only repeat that the teams differ.
+    if (d.none()) closest.merge(verdicts(d, list, selection.teams, 1e-9));
+    return closest;
+  }
+
+  /// Teams and verdicts from the core's own chords, so that their rounding does not count.
+  oracle::ClosestCall from_the_cores_chords(Differences& d) const {
+    std::vector<oracle::Candidate> given;
+    for (const evenlift::Candidate& c : core_.candidates)
+      given.push_back({.ends = ends(c.chord), .ratio = c.chord.ratio, .kind = kind(c.kind)});
+    const oracle::CandidateList list = oracle::given_candidates(case_.problem, given);
+    const oracle::Selection selection = oracle::select(case_.problem, list);
+    oracle::ClosestCall closest = selection.closest_call;
+    teams(d, selection);
+    if (d.none()) closest.merge(verdicts(d, list, selection.teams, 1e-9));
+    return closest;
+  }
+
+ private:
+  void candidates(Differences& d, const oracle::CandidateList& list) const {
+    d.same("number of candidates", core_.candidates.size(), list.candidates.size());
+    for (std::size_t i = 0; i < std::min(core_.candidates.size(), list.candidates.size()); ++i) {
+      const evenlift::Candidate& mine = core_.candidates[i];
+      const oracle::Candidate& exact = list.candidates[i];
+      const double gap = apart(ends(mine.chord), exact.ends);
+      const bool differ = gap > 2e-9 * size_ || kind(mine.kind) != exact.kind ||
+                          std::fabs(mine.chord.ratio - exact.ratio) > 1e-12 + exact.ratio_slack;
+      if (!differ) continue;
+      d.add("candidate") << i << "\n    core   "
+                         << describe({.ends = ends(mine.chord),
+                                      .ratio = mine.chord.ratio,
+                                      .kind = kind(mine.kind)})
+                         << "\n    oracle " << describe(exact) << "\n";
+    }
+    if (!d.none())
+      d.add("how hard") << "thinnest range " << list.thinnest_range << ", nearest |g - 1| "
+                        << list.nearest_unit_g << "\n";
+  }
+
+  static std::string describe(const oracle::Candidate& c) {
+    std::ostringstream s;
+    s << std::setprecision(17) << "(" << c.ends[0][0] << "," << c.ends[0][1] << ")-("
+      << c.ends[1][0] << "," << c.ends[1][1] << ") ratio " << c.ratio << " kind "
+      << static_cast<int>(c.kind);
+    return s.str();
+  }
+
+  void teams(Differences& d, const oracle::Selection& selection) const {
+    const std::vector<std::size_t> mine(core_.team_candidates.begin(), core_.team_candidates.end());
+    if (mine == selection.teams) return;
+    std::ostream& out = d.add("teams") << "core";
+    for (std::size_t i : mine) out << " " << i;
+    out << ", oracle";
+    for (std::size_t k = 0; k < selection.teams.size(); ++k)
+      out << " " << selection.teams[k] << " (" << selection.scores[k] << ")";
+    out << "\n";
+  }
+
+  oracle::ClosestCall verdicts(Differences& d, const oracle::CandidateList& list,
+                               const std::vector<std::size_t>& teams, double tolerance) const {
+    const oracle::Judgement exact = oracle::judge(case_.problem, list, teams);
+    hull(d, exact.hull, tolerance);
+    d.near("coverage", core_.coverage, exact.coverage, tolerance);
+    loads(d, list, teams, exact.loads);
+    d.same("clockwise free", core_.closure.clockwise.exists, exact.closure.clockwise);
+    d.same("counterclockwise free", core_.closure.counterclockwise.exists,
+           exact.closure.counterclockwise);
+    d.same("translation free", core_.closure.translation_free, exact.closure.translation);
+    d.same("form closure", core_.closure.form_closure, exact.closure.form_closure);
+    if (exact.closure.flattest_crossing > 1e-6)
+      d.same("second order", core_.closure.second_order, exact.closure.second_order);
+    d.same("a margin", core_.closure.margin.has_value(), exact.closure.margin.has_value());
+    if (core_.closure.margin && exact.closure.margin)
+      d.near("margin", *core_.closure.margin, *exact.closure.margin, 1e-7);
+    return exact.closure.closest_call;
+  }
+
+  void hull(Differences& d, const std::vector<Point>& exact, double tolerance) const {
+    std::vector<Point> mine;
+    for (const evenlift::Vec2& v : core_.hull) mine.push_back(point(v));
+    d.same("a hull", mine.empty(), exact.empty());
+    for (const Point& p : mine)
+      d.near("hull corner outside the oracle's", outside(p, exact, size_), 0, tolerance);
+    for (const Point& p : exact)
+      d.near("oracle's hull corner outside", outside(p, mine, size_), 0, tolerance);
+  }
+
+  void loads(Differences& d, const oracle::CandidateList& list,
+             const std::vector<std::size_t>& teams,
+             const std::optional<oracle::Loads>& exact) const {
+    d.same("loads", core_.loads.has_value(), exact.has_value());
+    if (!core_.loads || !exact) return;
+    const double tolerance = 1e-9 * case_.problem.weight;
+    d.near("least load", core_.loads->min, exact->min, tolerance);
+    d.near("mean load", core_.loads->mean, exact->mean, tolerance);
+    d.near("greatest load", core_.loads->max, exact->max, tolerance);
+    d.near("spread", core_.loads->spread, exact->spread, tolerance);
+    d.near("greatest share", core_.loads->max_share, exact->max_share, 1e-9);
+    for (std::size_t k = 0; k < teams.size(); ++k) {
+      const evenlift::Team& team = core_.teams[k];
+      const std::array<Point, 2> mine = ends(team.chord), theirs = list.candidates[teams[k]].ends;
+      const bool swapped = distance(mine[0], theirs[0]) > distance(mine[0], theirs[1]);
+      d.near("load of r1", team.loads[0], exact->of_teams[k][swapped], tolerance);
+      d.near("load of r2", team.loads[1], exact->of_teams[k][!swapped], tolerance);
+    }
+  }
+
+  const Case& case_;
+  const evenlift::Placement& core_;
+  double size_;
+};
+
+double farthest_from_origin(const oracle::Problem& problem) {
+  double largest = 0;
+  for (const Point& p : problem.vertices)
+    largest = std::max({largest, std::fabs(p[0]), std::fabs(p[1])});
+  return largest;
+}
+
+/// Whether the coordinates are so far from the origin that their spacing is no longer far below tau
+/// L. Ends within tau L of each other cannot then be told from ends at the same doubles.
+bool coarse(const oracle::Problem& problem) {
+  return farthest_from_origin(problem) * 0x1p-52 > 1e-11 * size_of(problem.vertices);
+}
+
+/// How the core refused a problem that the oracle accepts.
+std::string refusal_of(const evenlift::InputError& error) {
+  return "the core refuses it: " + error.message + "\n";
+}
+
+}  // namespace
+
+std::string text(const Case& c) {
+  std::ostringstream s;
+  s << std::setprecision(17) << c.name << "; rho " << c.problem.min_ratio << ", teams "
+    << c.problem.teams << ", metric " << static_cast<int>(c.problem.metric) << "\n";
+  if (c.problem.centre_of_mass) {
+    const Point& com = *c.problem.centre_of_mass;
+    s << "CoM:(" << com[0] << "," << com[1] << ")\n";
+  }
+  for (const Point& p : c.problem.vertices) s << "(" << p[0] << "," << p[1] << ")\n";
+  return s.str();
+}
+
+Finding compare_placement(const Case& c) {
+  Finding finding;
+  const auto placed = evenlift::place(document_of(c.problem));
+  if (!placed) {
+    finding.differences = refusal_of(placed.error());
+    return finding;
+  }
+  if (coarse(c.problem)) return finding;  // that it does not crash is all
+  const Comparison comparison(c, *placed);
+  for (const bool whole : {true, false}) {
+    Differences d;
+    const oracle::ClosestCall closest =
+        whole ? comparison.whole_way(d) : comparison.from_the_cores_chords(d);
+    if (d.none()) continue;
+    if (closest.distance < 1e-3) {
+      ++finding.passed_over;
+      continue;
+    }
+    std::ostringstream s;
+    s << (whole ? "from the polygon" : "from the core's chords") << ", closest call "
+      << closest.distance << " (" << closest.what << ")\n"
+      << d.text();
+    finding.differences += s.str();
+  }
+  return finding;
+}
+
+Finding compare_refusal(const Case& c) {
+  Finding finding;
+  const oracle::Refusal why = oracle::refusal(c.problem);
+  const auto placed = evenlift::place(document_of(c.problem));
+  if (placed.ok() == (why == oracle::Refusal::none) &&
+      (why != oracle::Refusal::no_area || placed.error().code == evenlift::ErrorCode::no_area))
+    return finding;
+  finding.differences =
+      "the oracle's refusal is " + std::to_string(static_cast<int>(why)) +
+      (placed.ok() ? ", the core accepts it" : ", the core says: " + placed.error().message) + "\n";
+  return finding;
+}
+
+Finding compare_vertex_chords(const Case& c) {
+  Finding finding;
+  const double size = size_of(c.problem.vertices);
+  const std::vector<std::array<Point, 2>> exact = oracle::vertex_chords(c.problem);
+  const evenlift::Document d = document_of(c.problem);
+  const auto polygon = evenlift::Polygon::create(d.vertices);
+  if (!polygon) {
+    finding.differences = refusal_of(polygon.error());
+    return finding;
+  }
+  const auto centre = evenlift::check_centre_of_mass(*polygon, d.centre_of_mass);
+  if (!centre) {
+    finding.differences = refusal_of(centre.error());
+    return finding;
+  }
+  const auto chords = evenlift::vertex_chords(*polygon, *centre);
+  if (!chords) {
+    finding.differences = refusal_of(chords.error());
+    return finding;
+  }
+  std::ostringstream s;
+  if (chords->size() != exact.size())
+    s << "vertex-chords: core " << chords->size() << ", oracle " << exact.size() << "\n";
+  // Each of the oracle's has one of the core's for its own.
+  std::vector<bool> used(chords->size(), false);
+  int missing = 0;
+  for (const auto& want : exact) {
+    std::size_t found = used.size();
+    for (std::size_t k = 0; k < used.size() && found == used.size(); ++k)
+      if (!used[k] && apart(ends((*chords)[k].chord), want) <= 1e-9 * size) found = k;
+    if (found < used.size())
+      used[found] = true;
+    else
+      ++missing;
+  }
+  if (missing > 0) s << "the core lacks " << missing << " of the oracle's vertex-chords\n";
+  finding.differences = s.str();
+  return finding;
+}
+
+Finding compare_distributed(const Case& c) {
+  Finding finding;
+  const oracle::DistributedTeams exact = oracle::distributed(c.problem);
+  evenlift::Document d = document_of(c.problem);
+  d.settings.metric = evenlift::Metric::distributed;
+  const auto placed = evenlift::place(d);
+  if (!placed) {
+    finding.differences = refusal_of(placed.error());
+    return finding;
+  }
+  // With C almost on an edge there may be no directions to speak of; how many teams are placed
+  // then is noise.
+  if (exact.measure < 1e-9 || coarse(c.problem)) return finding;
+  std::ostringstream s;
+  s << std::setprecision(17);
+  if (placed->teams.size() != exact.chords.size()) {
+    s << "distributed teams: core " << placed->teams.size() << ", oracle " << exact.chords.size()
+      << "\n";
+    finding.differences = s.str();
+    return finding;
+  }
+  const double size = size_of(c.problem.vertices);
+  for (std::size_t k = 0; k < exact.chords.size(); ++k) {
+    const std::array<Point, 2> mine = ends(placed->teams[k].chord);
+    const double gap = apart(mine, exact.chords[k]) / size * exact.flattest_hit[k];
+    ++finding.compared;
+    // Within tau of a vertex's direction the core may take the vertex itself.
+    const double room = exact.nearest_vertex[k] < 1.001e-9 ? 1e-9 : 1e-12;
+    if (gap <= room + 1e-15 * farthest_from_origin(c.problem) / size) continue;
+    // There the farthest point may jump, and rounding decides to which side.
+    if (exact.nearest_vertex[k] < 1e-12) {
+      ++finding.passed_over;
+      continue;
+    }
+    s << "distributed team " << k << ": core " << mine[0][0] << "," << mine[0][1] << " "
+      << mine[1][0] << "," << mine[1][1] << ", oracle " << exact.chords[k][0][0] << ","
+      << exact.chords[k][0][1] << " " << exact.chords[k][1][0] << "," << exact.chords[k][1][1]
+      << "\n";
+  }
+  finding.differences = s.str();
+  return finding;
+}
+
+}  // namespace against_oracle

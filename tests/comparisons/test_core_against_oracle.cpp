@@ -1,0 +1,98 @@
+// The core against the exact oracle, over thousands of small polygons: the same candidates in the
+// same order, the same teams, the same verdicts. A case is passed over only if the oracle shows
+// that a tolerance decided it by a hair.
+#include <cstdint>
+#include <iterator>
+
+#include "comparisons/against_oracle.h"
+#include "kit/catch.h"
+#include "shapes/small_polygons.h"
+
+namespace {
+
+using against_oracle::Finding;
+using small_polygons::Case;
+
+bool check(const Case& c, const Finding& finding) {
+  if (finding.differences.empty()) return true;
+  INFO(against_oracle::text(c));
+  CHECK(finding.differences == "");
+  return false;
+}
+
+constexpr std::uint64_t cases_per_family = 400;
+
+void compare_family(std::uint64_t family) {
+  int knife_edges = 0, disagreements = 0;
+  const std::uint64_t families = std::size(small_polygons::families);
+  for (std::uint64_t i = 0; i < cases_per_family && disagreements < 10; ++i) {
+    const Case c = small_polygons::make_case(family + families * i);
+    const Finding finding = against_oracle::compare_placement(c);
+    knife_edges += finding.passed_over;
+    disagreements += !check(c, finding);
+  }
+  CHECK(knife_edges <= 4);
+}
+
+}  // namespace
+
+TEST_CASE("the core agrees with the oracle on regular polygons", "[oracle][core]") {
+  compare_family(0);
+}
+TEST_CASE("the core agrees with the oracle on convex polygons", "[oracle][core]") {
+  compare_family(1);
+}
+TEST_CASE("the core agrees with the oracle on stars", "[oracle][core]") { compare_family(2); }
+TEST_CASE("the core agrees with the oracle on combs", "[oracle][core]") { compare_family(3); }
+TEST_CASE("the core agrees with the oracle on spirals", "[oracle][core]") { compare_family(4); }
+TEST_CASE("the core agrees with the oracle on random simple polygons", "[oracle][core]") {
+  compare_family(5);
+}
+TEST_CASE("the core agrees with the oracle on polygons of a small grid", "[oracle][core]") {
+  compare_family(6);
+}
+TEST_CASE("the core agrees with the oracle on staircases", "[oracle][core]") { compare_family(7); }
+TEST_CASE("the core agrees with the oracle on symmetric polygons", "[oracle][core]") {
+  compare_family(8);
+}
+
+TEST_CASE("the core agrees with the oracle on cases made by hand", "[oracle][core]") {
+  for (const Case& c : small_polygons::hand_made()) {
+    INFO(against_oracle::text(c));
+    REQUIRE(oracle::refusal(c.problem) == oracle::Refusal::none);
+    const Finding finding = against_oracle::compare_placement(c);
+    check(c, finding);
+    CHECK(finding.passed_over == 0);
+  }
+}
+
+TEST_CASE("the core refuses what the oracle refuses and nothing else", "[oracle][core]") {
+  int refused = 0, accepted = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    const Case c = small_polygons::make_careless_case(i);
+    check(c, against_oracle::compare_refusal(c));
+    ++(oracle::refusal(c.problem) == oracle::Refusal::none ? accepted : refused);
+  }
+  CHECK(accepted > 300);
+  CHECK(refused > 1000);
+}
+
+TEST_CASE("the core lists the oracle's vertex-chords", "[oracle][core]") {
+  for (std::uint64_t i = 0; i < 1500; ++i) {
+    const Case c = small_polygons::make_case(i);
+    check(c, against_oracle::compare_vertex_chords(c));
+  }
+}
+
+TEST_CASE("the core's distributed teams are the oracle's", "[oracle][core]") {
+  int jumps = 0, compared = 0;
+  for (std::uint64_t i = 0; i < 900; ++i) {
+    const Case c = small_polygons::make_case(i);
+    const Finding finding = against_oracle::compare_distributed(c);
+    check(c, finding);
+    compared += finding.compared;
+    jumps += finding.passed_over;
+  }
+  CHECK(compared > 2000);
+  CHECK(jumps <= 10);
+}

@@ -1,0 +1,124 @@
+#include "evenlift/capacity.h"
+
+#include <cmath>
+
+#include "evenlift/generate.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+
+using namespace evenlift;
+
+namespace {
+
+Placement placed(const Document& document) {
+  const Result<Placement> placement = place(document);
+  REQUIRE(placement.ok());
+  return *placement;
+}
+
+Document distributed_square() {
+  Document square;
+  square.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  square.settings.metric = Metric::distributed;
+  return square;
+}
+
+// The plan by its definition: place one number of teams after the other.
+CapacityPlan plan_by_trying(Document document, double capacity, std::uint32_t most) {
+  CapacityPlan plan;
+  for (std::uint32_t k = 1; k <= most; ++k) {
+    document.settings.teams = k;
+    const Result<Placement> placement = place(document);
+    REQUIRE(placement.ok());
+    if (placement->teams.size() < k) return plan;
+    plan.tried = k;
+    if (placement->loads->max <= capacity) return {true, k, placement->loads->max, k};
+  }
+  return plan;
+}
+
+}  // namespace
+
+TEST_CASE("robots needed for a capacity are the fewest that stay within it, by every method",
+          "[capacity]") {
+  int possible = 0;
+  for (const char* name : {"puzzle-piece", "thesis-sample", "kidney-table", "horseshoe", "comb"}) {
+    for (const Metric metric : all_metrics) {
+      for (const double capacity : {60.0, 26.0, 12.5, 7.0, 5.0}) {
+        Document document = corpus::polygon(name);
+        document.settings.metric = metric;
+        const CapacityPlan plan = plan_capacity(placed(document), capacity);
+        const CapacityPlan expected = plan_by_trying(document, capacity, 24);
+        INFO(name << ", " << evenlift::name(metric) << ", " << capacity);
+        if (!expected.possible && expected.tried == 24) continue;  // more teams may do
+        CHECK(plan == expected);
+        possible += expected.possible ? 1 : 0;
+      }
+    }
+  }
+  CHECK(possible > 60);
+}
+
+TEST_CASE("a plan is the least number of teams also where hundreds are needed", "[capacity]") {
+  for (const Metric metric : all_metrics) {
+    Document document;
+    document.vertices = *generate(Family::comb, 300, 1);
+    document.settings.metric = metric;
+    const CapacityPlan plan = plan_capacity(placed(document), 0.4);
+    INFO(name(metric));
+    REQUIRE(plan.possible);
+    CHECK(plan.teams >= 125);
+    document.settings.teams = plan.teams;
+    CHECK(placed(document).loads->max == plan.greatest_load);
+    CHECK(plan.greatest_load <= 0.4);
+    for (std::uint32_t fewer = 1; fewer < plan.teams; fewer += fewer + 8 < plan.teams ? 7 : 1) {
+      document.settings.teams = fewer;
+      CHECK(placed(document).loads->max > 0.4);
+    }
+  }
+}
+
+TEST_CASE("a plan does not depend on how many teams are placed", "[capacity]") {
+  for (const Metric metric : all_metrics) {
+    Document document = corpus::polygon("kidney-table");
+    document.settings.metric = metric;
+    document.settings.teams = 1;
+    const Placement one = placed(document);
+    document.settings.teams = 9;
+    const Placement nine = placed(document);
+    CHECK(plan_capacity(one, 7) == plan_capacity(nine, 7));
+    CHECK(same_plan(one, nine));
+    document.settings.weight = 99;
+    CHECK_FALSE(same_plan(one, placed(document)));
+  }
+}
+
+TEST_CASE("100 kg on even teams need the robots that arithmetic says", "[capacity]") {
+  const CapacityPlan plan = plan_capacity(placed(distributed_square()), 5);
+  CHECK(plan.possible);
+  CHECK(plan.teams == 10);
+}
+
+TEST_CASE("a capacity that no number of teams keeps is said to be impossible", "[capacity]") {
+  const CapacityPlan few = plan_capacity(placed(corpus::polygon("thesis-sample")), 5);
+  CHECK_FALSE(few.possible);
+  CHECK(few.tried == 3);  // its candidates
+  Document at_random = distributed_square();
+  at_random.settings.metric = Metric::random;
+  for (const Document& document : {distributed_square(), at_random}) {
+    const CapacityPlan many = plan_capacity(placed(document), 1e-6);
+    CHECK_FALSE(many.possible);
+    CHECK(many.tried == most_teams_for_capacity);
+  }
+}
+
+TEST_CASE("robots that carry more than the capacity are told by number", "[capacity]") {
+  Document document = corpus::polygon("grand-piano");
+  const Placement placement = placed(document);
+  const double most = placement.loads->max;
+  CHECK(overloaded_robots(placement, most).empty());
+  const std::vector<std::size_t> over = overloaded_robots(placement, std::nextafter(most, 0));
+  REQUIRE(over.size() == 1);
+  CHECK(placement.teams[over[0] / 2].loads[over[0] % 2] == most);
+  CHECK(overloaded_robots(placement, 1e-9).size() == 2 * placement.teams.size());
+}

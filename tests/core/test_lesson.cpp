@@ -1,0 +1,376 @@
+// Lessons: the reader, and the ready-made ones.
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "evenlift/lesson.h"
+#include "evenlift/link.h"
+#include "evenlift/placement.h"
+#include "evenlift/random.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/data_table.h"
+
+using namespace evenlift;
+
+namespace {
+
+const std::string good =
+    "# A comment.\n"
+    "title: Équal arms\r\n"
+    "polygon: square-moved\n"
+    "teams: max\n"
+    "metric: circle\n"
+    "min-ratio: 0.5\n"
+    "com: 100, -20.5\n"
+    "weight: 7\n"
+    "seed: 18446744073709551615\n"
+    "predict: yes\n"
+    "\n"
+    "[centre]\n"
+    "Two lines\n"
+    "  that are one.\n"
+    "\n"
+    "# Not shown.\n"
+    "Another paragraph.\n"
+    "\n"
+    "[team 2]\nTwo.\n[vertex 3]\nThree.\n[pair 4]\nFour.\n[edges 5 6]\nFive.\n[step 7]\nSix.\n"
+    "[ cut   8 ]\nSeven.\n[end]\nEight.";
+
+Lesson lesson_of(const std::string& text) {
+  const Result<Lesson> lesson = parse_lesson(text);
+  INFO((lesson ? "" : lesson.error().message));
+  REQUIRE(lesson.ok());
+  return *lesson;
+}
+
+// The refusal's line and message.
+void refused(const std::string& text, std::size_t line, const std::string& part) {
+  const Result<Lesson> lesson = parse_lesson(text);
+  INFO(text);
+  REQUIRE_FALSE(lesson.ok());
+  INFO(lesson.error().message);
+  CHECK(lesson.error().place.kind == Place::Kind::line);
+  CHECK(lesson.error().place.index == line);
+  CHECK(lesson.error().message.find(part) != std::string::npos);
+  CHECK(testing::is_one_sentence(lesson.error().message));
+}
+
+std::filesystem::path lessons_folder() {
+  return std::filesystem::path(EVENLIFT_ASSETS_DIR) / "lessons";
+}
+
+// Name and title of each line of the index.
+std::vector<std::pair<std::string, std::string>> index() {
+  std::istringstream lines(corpus::read_file(lessons_folder() / "index.txt"));
+  std::vector<std::pair<std::string, std::string>> entries;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    const std::size_t end = line.find(' ');
+    REQUIRE(end != std::string::npos);
+    entries.emplace_back(line.substr(0, end), line.substr(line.find_first_not_of(' ', end)));
+  }
+  return entries;
+}
+
+Trace trace_of(const Lesson& lesson) {
+  Document sample;
+  if (!lesson.polygon.empty()) sample = corpus::polygon(lesson.polygon);
+  const Result<Document> document = lesson_document(lesson, sample);
+  REQUIRE(document.ok());
+  const Result<Placement> placement = place(*document);
+  REQUIRE(placement.ok());
+  Result<Trace> trace = make_trace(*placement);
+  REQUIRE(trace.ok());
+  return *std::move(trace);
+}
+
+}  // namespace
+
+TEST_CASE("a lesson is read with its settings, addresses and words", "[lesson]") {
+  const Lesson lesson = lesson_of(good);
+  CHECK(lesson.title == "Équal arms");
+  CHECK(lesson.polygon == "square-moved");
+  CHECK(lesson.link.empty());
+  CHECK(lesson.settings.size() == 6);
+  CHECK(lesson.predict);
+  REQUIRE(lesson.steps.size() == 8);
+  CHECK(lesson.steps[0].words == "Two lines that are one.\nAnother paragraph.");
+  CHECK(lesson.steps[0].line == 12);
+  using By = StepAddress::By;
+  const auto is = [&](std::size_t i, By by, std::uint32_t item, std::uint32_t other = 0) {
+    const StepAddress& address = lesson.steps[i].address;
+    return address.by == by && address.item == item && address.other == other;
+  };
+  CHECK((is(0, By::kind, 0) && lesson.steps[0].address.kind == StepKind::centre));
+  CHECK((is(1, By::kind, 1) && lesson.steps[1].address.kind == StepKind::team));
+  CHECK(is(2, By::vertex, 2));
+  CHECK((is(3, By::kind, 3) && lesson.steps[3].address.kind == StepKind::outcome));
+  CHECK(is(4, By::edges, 4, 5));
+  CHECK(is(5, By::number, 6));
+  CHECK((is(6, By::kind, 7) && lesson.steps[6].address.kind == StepKind::cut));
+  CHECK(is(7, By::end, 0));
+
+  Document sample = corpus::polygon("square");
+  const Result<Document> document = lesson_document(lesson, sample);
+  REQUIRE(document.ok());
+  CHECK_FALSE(document->settings.teams);
+  CHECK(document->settings.metric == Metric::circle);
+  CHECK(document->settings.min_ratio == 0.5);
+  CHECK(document->settings.weight == 7.0);
+  CHECK(document->settings.seed == ~std::uint64_t{0});
+  CHECK(*document->centre_of_mass == Vec2(100, -20.5));
+}
+
+TEST_CASE("a lesson's own settings go before those of its link", "[lesson]") {
+  Document document = corpus::polygon("hexagon");
+  document.settings.metric = Metric::distance;
+  document.settings.teams = 2;
+  const std::string link = *encode_link(document);
+  const Lesson lesson = lesson_of("title: T\nlink: " + link + "\nteams: 1\n[end]\nWords.");
+  const Result<Document> opened = lesson_document(lesson, {});
+  REQUIRE(opened.ok());
+  CHECK(opened->vertices == document.vertices);
+  CHECK(opened->settings.metric == Metric::distance);
+  CHECK(opened->settings.teams == 1u);
+  CHECK_FALSE(lesson_document(lesson_of("title: T\nlink: 1.xyz\n[end]\nWords."), {}).ok());
+}
+
+TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
+  refused("", 1, "no title");
+  refused("polygon: square\n[end]\nWords.", 3, "no title");
+  refused("title: T\n[end]\nWords.", 3, "neither a polygon nor a link");
+  refused("title: T\npolygon: square\nlink: 1.x\n[end]\nWords.", 5, "give one of them");
+  refused("title: T\npolygon: square\n", 2, "shows no step");
+  refused("title: T\ntitle: U\n", 2, "twice");
+  refused("title:\n", 1, "no value");
+  refused("title: " + std::string(101, 'x') + "\n", 1, "longer than 100");
+  refused("title: T\npolygon: ../square\n", 2, "small letters");
+  refused("title: T\npolygn: square\n", 2, "unknown setting");
+  refused("title: T\nHello\n", 2, "expected a setting");
+  refused("teams: 0\n", 1, "teams");
+  refused("teams: 1048577\n", 1, "teams");
+  refused("teams: -1\n", 1, "teams");
+  refused("metric: volume\n", 1, "area");
+  refused("min-ratio: 1.01\n", 1, "0 to 1");
+  refused("min-ratio: nan\n", 1, "0 to 1");
+  refused("com: 1\n", 1, "X,Y");
+  refused("com: 1,2,3\n", 1, "X,Y");
+  refused("weight: 0\n", 1, "greater than 0");
+  refused("seed: 18446744073709551616\n", 1, "whole number");
+  refused("predict: maybe\n", 1, "yes or no");
+  const std::string head = "title: T\npolygon: square\n";
+  for (const char* address :
+       {"[]", "[ ]", "[nothing]", "[team 0]", "[team -1]", "[team 1 2]", "[team x]", "[edges 1]",
+        "[edges 1 2 3]", "[vertex]", "[step]", "[end 1]", "[team 99999999999]"})
+    refused(head + address + "\nWords.", 3, "address of a step");
+  refused(head + "[team 2\nWords.", 3, "ends in ]");
+  refused(head + "[team 2]\n\n[end]\nWords.", 3, "no words");
+  refused(head + "[team 2]\n", 3, "no words");
+  refused(head + "[end]\n" + std::string(1001, 'x'), 3, "more than 1000");
+  refused(head + "[end]\nA \xff byte.", 4, "not readable");
+  refused(head + "[end]\nA \xed\xa0\x80 surrogate.", 4, "not readable");
+  refused(head + "[end]\nCut \xc3", 4, "not readable");
+  refused(head + "[end]\nA " + std::string(1, '\0') + " byte.", 4, "not readable");
+  std::string many = head;
+  for (int i = 0; i < 201; ++i) many += "[end]\nWords.\n";
+  refused(many, 403, "at most 200");
+  const Result<Lesson> huge = parse_lesson(std::string(max_lesson_bytes + 1, '#'));
+  REQUIRE_FALSE(huge.ok());
+  CHECK(huge.error().code == ErrorCode::text_too_long);
+}
+
+TEST_CASE("any bytes give a lesson or an error", "[lesson]") {
+  Rng rng(1);
+  int accepted = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string text = good;
+    const std::uint64_t changes = 1 + rng.below(4);
+    for (std::uint64_t k = 0; k < changes; ++k) {
+      const auto at = static_cast<std::size_t>(rng.below(text.size()));
+      const auto way = rng.below(3);
+      const char byte = static_cast<char>(rng.below(256));
+      if (way == 0) text[at] = byte;
+      if (way == 1) text.erase(at, static_cast<std::size_t>(rng.below(20)));
+      if (way == 2) text.insert(at, 1, byte);
+      if (text.empty()) text = "x";
+    }
+    const Result<Lesson> lesson = parse_lesson(text);
+    accepted += lesson.ok();
+    if (!lesson && !testing::is_one_sentence(lesson.error().message)) FAIL(lesson.error().message);
+    if (lesson && (lesson->title.empty() || lesson->steps.empty())) FAIL(text);
+  }
+  CHECK(accepted > 1000);
+  CHECK(accepted < 19000);
+}
+
+TEST_CASE("a step is found by its address, and a missing one named by its line", "[lesson]") {
+  const Lesson lesson = lesson_of(
+      "title: T\npolygon: stone-slab\n[vertex 4]\na\n[edges 3 7]\nb\n[edges 7 3]\nc\n[step "
+      "2]\nd\n[team 3]\ne\n[end]\nf\n");
+  const Trace trace = trace_of(lesson);
+  const auto step = [&](std::size_t i) {
+    const auto at = find_step(trace, lesson.steps[i].address);
+    REQUIRE(at);
+    return trace.step(*at);
+  };
+  CHECK(trace.rays.vertices[step(0).item] == 3);
+  CHECK(step(1).kind == StepKind::outcome);
+  CHECK(trace.pairs[step(1).item].a + trace.pairs[step(1).item].b == 8);
+  CHECK(step(2) == step(1));
+  CHECK(step(3).kind == StepKind::centroid);
+  CHECK(step(4) == Step{StepKind::team, Chapter::further_teams, 2});
+  CHECK(step(5).kind == StepKind::result);
+  CHECK_FALSE(check_lesson(lesson, trace));
+
+  for (const char* address : {"vertex 9", "edges 1 2", "step 54", "team 4", "radial", "fewer"}) {
+    const auto error = check_lesson(
+        lesson_of("title: T\npolygon: stone-slab\n[end]\na\n[" + std::string(address) + "]\nb\n"),
+        trace);
+    INFO(address);
+    REQUIRE(error);
+    CHECK(error->place.index == 5);
+  }
+}
+
+TEST_CASE("every ready-made lesson opens and has its steps", "[lesson]") {
+  const auto entries = index();
+  CHECK(entries.size() >= 8);
+  std::set<std::string> listed{"index"};
+  for (const auto& [name, title] : entries) {
+    INFO(name);
+    listed.insert(name);
+    const Lesson lesson = lesson_of(corpus::read_file(lessons_folder() / (name + ".txt")));
+    CHECK(lesson.title == title);
+    CHECK(lesson.steps.size() >= 4);
+    const Trace trace = trace_of(lesson);
+    const auto missing = check_lesson(lesson, trace);
+    INFO((missing ? describe(missing->place) : ""));
+    CHECK_FALSE(missing);
+    // In the order of the algorithm.
+    std::uint32_t before = 0;
+    for (const LessonStep& step : lesson.steps) {
+      const std::uint32_t at = find_step(trace, step.address).value_or(0);
+      INFO("line " << step.line);
+      CHECK(at >= before);
+      before = at;
+    }
+  }
+  for (const auto& file : std::filesystem::directory_iterator(lessons_folder()))
+    CHECK(listed.count(file.path().stem().string()) == 1);
+}
+
+TEST_CASE("the example in docs/lessons.md is a lesson", "[lesson]") {
+  const std::string page = corpus::read_file(
+      std::filesystem::path(EVENLIFT_ASSETS_DIR).parent_path() / "docs" / "lessons.md");
+  const std::size_t begin = page.find("```text\n");
+  REQUIRE(begin != std::string::npos);
+  const std::size_t end = page.find("```", begin + 8);
+  const Lesson lesson = lesson_of(page.substr(begin + 8, end - begin - 8));
+  const Trace trace = trace_of(lesson);
+  CHECK_FALSE(check_lesson(lesson, trace));
+  CHECK(lesson.steps.back().words ==
+        "Lines of one paragraph are joined when they are shown, wherever you break them.\n"
+        "An empty line begins a new paragraph.");
+  CHECK(is_even(trace.placement.teams[0].chord));
+}
+
+// What the lessons say of their polygons, in numbers.
+TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
+  const auto trace = [](const char* name) {
+    return trace_of(lesson_of(corpus::read_file(lessons_folder() / (std::string(name) + ".txt"))));
+  };
+  const auto ratio_of_vertex = [](const Trace& t, std::uint32_t vertex) {
+    const auto at = std::find(t.rays.vertices.begin(), t.rays.vertices.end(), vertex - 1);
+    REQUIRE(at != t.rays.vertices.end());
+    return t.rays.chords[t.rays.begins[static_cast<std::size_t>(at - t.rays.vertices.begin())]]
+        .chord.ratio;
+  };
+  {
+    const Trace t = trace("equal-arms");
+    CHECK(t.placement.candidates.size() == 9);
+    CHECK(std::count_if(t.placement.candidates.begin(), t.placement.candidates.end(),
+                        [](const Candidate& c) { return is_even(c.chord); }) == 5);
+    CHECK(std::fabs(t.placement.teams[1].chord.ratio - 0.895) < 5e-4);
+    CHECK(is_even(t.placement.teams[0].chord));
+    CHECK(t.placement.loads->spread < 2);
+  }
+  {
+    const Trace t = trace("convex");
+    CHECK(t.polygon.convex());
+    CHECK(look_at_pair(t, 0).outcome == Outcome::bisecting);
+    CHECK(look_at_pair(t, 5).outcome == Outcome::nearer_end);
+    CHECK(std::fabs(look_at_pair(t, 5).chosen.ratio - ratio_of_vertex(t, 4)) < 1e-12);
+    CHECK_FALSE(look_at_pair(t, 6).stands);
+    CHECK(t.placement.candidates.size() == 7);
+    CHECK(t.placement.coverage > 0.8);
+    CHECK(t.placement.closure.form_closure);
+  }
+  {
+    const Trace area = trace("metrics-area"), arms = trace("metrics-arms");
+    using Teams = std::vector<std::int64_t>;
+    CHECK(area.placement.team_candidates == Teams{4, 0, 2});
+    CHECK(arms.placement.team_candidates == Teams{4, 1, 6});
+    CHECK(std::fabs(area.placement.coverage - 0.82) < 0.005);
+    CHECK(std::fabs(arms.placement.coverage - 0.80) < 0.005);
+    const TeamScores scores = look_at_scores(area, 1);
+    CHECK(scores.of_candidate[scores.ranking[0]].value <
+          1.01 * scores.of_candidate[scores.ranking[1]].value);
+  }
+  {
+    const Trace t = trace("not-convex");
+    const auto reflex = [&](std::size_t i) { return t.polygon.turn(i) == Turn::reflex; };
+    int inwards = 0;
+    for (std::size_t i = 0; i < t.polygon.size(); ++i) inwards += reflex(i);
+    CHECK(inwards == 4);
+    CHECK(t.contacts.size() == 4);
+    CHECK(t.placement.teams.size() == 3);
+  }
+  {
+    const Trace t = trace("outside");
+    CHECK(centre_is_outside(t));
+    CHECK(t.placement.candidates.size() == 3);
+    CHECK(std::fabs(t.placement.coverage - 1.0 / 12) < 0.002);
+  }
+  {
+    const Trace t = trace("moved");
+    CHECK(t.placement.candidates.size() == 3);
+    CHECK(std::fabs(ratio_of_vertex(t, 2) - 0.716) < 5e-4);
+    CHECK(std::fabs(ratio_of_vertex(trace("convex"), 2) - 0.970) < 5e-4);
+    CHECK(std::fabs(t.placement.coverage - 0.49) < 0.005);
+    CHECK(look_at_pair(t, 0).outcome == Outcome::too_uneven);
+    Document easier{t.placement.vertices, t.centre, t.placement.settings};
+    easier.settings.min_ratio = 0.7;
+    const Result<Placement> placed = place(easier);
+    REQUIRE(placed.ok());
+    CHECK(placed->teams.size() == 6);
+    CHECK(std::fabs(placed->coverage - 0.94) < 0.005);
+    CHECK(std::fabs(placed->loads->min - 7.0) < 0.05);
+    CHECK(std::fabs(placed->loads->max - 9.7) < 0.05);
+    easier.settings.min_ratio = 0.8;
+    easier.centre_of_mass.reset();
+    CHECK(std::fabs(place(easier)->coverage - 0.94) < 0.005);
+  }
+  {
+    const Trace t = trace("form-closure");
+    CHECK(t.placement.closure.form_closure);
+    const StepDetail third = look_at(t, *t.find(StepKind::cut, 2));
+    const StepDetail fourth = look_at(t, *t.find(StepKind::cut, 3));
+    CHECK((third.clockwise.exists && third.counterclockwise.exists));
+    CHECK_FALSE((fourth.clockwise.exists || fourth.counterclockwise.exists));
+    CHECK(t.contacts[0].edge == t.contacts[2].edge);
+  }
+  {
+    const Trace t = trace("slides");
+    const Closure& closure = t.placement.closure;
+    CHECK_FALSE((closure.clockwise.exists || closure.counterclockwise.exists));
+    CHECK(closure.translation_free);
+    CHECK_FALSE(look_at(t, *t.find(StepKind::cut, 1)).counterclockwise.exists);
+  }
+  {
+    const Trace t = trace("second-order");
+    CHECK(t.placement.closure.second_order);
+    CHECK(look_at(t, *t.find(StepKind::cut, 1)).clockwise.clipped.size() == 2);
+    CHECK(look_at(t, *t.find(StepKind::cut, 3)).clockwise.clipped.size() == 1);
+  }
+}

@@ -1,0 +1,86 @@
+// What each robot bears, by the law of the lever.
+#include "evenlift/loads.h"
+
+#include "kit/catch.h"
+#include "kit/property.h"
+
+using namespace evenlift;
+
+namespace {
+
+Chord chord(double arm1, double arm2) {
+  Chord c;
+  c.r1.position = {-arm1, 0};
+  c.r2.position = {arm2, 0};
+  c.arm1 = arm1;
+  c.arm2 = arm2;
+  c.ratio = std::min(arm1, arm2) / std::max(arm1, arm2);
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("the robot nearer to the centre of mass bears more, by the lever", "[loads]") {
+  const std::vector<Team> teams = distribute_weight({chord(1, 3)}, 100);
+  REQUIRE(teams.size() == 1);
+  CHECK(teams[0].loads[0] == 75);
+  CHECK(teams[0].loads[1] == 25);
+  const auto summary = summarize_loads(teams);
+  REQUIRE(summary);
+  CHECK(summary->min == 25);
+  CHECK(summary->mean == 50);
+  CHECK(summary->max == 75);
+  CHECK(summary->spread == 50);
+  CHECK(summary->max_share == 0.75);
+}
+
+TEST_CASE("teams share the weight equally, whatever their chords", "[loads]") {
+  const std::vector<Team> teams =
+      distribute_weight({chord(1, 3), chord(2, 2), chord(5, 0.5), chord(4, 1)}, 440);
+  REQUIRE(teams.size() == 4);
+  for (const Team& team : teams) CHECK(team.loads[0] + team.loads[1] == Approx(110).epsilon(1e-15));
+  CHECK(teams[1].loads[0] == 55);
+  CHECK(teams[2].loads[0] == Approx(10).epsilon(1e-15));
+  CHECK(teams[2].loads[1] == Approx(100).epsilon(1e-15));
+  const auto summary = summarize_loads(teams);
+  REQUIRE(summary);
+  CHECK(summary->min == Approx(10).epsilon(1e-15));
+  CHECK(summary->max == Approx(100).epsilon(1e-15));
+  CHECK(summary->mean == Approx(55).epsilon(1e-15));
+  CHECK(summary->max_share == Approx(10.0 / 11).epsilon(1e-15));
+}
+
+TEST_CASE("an even pair shares evenly and its greatest share is a half", "[loads]") {
+  const auto summary = summarize_loads(distribute_weight({chord(7, 7)}, 30));
+  REQUIRE(summary);
+  CHECK(summary->min == 15);
+  CHECK(summary->spread == 0);
+  CHECK(summary->max_share == 0.5);
+}
+
+TEST_CASE("without teams nobody bears anything", "[loads]") {
+  CHECK(distribute_weight({}, 100).empty());
+  CHECK_FALSE(summarize_loads({}));
+}
+
+TEST_CASE("loads balance about the centre of mass and add up to the weight", "[loads]") {
+  property::holds([] {
+    const auto lengths = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::pair<int, int>>>(
+        rc::gen::pair(rc::gen::inRange(1, 1000000), rc::gen::inRange(1, 1000000))));
+    const double weight = *rc::gen::inRange(1, 100000) / 16.0;
+    std::vector<Chord> chords;
+    for (const auto& [arm1, arm2] : lengths) chords.push_back(chord(arm1 / 64.0, arm2 / 64.0));
+    const std::vector<Team> teams = distribute_weight(chords, weight);
+    double sum = 0;
+    for (const Team& team : teams) {
+      const double torque = team.loads[0] * team.chord.arm1 - team.loads[1] * team.chord.arm2;
+      RC_ASSERT(std::fabs(torque) <= 1e-14 * team.loads[0] * team.chord.arm1);
+      // The ratio of a team's loads is its load ratio.
+      const double ratio =
+          std::min(team.loads[0], team.loads[1]) / std::max(team.loads[0], team.loads[1]);
+      RC_ASSERT(std::fabs(ratio - team.chord.ratio) <= 1e-14);
+      sum += team.loads[0] + team.loads[1];
+    }
+    RC_ASSERT(std::fabs(sum - weight) <= 1e-12 * weight);
+  });
+}

@@ -1,0 +1,241 @@
+// place(): every sample polygon by every metric keeps the rules; refusals; the thesis's numbers.
+#include "evenlift/placement.h"
+
+#include <array>
+#include <limits>
+#include <string>
+
+#include "kit/catch.h"
+#include "kit/check_placement.h"
+#include "kit/corpus.h"
+#include "shapes/small_polygons.h"
+
+using namespace evenlift;
+
+namespace {
+
+const Points thesis_sample{{539, 220}, {403, 115}, {386, 219}, {278, 306}, {149, 187}, {263, 124},
+                           {88, 101},  {82, 320},  {133, 437}, {546, 446}, {665, 426}};
+const Points square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+
+Document document(Points vertices, std::optional<Vec2> centre = {}) {
+  Document d;
+  d.vertices = std::move(vertices);
+  d.centre_of_mass = centre;
+  return d;
+}
+
+void check_samples(Metric metric) {
+  int placed = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    Document d = corpus::polygon(name);
+    d.settings.metric = metric;
+    for (const double min_ratio : {0.5, 0.8, 1.0}) {
+      for (const std::uint32_t teams : {1u, 3u, 10u}) {
+        d.settings.min_ratio = min_ratio;
+        d.settings.teams = teams;
+        const auto placement = place(d);
+        INFO(name << ", minimum load ratio " << min_ratio << ", teams " << teams);
+        REQUIRE(placement.ok());
+        CHECK(check::check_placement(*placement) == "");
+        placed += static_cast<int>(placement->teams.size());
+      }
+    }
+  }
+  CHECK(placed > 2000);
+}
+
+InputError refusal(const Document& d) {
+  const auto placement = place(d);
+  REQUIRE_FALSE(placement.ok());
+  CHECK_FALSE(placement.error().message.empty());
+  return placement.error();
+}
+
+}  // namespace
+
+TEST_CASE("every sample polygon is placed by the rules: area", "[placement]") {
+  check_samples(Metric::area);
+}
+TEST_CASE("every sample polygon is placed by the rules: circle", "[placement]") {
+  check_samples(Metric::circle);
+}
+TEST_CASE("every sample polygon is placed by the rules: distance", "[placement]") {
+  check_samples(Metric::distance);
+}
+TEST_CASE("every sample polygon is placed by the rules: distributed", "[placement]") {
+  check_samples(Metric::distributed);
+}
+TEST_CASE("every sample polygon is placed by the rules: random", "[placement]") {
+  check_samples(Metric::random);
+}
+
+TEST_CASE("thousands of small polygons are placed by the rules", "[placement]") {
+  int with_area = 0, closed = 0, second_order = 0;
+  for (std::uint64_t number = 0; number < 4000; ++number) {
+    const small_polygons::Case c = small_polygons::make_case(number);
+    Document d;
+    for (const auto& p : c.problem.vertices) d.vertices.emplace_back(p[0], p[1]);
+    if (c.problem.centre_of_mass)
+      d.centre_of_mass = Vec2((*c.problem.centre_of_mass)[0], (*c.problem.centre_of_mass)[1]);
+    d.settings.min_ratio = c.problem.min_ratio;
+    d.settings.teams = static_cast<std::uint32_t>(c.problem.teams);
+    d.settings.metric = all_metrics[number % std::size(all_metrics)];
+    d.settings.seed = number;
+    const auto placement = place(d);
+    INFO("case " << number << ", " << c.name << ", " << name(d.settings.metric));
+    REQUIRE(placement.ok());
+    if (const std::string wrong = check::check_placement(*placement); !wrong.empty()) {
+      CHECK(wrong == "");
+    }
+    with_area += placement->hull.size() > 2;
+    closed += placement->closure.form_closure;
+    second_order += placement->closure.second_order;
+  }
+  CHECK(with_area > 1500);
+  CHECK(closed > 100);
+  CHECK(second_order > 10);
+}
+
+TEST_CASE("the thesis's sample has 3 candidates, covers 8.2 % and is not closed", "[placement]") {
+  const auto placement = place(corpus::polygon("thesis-sample"));
+  REQUIRE(placement.ok());
+  CHECK(placement->centre_of_mass == Vec2(278, 227));
+  CHECK(placement->candidates.size() == 3);
+  CHECK(placement->teams.size() == 3);
+  CHECK(placement->coverage == Approx(0.082).margin(0.0005));
+  CHECK_FALSE(placement->closure.form_closure);
+  CHECK_FALSE(placement->closure.second_order);
+}
+
+TEST_CASE("the thesis's sample about its centroid has 9 candidates and covers about 80 %",
+          "[placement]") {
+  const auto placement = place(document(thesis_sample));
+  REQUIRE(placement.ok());
+  CHECK(placement->candidates.size() == 9);
+  CHECK(placement->teams.size() == 3);
+  CHECK(placement->coverage == Approx(0.80).margin(0.01));
+}
+
+TEST_CASE("a square is covered by teams on its diagonals and held by those at its sides' midpoints",
+          "[placement]") {
+  Document four = document(square);
+  four.settings.teams = 4;
+  const auto placement = place(four);
+  REQUIRE(placement.ok());
+  REQUIRE(placement->teams.size() == 4);
+  CHECK(placement->team_candidates == std::vector<std::int64_t>{0, 2, 1, 3});
+  CHECK(placement->candidates[0].kind == CandidateKind::bisecting);
+  CHECK(placement->candidates[1].kind == CandidateKind::midpoint);
+  CHECK(placement->hull == Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  CHECK(placement->coverage == 1);
+  CHECK(placement->teams[0].loads == std::array{12.5, 12.5});
+  CHECK_FALSE(placement->closure.translation_free);
+  CHECK_FALSE(placement->closure.form_closure);
+  CHECK(placement->closure.second_order);
+}
+
+TEST_CASE("with max every candidate bears a part", "[placement]") {
+  Document d = document(thesis_sample);
+  d.settings.teams = std::nullopt;
+  const auto placement = place(d);
+  REQUIRE(placement.ok());
+  CHECK(placement->requested_teams == 9);
+  CHECK(placement->teams.size() == 9);
+  for (const Metric metric : {Metric::distributed, Metric::random}) {
+    d.settings.metric = metric;
+    const InputError error = refusal(d);
+    CHECK(error.code == ErrorCode::bad_setting);
+    CHECK(error.place.option == "teams");
+  }
+}
+
+TEST_CASE("settings out of range are refused by name", "[placement][refusal]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto option = [](auto change) {
+    Document d = document(square);
+    change(d.settings);
+    const InputError error = refusal(d);
+    CHECK(error.code == ErrorCode::bad_setting);
+    CHECK(error.place.kind == Place::Kind::option);
+    return error.place.option;
+  };
+  CHECK(option([](Settings& s) { s.teams = 0; }) == "teams");
+  CHECK(option([](Settings& s) { s.teams = max_teams + 1; }) == "teams");
+  for (const double ratio : {-0x1p-1074, std::nextafter(1.0, 2.0), std::nan(""), infinity})
+    CHECK(option([&](Settings& s) { s.min_ratio = ratio; }) == "min_ratio");
+  for (const double weight : {0.0, -1.0, std::nan(""), infinity})
+    CHECK(option([&](Settings& s) { s.weight = weight; }) == "weight");
+}
+
+TEST_CASE("settings at the ends of their ranges are taken", "[placement]") {
+  Document d = document(square);
+  for (const double ratio : {0.0, 1.0}) {
+    for (const double weight : {0x1p-1000, 1e300}) {
+      d.settings.min_ratio = ratio;
+      d.settings.weight = weight;
+      d.settings.teams = 1;
+      const auto placement = place(d);
+      REQUIRE(placement.ok());
+      CHECK(placement->teams.at(0).loads[0] == 0.5 * weight);
+    }
+  }
+}
+
+TEST_CASE("a polygon is refused with its reason and place", "[placement][refusal]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto is = [](Points vertices, ErrorCode code, Place::Kind kind, std::size_t index,
+                     std::size_t other) {
+    const InputError error = refusal(document(std::move(vertices)));
+    CHECK(error.code == code);
+    CHECK(error.place.kind == kind);
+    CHECK(error.place.index == index);
+    CHECK(error.place.other == other);
+  };
+  using Kind = Place::Kind;
+  is({}, ErrorCode::too_few_vertices, Kind::nowhere, 0, 0);
+  is({{0, 0}, {1, 0}}, ErrorCode::too_few_vertices, Kind::nowhere, 0, 0);
+  is({{0, 0}, {1, 0}, {std::nan(""), 1}}, ErrorCode::bad_coordinate, Kind::vertex, 2, 2);
+  is({{0, 0}, {1, -infinity}, {0, 1}}, ErrorCode::bad_coordinate, Kind::vertex, 1, 1);
+  is({{std::nextafter(1e9, 2e9), 0}, {1, 0}, {0, 1}}, ErrorCode::bad_coordinate, Kind::vertex, 0,
+     0);
+  is({{0, 0}, {1, 0}, {0, 1}, {1, 0}}, ErrorCode::repeated_vertex, Kind::vertex, 1, 3);
+  is({{0, 0}, {-0.0, 0.0}, {0, 1}}, ErrorCode::repeated_vertex, Kind::vertex, 0, 1);
+  is({{0, 0}, {1, 1}, {3, 3}, {2, 2}}, ErrorCode::no_area, Kind::nowhere, 0, 0);
+  is({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, ErrorCode::edges_cross, Kind::edge, 0, 2);
+  // A vertex on an edge, and an edge along its neighbour.
+  const InputError touch = refusal(document({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}));
+  CHECK(touch.code == ErrorCode::edges_cross);
+  CHECK(touch.place.index == 0);
+  CHECK((touch.place.other == 2 || touch.place.other == 3));
+  is({{0, 0}, {4, 0}, {2, 0}, {2, 4}}, ErrorCode::edges_cross, Kind::edge, 0, 1);
+  // The bounds themselves are fine.
+  CHECK(place(document({{-1e9, -1e9}, {1e9, -1e9}, {1e9, 1e9}, {-1e9, 1e9}})).ok());
+}
+
+TEST_CASE("a centre of mass that is not inside the convex hull is refused",
+          "[placement][refusal]") {
+  const auto code = [](const Vec2& centre) {
+    const InputError error = refusal(document(square, centre));
+    CHECK(error.place.kind == Place::Kind::centre_of_mass);
+    return error.code;
+  };
+  CHECK(code({0, 1}) == ErrorCode::centre_outside_hull);
+  CHECK(code({2, 2}) == ErrorCode::centre_outside_hull);
+  CHECK(code({3, 1}) == ErrorCode::centre_outside_hull);
+  CHECK(code({std::nextafter(2.0, 3.0), 1}) == ErrorCode::centre_outside_hull);
+  CHECK(code({std::nan(""), 1}) == ErrorCode::bad_coordinate);
+  CHECK(code({1, 1.1e9}) == ErrorCode::bad_coordinate);
+  CHECK(place(document(square, Vec2(std::nextafter(2.0, 0.0), 1))).ok());
+  CHECK(place(document(square, Vec2(0x1p-1074, 1))).ok());
+}
+
+TEST_CASE("a triangle thinner than products of doubles can tell is still no line", "[placement]") {
+  const auto code = [](double y) {
+    const auto placement = place(document({{0, 0}, {1e9, 1e9}, {5e8, y}}));
+    return placement.ok() ? std::optional<ErrorCode>() : placement.error().code;
+  };
+  CHECK(code(5e8) == ErrorCode::no_area);
+  CHECK(code(std::nextafter(5e8, 0)) != ErrorCode::no_area);
+  CHECK(code(std::nextafter(5e8, 1e9)) != ErrorCode::no_area);
+}

@@ -1,0 +1,145 @@
+// What is true of every Polygon that exists, however small and however thin.
+#include "evenlift/polygon.h"
+
+#include <cmath>
+#include <limits>
+
+#include "evenlift/experiment/measure.h"
+#include "evenlift/output/words.h"
+#include "evenlift/placement.h"
+#include "evenlift/random.h"
+#include "kit/catch.h"
+#include "oracle/exact.h"
+
+using namespace evenlift;
+
+namespace {
+
+Points square_of(double side) { return {{0, 0}, {side, 0}, {side, side}, {0, side}}; }
+
+std::vector<oracle::Point> for_oracle(const Points& vertices) {
+  std::vector<oracle::Point> points;
+  points.reserve(vertices.size());
+  for (const Vec2& v : vertices) points.push_back({v.x(), v.y()});
+  return points;
+}
+
+double exact_area(const Points& vertices) {
+  const std::vector<oracle::Point> v = for_oracle(vertices);
+  oracle::Exact twice = 0;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    twice += oracle::cross(oracle::exact(v[i]), oracle::exact(v[(i + 1) % v.size()]));
+  return oracle::nearest_double(abs(twice) / 2);
+}
+
+// What polygon.h promises, compared with exact arithmetic.
+void check_promises(const Points& vertices) {
+  const Result<Polygon> polygon = Polygon::create(vertices);
+  REQUIRE(polygon.ok());
+  const Points& v = polygon->vertices();
+  INFO("first vertices (" << v[0].x() << "," << v[0].y() << ") (" << v[1].x() << "," << v[1].y()
+                          << ") (" << v[2].x() << "," << v[2].y() << ")");
+  CHECK(polygon->diagonal() >= min_diagonal);
+  // An area below the smallest double is the smallest double.
+  CHECK(polygon->area() ==
+        std::max(exact_area(vertices), std::numeric_limits<double>::denorm_min()));
+  const oracle::Point centroid = oracle::centroid(for_oracle(vertices));
+  CHECK(polygon->centroid().x() == centroid[0]);
+  CHECK(polygon->centroid().y() == centroid[1]);
+}
+
+}  // namespace
+
+TEST_CASE("an object whose bounding box has a diagonal below 1e-9 is refused as too small",
+          "[polygon][refusal]") {
+  const double below = std::nextafter(1e-9, 0);
+  for (const Points& vertices :
+       {square_of(7e-10), square_of(1e-30), square_of(1e-150), square_of(1e-200),
+        Points{{0, 0}, {0x1p-1074, 0}, {0, 0x1p-1074}}, Points{{0, 0}, {below, 0}, {5e-10, 1e-20}},
+        Points{{1, 0}, {1 + 0x1p-31, 0}, {1, 0x1p-31}}}) {
+    const Result<Polygon> polygon = Polygon::create(vertices);
+    REQUIRE_FALSE(polygon.ok());
+    CHECK(polygon.error().code == ErrorCode::object_too_small);
+    CHECK(polygon.error().place.kind == Place::Kind::nowhere);
+    CHECK(polygon.error().message ==
+          "the object is too small: its bounding box's diagonal is below 1e-9");
+  }
+  CHECK(Polygon::create({{0, 0}, {1e-9, 0}, {5e-10, 1e-20}}).ok());
+  CHECK(Polygon::create(square_of(7.1e-10)).ok());
+}
+
+TEST_CASE("too small an object with a fault of its own is told that fault", "[polygon][refusal]") {
+  const auto code = [](Points points) { return Polygon::create(std::move(points)).error().code; };
+  CHECK(code({{0, 0}, {1e-12, 0}, {0, 0}}) == ErrorCode::repeated_vertex);
+  CHECK(code({{0, 0}, {1e-12, 0}, {2e-12, 0}}) == ErrorCode::no_area);
+  CHECK(code({{0, 0}, {1e-12, 1e-12}, {1e-12, 0}, {0, 1e-12}}) == ErrorCode::edges_cross);
+}
+
+TEST_CASE("placing, planning and measuring refuse too small an object with the same sentence",
+          "[polygon][refusal]") {
+  Document document;
+  document.vertices = square_of(1e-200);
+  const std::string message = Polygon::create(document.vertices).error().message;
+  CHECK(place(document).error().message == message);
+  CHECK(prepare(document, 0.8).error().message == message);
+}
+
+TEST_CASE("the thinnest polygons have a diagonal, an area above 0 and a centroid of doubles",
+          "[polygon]") {
+  const double least = 0x1p-1074;
+  const Points slivers[] = {
+      {{0, 0}, {1, 0}, {0, least}},
+      {{0, 0}, {1e-9, 0}, {0, least}},
+      {{0, 0}, {1e-9, 0}, {3e-10, least}, {-1e-9, 0x1p-1000}},
+      {{0, 0}, {1, 0}, {1, 1e-200}, {0, 1e-200}},
+      {{0, 0}, {0.3, 0}, {0.1, 1e-320}},
+      {{-1e9, 0}, {1e9, 0}, {0, least}},
+      {{-1e9, -1e9}, {1e9, 1e9}, {5e8, std::nextafter(5e8, 0)}},
+      {{1e9, 1}, {1e9, -1}, {std::nextafter(1e9, 0), 0}},
+      // Its area is above 0 only by what is left when large parts cancel.
+      {{0, 0}, {1, 0x1p-1060}, {2, 0}, {1, 0x1p-1061}},
+  };
+  for (const Points& vertices : slivers) check_promises(vertices);
+}
+
+TEST_CASE("random polygons of every thinness keep the promises of polygon.h", "[polygon]") {
+  Rng rng(8);
+  int kept = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double width = std::ldexp(1 + rng.uniform(), -static_cast<int>(rng.below(1070)));
+    const double size = std::ldexp(1.0, 28 - static_cast<int>(rng.below(56)));
+    Points vertices;
+    for (int k = 0; k < 3 + i % 2; ++k) {
+      const double x = (rng.uniform() - 0.5) * size;
+      vertices.emplace_back(x, (rng.uniform() - 0.5) * width);
+    }
+    if (i % 3 == 0)
+      for (Vec2& v : vertices) v = {v.y(), v.x() + 1};
+    if (!Polygon::create(vertices).ok()) continue;  // crossed, or beyond the limits
+    ++kept;
+    check_promises(vertices);
+  }
+  CHECK(kept > 1500);
+}
+
+TEST_CASE("whatever of the thinnest polygons can be placed has finite results", "[polygon]") {
+  Rng rng(9);
+  int placed = 0;
+  for (int i = 0; i < 600; ++i) {
+    const double width = std::ldexp(1.0, -static_cast<int>(rng.below(1000)));
+    Document document;
+    document.vertices = {{-1, -width}, {1, -width * rng.uniform()}, {1, width}, {-1, width}};
+    document.centre_of_mass = Vec2(rng.uniform() - 0.5, 0);
+    document.settings.metric = all_metrics[static_cast<std::size_t>(i) % std::size(all_metrics)];
+    document.settings.min_ratio = 0;
+    const Result<Placement> placement = place(document);
+    if (!placement) continue;
+    ++placed;
+    INFO("half width " << width << ", " << name(document.settings.metric));
+    CHECK((placement->coverage >= 0 && placement->coverage <= 1));
+    for (const Team& team : placement->teams)
+      for (const double load : team.loads) CHECK((load > 0 && load < 100));
+    if (placement->closure.margin) CHECK(std::isfinite(*placement->closure.margin));
+  }
+  CHECK(placed > 500);
+}

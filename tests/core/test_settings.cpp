@@ -1,0 +1,288 @@
+// Settings from text: one grammar for the program, scripts, lessons and what the page keeps.
+#include "evenlift/settings_text.h"
+
+#include <limits>
+
+#include "app/set_settings.h"
+#include "evenlift/lesson.h"
+#include "evenlift/link.h"
+#include "evenlift/placement.h"
+#include "kit/catch.h"
+#include "kit/data_table.h"
+
+using namespace evenlift;
+
+namespace {
+
+constexpr Setting all_settings[] = {Setting::teams,    Setting::metric, Setting::min_ratio,
+                                    Setting::com,      Setting::weight, Setting::seed,
+                                    Setting::overlays, Setting::step,   Setting::capacity};
+
+struct Text {
+  Setting setting;
+  const char* text;
+};
+
+constexpr Text good[] = {
+    {Setting::teams, "1"},
+    {Setting::teams, "1048576"},
+    {Setting::teams, "007"},
+    {Setting::teams, "max"},
+    {Setting::metric, "area"},
+    {Setting::metric, "random"},
+    {Setting::min_ratio, "0"},
+    {Setting::min_ratio, "1"},
+    {Setting::min_ratio, "+.5"},
+    {Setting::min_ratio, "8e-1"},
+    {Setting::com, "centroid"},
+    {Setting::com, "1,2"},
+    {Setting::com, "-1e3,+.5"},
+    {Setting::com, "1, 2"},
+    {Setting::com, "1 ,\t2"},
+    {Setting::weight, "100"},
+    {Setting::weight, "1e-300"},
+    {Setting::seed, "0"},
+    {Setting::seed, "18446744073709551615"},
+    {Setting::overlays, "none"},
+    {Setting::overlays, "chords"},
+    {Setting::overlays, "tipping,candidates"},
+    {Setting::step, "none"},
+    {Setting::step, "4294967295"},
+};
+
+constexpr Text bad[] = {
+    {Setting::teams, ""},
+    {Setting::teams, "0"},
+    {Setting::teams, "-1"},
+    {Setting::teams, "+1"},
+    {Setting::teams, " 1"},
+    {Setting::teams, "1 "},
+    {Setting::teams, "2.5"},
+    {Setting::teams, "2e0"},
+    {Setting::teams, "0x2"},
+    {Setting::teams, "Max"},
+    {Setting::teams, "1048577"},
+    {Setting::teams, "4294967297"},
+    {Setting::teams, "99999999999999999999"},
+    {Setting::metric, ""},
+    {Setting::metric, "Area"},
+    {Setting::metric, "area "},
+    {Setting::min_ratio, ""},
+    {Setting::min_ratio, "-0.1"},
+    {Setting::min_ratio, "1.0000000000000002"},
+    {Setting::min_ratio, "nan"},
+    {Setting::min_ratio, "0,5"},
+    {Setting::min_ratio, "80%"},
+    {Setting::com, ""},
+    {Setting::com, ","},
+    {Setting::com, "1"},
+    {Setting::com, "1,"},
+    {Setting::com, ",1"},
+    {Setting::com, "1,2,3"},
+    {Setting::com, "(1,2)"},
+    {Setting::com, " 1,2"},
+    {Setting::com, "1,2 "},
+    {Setting::com, "1\n,2"},
+    {Setting::com, "1,inf"},
+    {Setting::com, "Centroid"},
+    {Setting::weight, "0"},
+    {Setting::weight, "-1"},
+    {Setting::weight, "0x10"},
+    {Setting::weight, " 3"},
+    {Setting::weight, "3 "},
+    {Setting::weight, "3kg"},
+    {Setting::weight, "inf"},
+    {Setting::weight, "1e999"},
+    {Setting::weight, "1e-999"},
+    {Setting::seed, "-1"},
+    {Setting::seed, "1.0"},
+    {Setting::seed, "1e3"},
+    {Setting::seed, "18446744073709551616"},
+    {Setting::overlays, ""},
+    {Setting::overlays, "chords,"},
+    {Setting::overlays, "chords,none"},
+    {Setting::overlays, "chords, hull"},
+    {Setting::overlays, "chords,chords"},
+    {Setting::overlays, "all"},
+    {Setting::step, ""},
+    {Setting::step, "-1"},
+    {Setting::step, "4294967296"},
+    {Setting::capacity, "5"},  // not the document's
+};
+
+bool same(const Document& a, const Document& b) {
+  return a.settings == b.settings && a.centre_of_mass == b.centre_of_mass &&
+         a.vertices == b.vertices;
+}
+
+Document unusual() {
+  Document document;
+  document.vertices = {{0, 0}, {1, 0}, {0, 1}};
+  document.centre_of_mass = Vec2(0.25, 0.25);
+  document.settings.teams = 17;
+  document.settings.metric = Metric::circle;
+  document.settings.min_ratio = 0.125;
+  document.settings.weight = 12;
+  document.settings.seed = 99;
+  document.settings.overlays = {true, false, true, false, true, true};
+  document.settings.step = 4;
+  return document;
+}
+
+bool is_lesson_setting(Setting setting) { return setting <= Setting::seed; }
+
+std::string lesson_key(Setting setting) {
+  return setting == Setting::min_ratio ? "min-ratio" : std::string(name(setting));
+}
+
+// A lesson about a document, with one setting of its own.
+Result<Lesson> lesson_with(const Text& given) {
+  return parse_lesson("title: T\npolygon: square\n" + lesson_key(given.setting) + ":" + given.text +
+                      "\n[end]\nWords.\n");
+}
+
+std::string trimmed(std::string text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && blank(text.front())) text.erase(0, 1);
+  while (!text.empty() && blank(text.back())) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every setting has a name that leads back to it and a sentence", "[settings]") {
+  for (const Setting setting : all_settings) {
+    INFO(name(setting));
+    CHECK(setting_from_name(name(setting)) == setting);
+    CHECK(testing::is_one_sentence(requirement(setting)));
+    const InputError error = setting_error(setting);
+    CHECK(error.code == ErrorCode::bad_setting);
+    CHECK(error.place.option == name(setting));
+  }
+  CHECK_FALSE(setting_from_name("min-ratio"));
+  CHECK_FALSE(setting_from_name(""));
+}
+
+TEST_CASE("a setting is read from text, or refused with its sentence and nothing changed",
+          "[settings]") {
+  for (const Text& given : good) {
+    INFO(name(given.setting) << "=" << given.text);
+    Document document = unusual();
+    CHECK(read_setting(given.setting, given.text, document) == std::nullopt);
+    CHECK_FALSE(same(document, unusual()));
+    CHECK(check_ranges(document.settings) == std::nullopt);
+  }
+  for (const Text& given : bad) {
+    INFO(name(given.setting) << "=" << given.text);
+    Document document = unusual();
+    const auto error = read_setting(given.setting, given.text, document);
+    REQUIRE(error);
+    CHECK(error->message == requirement(given.setting));
+    CHECK(error->place.option == name(given.setting));
+    CHECK(same(document, unusual()));
+  }
+}
+
+TEST_CASE("settings read from text have the values that are written", "[settings]") {
+  Document document = unusual();
+  const auto read = [&](Setting setting, const char* text) {
+    REQUIRE(read_setting(setting, text, document) == std::nullopt);
+  };
+  read(Setting::teams, "12");
+  CHECK(document.settings.teams == 12u);
+  read(Setting::teams, "max");
+  CHECK_FALSE(document.settings.teams);
+  read(Setting::com, "-1e3, .5");
+  CHECK(document.centre_of_mass == Vec2(-1000, 0.5));
+  read(Setting::com, "centroid");
+  CHECK_FALSE(document.centre_of_mass);
+  read(Setting::overlays, "hull,tipping");
+  CHECK(document.settings.overlays == Overlays{false, false, true, false, false, true});
+  read(Setting::overlays, "none");
+  CHECK(document.settings.overlays == Overlays{false, false, false, false, false, false});
+  read(Setting::step, "none");
+  CHECK_FALSE(document.settings.step);
+}
+
+TEST_CASE("a capacity is a finite number above 0", "[settings][capacity]") {
+  CHECK(read_capacity("12.5") == 12.5);
+  CHECK(read_capacity("1e-9") == 1e-9);
+  for (const char* text : {"", "0", "-1", "nan", "inf", "1e999", "0x10", " 3", "none"})
+    CHECK_FALSE(read_capacity(text));
+}
+
+TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[settings][view]") {
+  const auto script = [](const Text& given) {
+    return view::with_settings({unusual(), std::nullopt},
+                               std::string(name(given.setting)) + "=" + given.text);
+  };
+  for (const Text& given : good) {
+    INFO(name(given.setting) << "=" << given.text);
+    CHECK(script(given).ok());
+    if (is_lesson_setting(given.setting)) CHECK(lesson_with(given).ok());
+  }
+  for (const Text& given : bad) {
+    if (given.setting == Setting::capacity) continue;  // which scripts can give
+    INFO(name(given.setting) << "=" << given.text);
+    const auto refused = script(given);
+    // A text with the end of a line in it is two lines for a script.
+    CHECK_FALSE(refused.ok());
+    // Around a lesson's value there may be spaces: they are not part of it.
+    if (!is_lesson_setting(given.setting) || trimmed(given.text) != given.text) continue;
+    CHECK_FALSE(lesson_with(given).ok());
+  }
+}
+
+TEST_CASE("a script's settings change together or say which is wrong", "[settings][view]") {
+  const view::Changeable before{unusual(), 20.0};
+  const auto changed = view::with_settings(
+      before, "teams=max\nmin_ratio=0.25\nmetric=distance\ncom=12.5,-3e-1\nstep=4\ncapacity=7");
+  REQUIRE(changed.ok());
+  CHECK_FALSE(changed->document.settings.teams);
+  CHECK(changed->document.settings.min_ratio == 0.25);
+  CHECK(changed->document.settings.metric == Metric::distance);
+  CHECK(changed->document.centre_of_mass == Vec2(12.5, -0.3));
+  CHECK(changed->document.settings.step == 4u);
+  CHECK(changed->capacity == 7.0);
+  CHECK(view::with_settings(before, "")->capacity == 20.0);
+  CHECK_FALSE(view::with_settings(before, "capacity=none")->capacity);
+  for (const char* bad : {"teams", "x=1", "=", "Teams=3", "min-ratio=0.5", "capacity=0",
+                          "capacity=", "teams=max\nmetric=random", "teams=3\n\nseed=1"}) {
+    INFO(bad);
+    CHECK_FALSE(view::with_settings(before, bad).ok());
+  }
+}
+
+TEST_CASE("what the browser keeps reads back, and nonsense is left out", "[settings][view]") {
+  const auto is = [](const view::Kept& kept, bool motion, std::optional<double> capacity) {
+    return kept.motion == motion && kept.capacity == capacity;
+  };
+  CHECK(is(view::read_kept(view::kept_text({false, 12.5})), false, 12.5));
+  CHECK(is(view::read_kept(view::kept_text({true, std::nullopt})), true, std::nullopt));
+  CHECK(is(view::read_kept(""), true, std::nullopt));
+  for (const char* capacity : {"0x10", " 3", "-1", "Infinity", "1e999", ""})
+    CHECK(is(view::read_kept(std::string("later=1\nmotion=0\ncapacity=") + capacity + "\n"), false,
+             std::nullopt));
+}
+
+TEST_CASE("each range holds for settings as values, in links and placements alike",
+          "[settings][link]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto check = [](auto change, Setting setting) {
+    Document document = unusual();
+    change(document.settings);
+    const auto error = check_ranges(document.settings);
+    REQUIRE(error);
+    CHECK(error->message == requirement(setting));
+    CHECK(check_settings(document.settings)->message == error->message);
+    CHECK(encode_link(document).error().message == error->message);
+    CHECK(place(document).error().message == error->message);
+  };
+  check([](Settings& s) { s.teams = 0; }, Setting::teams);
+  check([](Settings& s) { s.teams = max_teams + 1; }, Setting::teams);
+  check([](Settings& s) { s.metric = static_cast<Metric>(5); }, Setting::metric);
+  for (const double ratio : {-0.1, 1.1, infinity, std::nan("")})
+    check([&](Settings& s) { s.min_ratio = ratio; }, Setting::min_ratio);
+  for (const double weight : {0.0, -1.0, infinity, std::nan("")})
+    check([&](Settings& s) { s.weight = weight; }, Setting::weight);
+}

@@ -1,0 +1,526 @@
+// The trace: every step of every sample polygon, at once and in any order.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "evenlift/generate.h"
+#include "evenlift/hull.h"
+#include "evenlift/numbers.h"
+#include "evenlift/output/trace_json.h"
+#include "evenlift/output/trace_words.h"
+#include "evenlift/placement.h"
+#include "evenlift/selection.h"
+#include "evenlift/trace.h"
+#include "evenlift/why_not.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+
+using namespace evenlift;
+
+namespace {
+
+Placement placed(Document document, Metric metric = Metric::area, std::uint32_t teams = 3) {
+  document.settings.metric = metric;
+  document.settings.teams = teams;
+  Result<Placement> placement = place(document);
+  REQUIRE(placement.ok());
+  return *std::move(placement);
+}
+
+Trace traced(const Placement& placement) {
+  Result<Trace> trace = make_trace(placement);
+  REQUIRE(trace.ok());
+  return *std::move(trace);
+}
+
+// What playing from the beginning adds up to.
+Done played(const Trace& trace, std::uint32_t last) {
+  Done done;
+  for (std::uint32_t k = 0; k <= last; ++k) {
+    switch (trace.step(k).kind) {
+      case StepKind::ray:
+        ++done.rays;
+        break;
+      case StepKind::slopes:
+        done.slopes = true;
+        break;
+      case StepKind::sections:
+        ++done.sections;
+        break;
+      case StepKind::outcome:
+      case StepKind::opposite:
+        ++done.sources;
+        break;
+      case StepKind::duplicates:
+        done.merged = true;
+        break;
+      case StepKind::team:
+        ++done.teams;
+        break;
+      case StepKind::base:
+        ++done.base_teams;
+        break;
+      case StepKind::share:
+        ++done.shares;
+        break;
+      case StepKind::coverage:
+        done.coverage = true;
+        break;
+      case StepKind::cut:
+        ++done.cuts;
+        break;
+      case StepKind::closure:
+        done.closure = true;
+        break;
+      default:
+        break;
+    }
+  }
+  return done;
+}
+
+// A text for people is whole: no number that is none, no place left open, nothing the font lacks.
+void check_text(const std::string& text, bool sentence) {
+  INFO(text);
+  if (sentence) {
+    REQUIRE(text.size() > 10);
+    if (text.back() != '.' && text.back() != '?') FAIL("no full stop");
+  }
+  for (const char* bad :
+       {"nan", "inf ", "inf,", "inf.", "#", "  ", " .", " ,", "()", "(,", "e+", "undefined"})
+    if (text.find(bad) != std::string::npos) FAIL(bad);
+  if (!text.empty() && (text.front() == ' ' || text.back() == ' ')) FAIL("a space at an end");
+  static const std::set<std::string> others{
+      "\u00a0", "\u00a7", "\u00b0", "\u00b1", "\u00b2", "\u00b7", "\u00d7", "\u00e9", "\u2013",
+      "\u2014", "\u2018", "\u2019", "\u201c", "\u201d", "\u2026", "\u2212", "\u2264", "\u2265"};
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::size_t size = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : 3;
+    if (size > 1 && !others.count(text.substr(i, size)))
+      FAIL("not in the font: " << text.substr(i, size));
+    if (size == 1 && byte < 0x20) FAIL("a control character");
+    i += size;
+  }
+}
+
+std::vector<std::uint32_t> some_steps(const Trace& trace, std::uint32_t most) {
+  std::vector<std::uint32_t> steps;
+  const std::uint32_t stride = trace.size() / most + 1;
+  for (std::uint32_t k = 0; k < trace.size(); k += stride) steps.push_back(k);
+  steps.push_back(trace.size() - 1);
+  return steps;
+}
+
+}  // namespace
+
+TEST_CASE("the trace ends in the state that place reports", "[trace]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    for (const Metric metric : all_metrics) {
+      INFO(name << ' ' << evenlift::name(metric));
+      const Placement placement = placed(corpus::polygon(name), metric);
+      const Trace trace = traced(placement);
+      const Done end = done(trace, trace.size() - 1);
+      CHECK(end.teams == placement.teams.size());
+      CHECK(lifting_base(trace, end.base_teams) == placement.hull);
+      CHECK(end.shares == placement.teams.size());
+      CHECK(end.cuts == trace.contacts.size());
+      if (!placement.teams.empty()) CHECK(end.closure);
+      if (!trace.by_candidates()) continue;
+      CHECK(end.merged);
+      CHECK(end.sources == trace.pairs.size() + trace.opposite.size());
+      CHECK(trace.source_of_candidate.size() == placement.candidates.size());
+      for (std::uint32_t team = 0; team < placement.teams.size(); ++team)
+        CHECK(look_at_scores(trace, team).ranking.front() ==
+              static_cast<std::uint32_t>(placement.team_candidates[team]));
+    }
+  }
+}
+
+TEST_CASE("every source with a candidate leads to the one that stands for it", "[trace]") {
+  std::size_t merged = 0, opposite_stand = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    const Trace trace = traced(placed(corpus::polygon(name)));
+    const std::vector<Candidate>& candidates = trace.placement.candidates;
+    const double near = 1.01e-9 * trace.polygon.diagonal();
+    std::vector<std::uint32_t> standing(candidates.size());
+    for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
+      const PairDetail detail = look_at_pair(trace, pair);
+      REQUIRE(detail.verdict.candidate.has_value() == (detail.candidate != no_index));
+      if (detail.candidate == no_index) continue;
+      REQUIRE(detail.candidate < candidates.size());
+      CHECK(trace.first_source_of_candidate[detail.candidate] <= pair);
+      const Chord& kept = candidates[detail.candidate].chord;
+      standing[detail.candidate] += detail.stands;
+      merged += !detail.stands;
+      if (detail.stands) {
+        CHECK(kept.r1.position == detail.chosen.r1.position);
+        CHECK(kept.r2.position == detail.chosen.r2.position);
+      }
+      const double straight = std::max(length(kept.r1.position - detail.chosen.r1.position),
+                                       length(kept.r2.position - detail.chosen.r2.position));
+      const double turned = std::max(length(kept.r1.position - detail.chosen.r2.position),
+                                     length(kept.r2.position - detail.chosen.r1.position));
+      CHECK(std::min(straight, turned) <= near);
+    }
+    for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
+      const OppositeDetail detail = look_at_opposite(trace, i);
+      CHECK((detail.candidate != no_index) == (detail.chord.ratio >= 0.8 - 1e-9));
+      if (detail.candidate == no_index) continue;
+      standing[detail.candidate] += detail.stands;
+      CHECK(candidates[detail.candidate].between_vertices);
+      opposite_stand += detail.stands;
+    }
+    for (const std::uint32_t number : standing) CHECK(number == 1);
+  }
+  CHECK(merged > 100);
+  CHECK(opposite_stand > 0);
+}
+
+TEST_CASE("every step is found again from its kind and item", "[trace]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    for (const Metric metric : all_metrics) {
+      const Trace trace = traced(placed(corpus::polygon(name), metric));
+      INFO(name << ' ' << evenlift::name(metric));
+      std::uint32_t steps = 0;
+      for (std::uint32_t kind = 0; kind < step_kind_count; ++kind)
+        steps += trace.count(static_cast<StepKind>(kind));
+      REQUIRE(steps == trace.size());
+      for (std::uint32_t k = 0; k < trace.size(); ++k) {
+        const Step step = trace.step(k);
+        if (trace.find(step.kind, step.item) != k || nearest_step(trace, step) != k) FAIL(k);
+        if (step_kind_from_name(evenlift::name(step.kind)) != step.kind) FAIL(k);
+        const StepDetail detail = look_at(trace, k);
+        for (const Object& object : objects(trace, detail)) {
+          if (object.points.empty() || !std::isfinite(object.value)) FAIL(k);
+          for (const Vec2& p : object.points)
+            if (!p.allFinite()) FAIL(k << " " << evenlift::name(object.mark));
+        }
+        for (const Number& number : numbers(trace, detail))
+          if (!std::isfinite(number.value)) FAIL(k << " " << number.name);
+      }
+    }
+  }
+}
+
+TEST_CASE("what is known at a step does not depend on the way to it", "[trace]") {
+  for (const char* name :
+       {"thesis-sample-centroid", "square", "horseshoe", "thesis-sample", "u-channel"}) {
+    for (const Metric metric : all_metrics) {
+      INFO(name << ' ' << evenlift::name(metric));
+      const Trace trace = traced(placed(corpus::polygon(name), metric, 4));
+      for (std::uint32_t k = 0; k < trace.size(); ++k) REQUIRE(done(trace, k) == played(trace, k));
+      // Forward, backward and from the same place again: the same words and shapes.
+      std::vector<std::string> forward;
+      const auto picture = [&](std::uint32_t k) {
+        const StepDetail detail = look_at(trace, k);
+        std::string text = caption(trace, detail) + formula(trace, detail);
+        for (const Object& o : objects(trace, detail)) {
+          text += evenlift::name(o.mark);
+          for (const Vec2& p : o.points) text += shortest(p.x()) + "," + shortest(p.y()) + " ";
+          text += shortest(o.value);
+        }
+        return text;
+      };
+      for (std::uint32_t k = 0; k < trace.size(); ++k) forward.push_back(picture(k));
+      for (std::uint32_t k = trace.size(); k-- > 0;) REQUIRE(picture(k) == forward[k]);
+    }
+  }
+}
+
+TEST_CASE("every caption, formula and name of every sample is complete", "[trace][words]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    for (const Metric metric : all_metrics) {
+      const Trace trace = traced(placed(corpus::polygon(name), metric));
+      INFO(name << ' ' << evenlift::name(metric));
+      const std::vector<std::string_view> code = pseudo_code(metric);
+      for (std::uint32_t k = 0; k < trace.size(); ++k) {
+        INFO("step " << k);
+        const StepDetail detail = look_at(trace, k);
+        check_text(caption(trace, detail), true);
+        check_text(formula(trace, detail), false);
+        REQUIRE(pseudo_line(trace, detail) < code.size());
+        if (const auto asked = question(trace, detail))
+          check_text(question_text(trace, detail, *asked), true);
+      }
+      for (const std::uint32_t k : some_steps(trace, 40)) {
+        INFO("step " << k);
+        const StepDetail detail = look_at(trace, k);
+        for (const Object& object : objects(trace, detail)) {
+          const std::string text = object_text(trace, detail, object);
+          if (text.size() < 5) FAIL(evenlift::name(object.mark));
+          check_text(text, false);
+        }
+      }
+      for (std::string_view line : code) {
+        while (line.front() == ' ') line.remove_prefix(1);
+        check_text(std::string(line), false);
+      }
+    }
+  }
+}
+
+TEST_CASE("where there is little or nothing to show the lesson says so", "[trace][words]") {
+  struct Hard {
+    const char* text;
+    double min_ratio;
+    StepKind has;  // a step that such a trace must have
+  };
+  const Hard cases[] = {
+      // C at a vertex, and in line with edges.
+      {"CoM:(5,4)\n(0,0)\n(10,0)\n(5,4)\n(5,20)\n", 0.8, StepKind::radial},
+      {"CoM:(2,2)\n(0,0)\n(4,0)\n(4,2)\n(3,2)\n(3,4)\n(0,4)\n", 0.8, StepKind::radial},
+      // C beside an edge.
+      {"CoM:(1,0.001)\n(0,0)\n(4,0)\n(4,4)\n(0,4)\n", 1, StepKind::fewer},
+      // C so near to a corner that all chords are uneven.
+      {"CoM:(1,1)\n(0,0)\n(400,0)\n(400,400)\n(0,400)\n", 1, StepKind::fewer},
+      {"CoM:(2,1e-10)\n(0,0)\n(4,0)\n(4,4)\n(0,4)\n", 0.8, StepKind::radial},
+      {"(0,0)\n(4,0)\n(0,3)\n", 1, StepKind::fewer}};
+  for (const Hard& hard : cases) {
+    Result<Document> document = read_polygon(hard.text);
+    REQUIRE(document.ok());
+    document->settings.min_ratio = hard.min_ratio;
+    for (const Metric metric : all_metrics) {
+      INFO(hard.text << evenlift::name(metric));
+      const Trace trace = traced(placed(*document, metric, 4));
+      if (trace.by_candidates()) CHECK(trace.count(hard.has) == 1);
+      if (trace.placement.teams.empty()) {
+        CHECK(trace.count(StepKind::fewer) == 1);
+        CHECK(trace.count(StepKind::loads) == 0);
+      }
+      CHECK(trace.step(trace.size() - 1).kind == StepKind::result);
+      for (std::uint32_t k = 0; k < trace.size(); ++k) {
+        INFO("step " << k);
+        const StepDetail detail = look_at(trace, k);
+        check_text(caption(trace, detail), true);
+        check_text(formula(trace, detail), false);
+        for (const Object& object : objects(trace, detail))
+          check_text(object_text(trace, detail, object), false);
+      }
+      for (int i = 0; i < 12; ++i) {
+        const double angle = 0.5 * i;
+        const auto chord =
+            chord_at(trace, trace.centre +
+                                trace.polygon.diagonal() * Vec2(std::cos(angle), std::sin(angle)));
+        const std::uint32_t end = trace.size() - 1;
+        check_text(why_not_text(trace, why_not_chord(trace, end, chord)), true);
+        check_text(why_not_text(trace, why_not_chord(trace, 0, chord)), true);
+      }
+    }
+  }
+}
+
+TEST_CASE("a caption does not hide what decides", "[trace][words]") {
+  // Ratios that differ from 1 or from the minimum are not rounded to it.
+  const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
+  const auto at = trace.find(StepKind::ray, 1);
+  REQUIRE(at);
+  CHECK(caption(trace, look_at(trace, *at)).find("0.7998") != std::string::npos);
+}
+
+TEST_CASE("numbers are as short left of zero as right of it", "[trace][words]") {
+  Document document = corpus::polygon("stone-slab");
+  for (Vec2& v : document.vertices) v -= Vec2(2000, 2000);
+  const Trace trace = traced(placed(document));
+  CHECK(caption(trace, look_at(trace, *trace.find(StepKind::centre, 0)))
+            .find("centroid, (−1483.4, −1622.2).") != std::string::npos);
+}
+
+TEST_CASE("a choice is asked with the answer that the algorithm gives", "[trace]") {
+  const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
+  int ends = 0, winners = 0;
+  for (std::uint32_t k = 0; k < trace.size(); ++k) {
+    const StepDetail detail = look_at(trace, k);
+    const auto asked = question(trace, detail);
+    REQUIRE(asked.has_value() == is_choice(trace, k));
+    if (!asked) continue;
+    if (asked->kind == QuestionKind::nearer_end) {
+      ++ends;
+      CHECK(detail.pair->ends[asked->answer].ratio > detail.pair->ends[1 - asked->answer].ratio);
+      CHECK(detail.pair->chosen.ratio == detail.pair->ends[asked->answer].ratio);
+    } else {
+      ++winners;
+      CHECK(asked->answer == trace.placement.team_candidates[detail.step.item]);
+    }
+  }
+  CHECK(ends == 10);
+  CHECK(winners == 3);
+}
+
+TEST_CASE("shapes of a gain add up to its score", "[trace]") {
+  for (const char* name : {"thesis-sample-centroid", "horseshoe", "stone-slab", "letter-e"}) {
+    for (const Metric metric : {Metric::area, Metric::circle, Metric::distance}) {
+      INFO(name << ' ' << evenlift::name(metric));
+      const Trace trace = traced(placed(corpus::polygon(name), metric));
+      const double size = trace.polygon.diagonal();
+      const TeamScores scores = look_at_scores(trace, 1);
+      for (std::uint32_t c = 0; c < scores.of_candidate.size(); ++c) {
+        const Score& score = scores.of_candidate[c];
+        REQUIRE(score.exact);
+        double sum = 0;
+        for (const Object& o : gain_objects(trace, scores, c)) {
+          if (o.mark == Mark::gain_circle) sum += 3.14159265358979 * o.value * o.value;
+          if (o.mark == Mark::arm_before) sum += o.value;
+          if (o.mark == Mark::arm_after) sum -= o.value;
+          if (o.mark == Mark::gain_part) sum += signed_area(o.points);
+        }
+        CHECK(std::fabs(sum - score.value) <= 1e-9 * size * size);
+      }
+    }
+  }
+}
+
+TEST_CASE("the scores of the trace are those of the selection", "[trace]") {
+  for (const Metric metric : {Metric::area, Metric::circle, Metric::distance}) {
+    const Placement placement = placed(corpus::polygon("letter-s"), metric, 5);
+    const Trace trace = traced(placement);
+    std::vector<std::uint32_t> taken;
+    for (std::uint32_t team = 0; team < placement.teams.size(); ++team) {
+      if (team > 0) {
+        const std::vector<double> known =
+            scores(trace.polygon, trace.centre, placement.candidates, taken, metric);
+        const TeamScores mine = look_at_scores(trace, team);
+        for (std::size_t i = 0; i < known.size(); ++i)
+          REQUIRE(mine.of_candidate[i].value == known[i]);
+      }
+      taken.push_back(static_cast<std::uint32_t>(placement.team_candidates[team]));
+    }
+  }
+}
+
+TEST_CASE("where candidates are many, only those that compete are scored exactly", "[trace]") {
+  Result<Points> comb = generate(Family::comb, 500, 1);
+  REQUIRE(comb.ok());
+  Document document;
+  document.vertices = *comb;
+  const Placement placement = placed(document, Metric::area, 4);
+  REQUIRE(placement.candidates.size() * document.vertices.size() > exact_score_budget);
+  const Trace trace = traced(placement);
+  std::size_t bounds = 0;
+  for (std::uint32_t team = 1; team < 4; ++team) {
+    const TeamScores scores = look_at_scores(trace, team);
+    const Score& best = scores.of_candidate[scores.ranking.front()];
+    CHECK(best.exact);
+    CHECK(scores.ranking.front() == placement.team_candidates[team]);
+    for (const std::uint32_t c : scores.ranking) {
+      bounds += !scores.of_candidate[c].exact;
+      if (scores.of_candidate[c].value > best.value * (1 + 1e-9)) FAIL(c);
+    }
+  }
+  CHECK(bounds > 0);
+}
+
+TEST_CASE("why not this one has an answer for every candidate and chord", "[trace][words]") {
+  for (const char* name :
+       {"thesis-sample-centroid", "thesis-sample", "square", "horseshoe", "u-channel", "cross"}) {
+    for (const Metric metric : all_metrics) {
+      INFO(name << ' ' << evenlift::name(metric));
+      const Placement placement = placed(corpus::polygon(name), metric);
+      const Trace trace = traced(placement);
+      const std::uint32_t end = trace.size() - 1;
+      std::size_t taken = 0;
+      for (std::uint32_t c = 0; c < placement.candidates.size(); ++c) {
+        const WhyNot answer = why_not(trace, end, c);
+        taken += answer.why == Why::taken;
+        check_text(why_not_text(trace, answer), true);
+        if (!trace.by_candidates()) continue;
+        const auto at =
+            std::find(placement.team_candidates.begin(), placement.team_candidates.end(), c);
+        CHECK((answer.why == Why::taken) == (at != placement.team_candidates.end()));
+        if (answer.why == Why::taken) CHECK(answer.team == at - placement.team_candidates.begin());
+        if (answer.why == Why::behind) CHECK(answer.value <= answer.best * (1 + 1e-9));
+      }
+      if (trace.by_candidates()) CHECK(taken == placement.teams.size());
+      for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
+        const WhyNot answer = why_not_pair(trace, end, pair);
+        check_text(why_not_text(trace, answer), true);
+        CHECK((answer.why == Why::too_uneven) == (trace.candidate_of_source[pair] == no_index));
+      }
+      // Chords in many directions.
+      for (int i = 0; i < 48; ++i) {
+        const double angle = 0.13 * i;
+        const Vec2 far =
+            trace.centre + trace.polygon.diagonal() * Vec2(std::cos(angle), std::sin(angle));
+        const auto chord = chord_at(trace, far);
+        const WhyNot answer = why_not_chord(trace, end, chord);
+        check_text(why_not_text(trace, answer), true);
+        CHECK((answer.why == Why::no_chord) == !chord);
+        if (!chord || !trace.by_candidates()) continue;
+        CHECK(answer.why != Why::no_pair);
+        if (answer.why == Why::too_uneven) CHECK(answer.pair_ratio < 0.8);
+        if (answer.why == Why::not_best_of_pair)
+          CHECK(answer.chord.ratio <= answer.pair_ratio + 1e-12);
+      }
+      CHECK(why_not_chord(trace, end, chord_at(trace, trace.centre)).why == Why::no_chord);
+    }
+  }
+}
+
+TEST_CASE("a chord is picked by a point on it", "[trace]") {
+  const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
+  for (const VertexChord& chord : trace.rays.chords) {
+    const Vec2 middle = trace.centre + 0.9 * (chord.chord.r2.position - trace.centre);
+    const auto picked = chord_at(trace, middle);
+    REQUIRE(picked);
+    CHECK(length(picked->r2.position - trace.centre) >= length(middle - trace.centre) * (1 - 1e-9));
+  }
+}
+
+TEST_CASE("after an edit the lesson keeps its place as well as it can", "[trace]") {
+  const Trace big = traced(placed(corpus::polygon("horseshoe")));
+  const Trace small = traced(placed(corpus::polygon("square")));
+  const Trace other = traced(placed(corpus::polygon("square"), Metric::random));
+  for (const Trace* to : {&big, &small, &other}) {
+    for (const Trace* from : {&big, &small, &other}) {
+      for (std::uint32_t k = 0; k < from->size(); ++k) {
+        const Step step = from->step(k);
+        const std::uint32_t at = nearest_step(*to, step);
+        REQUIRE(at < to->size());
+        if (to->count(step.kind) > 0) REQUIRE(to->step(at).kind == step.kind);
+      }
+    }
+  }
+  CHECK(small.step(nearest_step(small, {StepKind::sections, Chapter::pairs, 60})) ==
+        Step{StepKind::sections, Chapter::pairs, 1});
+}
+
+TEST_CASE("what nobody could watch is refused with a sentence", "[trace]") {
+  Document document;
+  document.vertices = *generate(Family::comb, 2000, 1);
+  const Result<Trace> trace = make_trace(placed(document));
+  REQUIRE_FALSE(trace.ok());
+  CHECK(trace.error().message.find("steps") != std::string::npos);
+}
+
+TEST_CASE("objects of every size have readable numbers", "[trace][words]") {
+  for (const double size : {1e-11, 1e-9, 1e-3, 1.0, 1e5}) {
+    for (const Metric metric : all_metrics) {
+      Document document = corpus::polygon("stone-slab");
+      for (Vec2& v : document.vertices) v = v * size;
+      document.settings.weight = 1 / size;
+      const Trace trace = traced(placed(document, metric));
+      INFO(size << ' ' << evenlift::name(metric));
+      for (std::uint32_t k = 0; k < trace.size(); ++k) {
+        const StepDetail detail = look_at(trace, k);
+        const std::string text = caption(trace, detail);
+        if (size > 1e-4) check_text(text, true);
+        CHECK(text.find("nan") == std::string::npos);
+        CHECK(text.find("(0.000000000, 0.000000000)") == std::string::npos);
+      }
+    }
+  }
+}
+
+// tests/expected/trace: what the program prints, for people to read and for changes to show.
+TEST_CASE("known polygons give the expected traces", "[trace][expected]") {
+  const std::filesystem::path folder =
+      std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected" / "trace";
+  for (const char* name : {"thesis-sample", "square", "horseshoe"}) {
+    INFO(name);
+    const std::string list = trace_list(traced(placed(corpus::polygon(name))));
+    const std::filesystem::path path = folder / (std::string(name) + ".txt");
+    if (std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr) corpus::write_file(path, list);
+    CHECK(list == corpus::read_file(path));
+  }
+}

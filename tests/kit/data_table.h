@@ -1,0 +1,69 @@
+// Tables in tests/data: columns parted by tabs, texts as JSON strings, lines with # left out.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "evenlift/result.h"
+#include "kit/catch.h"
+
+namespace evenlift::testing {
+
+using Row = std::vector<std::string>;
+
+// The rows of a table; a missing file, an empty table or a row with another number of columns fails
+// the test.
+inline std::vector<Row> read_table(const std::string& file, std::size_t columns) {
+  std::ifstream stream(std::filesystem::path(EVENLIFT_TESTS_DIR) / "data" / file, std::ios::binary);
+  REQUIRE(stream.good());
+  std::vector<Row> rows;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    Row row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, '\t');) row.push_back(cell);
+    INFO(file << ": " << line);
+    REQUIRE(row.size() == columns);
+    rows.push_back(std::move(row));
+  }
+  REQUIRE(!rows.empty());
+  return rows;
+}
+
+inline std::string from_json_string(const std::string& cell) {
+  return nlohmann::json::parse(cell).get<std::string>();
+}
+
+inline std::string name_of(ErrorCode code) {
+  static const std::pair<ErrorCode, const char*> names[] = {
+      {ErrorCode::too_few_vertices, "too_few_vertices"},
+      {ErrorCode::too_many_vertices, "too_many_vertices"},
+      {ErrorCode::bad_coordinate, "bad_coordinate"},
+      {ErrorCode::bad_setting, "bad_setting"},
+      {ErrorCode::bad_syntax, "bad_syntax"},
+      {ErrorCode::unsupported, "unsupported"},
+      {ErrorCode::text_too_long, "text_too_long"},
+      {ErrorCode::bad_link, "bad_link"},
+      {ErrorCode::bad_checksum, "bad_checksum"},
+      {ErrorCode::unknown_version, "unknown_version"}};
+  for (const auto& [known, name] : names) {
+    if (known == code) return name;
+  }
+  return "another error";
+}
+
+// A sentence that people can read: one line of printable text without a full stop at its end.
+inline bool is_one_sentence(const std::string& message) {
+  for (const char c : message) {
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') return false;
+  }
+  return message.size() > 8 && message.size() < 200 && message.back() != '.';
+}
+
+}  // namespace evenlift::testing

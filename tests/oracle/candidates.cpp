@@ -1,0 +1,357 @@
+// Candidates (algorithm.md, "Candidates"): every pair of edges, every rule, exactly.
+#include "oracle/exact.h"
+
+#include <algorithm>
+
+namespace oracle {
+namespace {
+
+/// An edge as C sees it: its line does not pass through C, and q is seen less than 180 degrees
+/// counter-clockwise of p.
+struct Edge {
+  ExactVec p, q;
+};
+
+bool radial(const ExactShape& shape, std::size_t i, Calls& calls) {
+  const std::size_t n = shape.vertices.size();
+  const RealVec &p = shape.real_vertices[i], &q = shape.real_vertices[(i + 1) % n];
+  return calls.within(abs(cross(p, q)) / length(q - p), tau * shape.size, "radial edge");
+}
+
+std::optional<Edge> seen_edge(const ExactShape& shape, std::size_t i, Calls& calls) {
+  if (radial(shape, i, calls)) return std::nullopt;
+  const ExactVec &p = shape.vertices[i], &q = shape.vertices[(i + 1) % shape.vertices.size()];
+  return cross(p, q) > 0 ? Edge{p, q} : Edge{q, p};
+}
+
+/// Whether u points into the cone from p to q, p's direction included if `start`, q's if `end`.
+bool in_cone(const ExactVec& u, const Edge& e, bool start, bool end) {
+  const int from_p = sign(cross(e.p, u)), to_q = sign(cross(u, e.q));
+  return (from_p > 0 || (start && from_p == 0 && dot(e.p, u) > 0)) &&
+         (to_q > 0 || (end && to_q == 0 && dot(e.q, u) > 0));
+}
+
+/// s such that C + s u lies on the edge's line; u must not be parallel to it.
+Exact reach(const ExactVec& u, const Edge& e) {
+  const ExactVec along = e.q - e.p;
+  return cross(e.p, along) / cross(u, along);
+}
+
+/// The open range of directions u for which C + s u meets a and C - s u meets b (s > 0), or
+/// nothing.
+struct Range {
+  ExactVec first, last;  // the section ends lie in these directions and opposite to them
+};
+std::optional<Range> common_range(const Edge& a, const Edge& b) {
+  const Edge across{-b.p, -b.q};  // b mirrored through C, still counter-clockwise
+  const ExactVec* first = in_cone(a.p, across, true, false)   ? &a.p
+                          : in_cone(across.p, a, true, false) ? &across.p
+                                                              : nullptr;
+  const ExactVec* last = in_cone(a.q, across, false, true)   ? &a.q
+                         : in_cone(across.q, a, false, true) ? &across.q
+                                                             : nullptr;
+  if (!first || !last) return std::nullopt;
+  return Range{*first, *last};
+}
+
+struct Section {
+  ExactVec on_a, on_b;
+  Exact g;  // |C on_b| / |C on_a|
+};
+Section section_end(const ExactVec& u, const Edge& a, const Edge& b) {
+  const Exact to_a = reach(u, a), to_b = -reach(u, b);
+  return {u * to_a, u * -to_b, to_b / to_a};
+}
+
+Exact ratio_of(const Exact& g) { return g <= 1 ? g : 1 / g; }
+
+/// Where the line of a meets the line of b mirrored through C.
+ExactVec bisecting_point(const Edge& a, const Edge& b) {
+  const ExactVec da = a.q - a.p, db = b.q - b.p;
+  const Exact ka = cross(a.p, da), kb = -cross(b.p, db);  // r x da = ka, r x db = kb
+  const Exact det = cross(da, db);
+  return {(kb * da.x - ka * db.x) / det, (kb * da.y - ka * db.y) / det};
+}
+
+/// A vertex-chord that is even within the tolerance is a bisecting one.
+Kind kind_of_vertex_chord(const Real& ratio, Calls& calls) {
+  return calls.within(1 - ratio, tau, "even vertex-chord") ? Kind::bisecting : Kind::vertex;
+}
+
+/// The candidate of the pair {a, b}, if it has one.
+std::optional<ExactChord> candidate_of(const Edge& a, const Edge& b, const Range& range,
+                                       const Real& least_ratio, CandidateList& list, Calls& calls) {
+  const Section one = section_end(range.first, a, b), two = section_end(range.last, a, b);
+  for (const Exact& g : {one.g, two.g})
+    if (g != 1)
+      list.nearest_unit_g =
+          std::min(list.nearest_unit_g, std::fabs(static_cast<double>(Real(g - 1))));
+
+  const auto even_enough = [&](const Exact& ratio) {
+    const Real r(ratio);
+    calls.note(1 + static_cast<double>((r - least_ratio) / tau), "minimum load ratio");
+    return r >= least_ratio;
+  };
+  if (calls.within(abs(Real(one.g - two.g)), tau * Real(std::max(one.g, two.g)), "parallel pair")) {
+    const ExactVec middle = (one.on_a + two.on_a) * Exact(1, 2);
+    const Section chord = section_end(middle, a, b);
+    if (!even_enough(ratio_of(chord.g))) return std::nullopt;
+    return exact_chord(chord.on_a, chord.on_b, Kind::midpoint, Real(ratio_of(chord.g)));
+  }
+  if ((one.g - 1) * (two.g - 1) <= 0) {
+    const ExactVec r = bisecting_point(a, b);
+    return exact_chord(r, -r, Kind::bisecting, Real(1));
+  }
+  const Section& nearer = ratio_of(one.g) >= ratio_of(two.g) ? one : two;
+  const Real ratio(ratio_of(nearer.g));
+  if (!even_enough(ratio_of(nearer.g))) return std::nullopt;
+  return exact_chord(nearer.on_a, nearer.on_b, kind_of_vertex_chord(ratio, calls), ratio);
+}
+
+/// The chord between two vertices, if they are opposite and it is even enough.
+std::optional<ExactChord> candidate_between(const ExactShape& shape, std::size_t i, std::size_t j,
+                                            const Real& least_ratio, Calls& calls) {
+  const ExactVec &v = shape.vertices[i], &w = shape.vertices[j];
+  if (dot(v, w) >= 0) return std::nullopt;
+  const RealVec &rv = shape.real_vertices[i], &rw = shape.real_vertices[j];
+  const Real near = tau * shape.size;
+  if (!calls.within(abs(cross(rv, rw)) / length(rv - rw), near, "opposite vertices"))
+    return std::nullopt;
+  for (const RealVec& u : {rv, rw})  // a vertex at C has no direction
+    if (calls.within(length(u), near, "vertex at the centre of mass")) return std::nullopt;
+  const Real ratio = std::min(length(rv), length(rw)) / std::max(length(rv), length(rw));
+  calls.note(1 + static_cast<double>((ratio - least_ratio) / tau), "minimum load ratio");
+  if (ratio < least_ratio) return std::nullopt;
+  ExactChord chord = exact_chord(v, w, kind_of_vertex_chord(ratio, calls), ratio);
+  chord.between_vertices = true;
+  return chord;
+}
+
+/// The greater distance between the ends of two chords, in whichever way of matching them it is
+/// less.
+double apart_in_doubles(const ExactChord& a, const ExactChord& b) {
+  const auto gap = [](const RealVec& p, const RealVec& q) {
+    return std::hypot(static_cast<double>(p.x) - static_cast<double>(q.x),
+                      static_cast<double>(p.y) - static_cast<double>(q.y));
+  };
+  return std::min(
+      std::max(gap(a.real_ends[0], b.real_ends[0]), gap(a.real_ends[1], b.real_ends[1])),
+      std::max(gap(a.real_ends[0], b.real_ends[1]), gap(a.real_ends[1], b.real_ends[0])));
+}
+Real apart(const ExactChord& a, const ExactChord& b) {
+  const auto gap = [](const RealVec& p, const RealVec& q) { return length(p - q); };
+  return std::min(
+      std::max(gap(a.real_ends[0], b.real_ends[0]), gap(a.real_ends[1], b.real_ends[1])),
+      std::max(gap(a.real_ends[0], b.real_ends[1]), gap(a.real_ends[1], b.real_ends[0])));
+}
+bool same_chord(const ExactChord& a, const ExactChord& b, const Real& size, Calls& calls) {
+  // A quick no, far above what doubles can get wrong: the ends are relative to C, so at most L in
+  // size.
+  if (apart_in_doubles(a, b) > 1e-6 * static_cast<double>(size)) return false;
+  return calls.within(apart(a, b), tau * size, "duplicate chords");
+}
+
+/// Candidate order. Where "agrees" or "ties" is not transitive, all that are linked by it count as
+/// one.
+class Order {
+ public:
+  explicit Order(Calls& calls) : calls_(calls) {}
+
+  void sort(std::vector<ExactChord>& chords) {
+    std::stable_sort(chords.begin(), chords.end(), [&](const ExactChord& a, const ExactChord& b) {
+      const bool a_vertical = vertical(a.direction), b_vertical = vertical(b.direction);
+      if (a_vertical || b_vertical) return b_vertical && !a_vertical;
+      return cross(a.direction, b.direction) > 0;
+    });
+    by_class(
+        chords.begin(), chords.end(),
+        [&](const ExactChord& a, const ExactChord& b) { return one_line(a, b); },
+        [&](Iterator first, Iterator last) { sort_line(first, last); });
+  }
+
+ private:
+  using Iterator = std::vector<ExactChord>::iterator;
+  template <class Linked, class Visit>
+  static void by_class(Iterator first, Iterator last, Linked linked, Visit visit) {
+    while (first != last) {
+      Iterator end = first + 1;
+      while (end != last && linked(*(end - 1), *end)) ++end;
+      visit(first, end);
+      first = end;
+    }
+  }
+
+  /// Chords of one line: the longer first, then the one whose right end is farther from C.
+  void sort_line(Iterator begin, Iterator end) {
+    std::stable_sort(begin, end,
+                     [](const ExactChord& a, const ExactChord& b) { return a.length > b.length; });
+    const auto tie = [&](const ExactChord& a, const ExactChord& b) {
+      return calls_.within(a.length - b.length, tau * a.length, "lengths in candidate order");
+    };
+    by_class(begin, end, tie, [&](Iterator first, Iterator last) {
+      std::stable_sort(first, last, [&](const ExactChord& a, const ExactChord& b) {
+        return right_arm(a) > right_arm(b);
+      });
+    });
+  }
+  bool vertical(const RealVec& u) {
+    return calls_.within(abs(u.x) / length(u), tau, "vertical direction");
+  }
+  bool one_line(const ExactChord& a, const ExactChord& b) {
+    const bool a_vertical = vertical(a.direction), b_vertical = vertical(b.direction);
+    if (a_vertical || b_vertical) return a_vertical && b_vertical;
+    const Real sine = abs(cross(a.direction, b.direction)) / (a.length * b.length);
+    return calls_.within(sine, tau, "equal directions");
+  }
+  /// How far from C the right end is, or the upper one of a vertical chord.
+  Real right_arm(const ExactChord& c) {
+    const RealVec &e0 = c.real_ends[0], &e1 = c.real_ends[1];
+    const bool second = vertical(c.direction) ? e1.y > e0.y : e1.x > e0.x;
+    return length(second ? e1 : e0);
+  }
+  Calls& calls_;
+};
+
+/// One of a set of chords that are one candidate: one between opposite vertices, else the largest
+/// ratio, then first in order; its kind by precedence, but between vertices its own.
+ExactChord standing_one(std::vector<ExactChord> same, Calls& calls) {
+  Order(calls).sort(same);
+  ExactChord best = same.front();
+  for (const ExactChord& c : same)
+    if (c.between_vertices != best.between_vertices ? c.between_vertices : c.ratio > best.ratio)
+      best = c;
+  for (const ExactChord& c : same) {
+    if (!best.between_vertices) best.kind = std::min(best.kind, c.kind);
+    best.ratio_slack = std::max<Real>(best.ratio_slack, abs(best.ratio - c.ratio));
+    best.ends_slack = std::max<Real>(best.ends_slack, apart(best, c));
+  }
+  return best;
+}
+
+std::vector<ExactChord> merged(const std::vector<ExactChord>& chords, const Real& size,
+                               Calls& calls) {
+  std::vector<ExactChord> result;
+  std::vector<bool> used(chords.size(), false);
+  for (std::size_t i = 0; i < chords.size(); ++i) {
+    if (used[i]) continue;
+    used[i] = true;
+    std::vector<std::size_t> group{i};
+    for (std::size_t k = 0; k < group.size(); ++k)
+      for (std::size_t j = 0; j < chords.size(); ++j)
+        if (!used[j] && same_chord(chords[group[k]], chords[j], size, calls)) {
+          used[j] = true;
+          group.push_back(j);
+        }
+    std::vector<ExactChord> same;
+    for (std::size_t k : group) {
+      same.push_back(chords[k]);
+      for (std::size_t j : group)
+        if (!same_chord(chords[k], chords[j], size, calls))
+          calls.intransitive("chain of duplicate chords");
+    }
+    result.push_back(standing_one(same, calls));
+  }
+  return result;
+}
+
+Point rounded(const ExactShape& shape, const ExactVec& v) {
+  return {nearest_double(shape.centre.x + v.x), nearest_double(shape.centre.y + v.y)};
+}
+
+CandidateList packed(CandidateList list, std::vector<ExactChord> chords) {
+  for (const ExactChord& c : chords)
+    list.candidates.push_back({{rounded(*list.shape, c.ends[0]), rounded(*list.shape, c.ends[1])},
+                               static_cast<double>(c.ratio),
+                               c.kind,
+                               static_cast<double>(c.ratio_slack),
+                               static_cast<double>(c.ends_slack)});
+  list.chords = std::make_shared<ExactChords>(ExactChords{std::move(chords)});
+  return list;
+}
+
+}  // namespace
+
+ExactChord exact_chord(const ExactVec& end0, const ExactVec& end1, Kind kind, const Real& ratio) {
+  ExactChord c{{end0, end1}, {real(end0), real(end1)}, ratio, 0, {0, 0}, kind, 0, 0, false};
+  c.direction = c.real_ends[1] - c.real_ends[0];
+  if (c.direction.x < 0 || (c.direction.x == 0 && c.direction.y < 0)) c.direction = -c.direction;
+  c.length = length(c.direction);
+  return c;
+}
+
+CandidateList find_candidates(const Problem& problem) {
+  CandidateList list;
+  Calls calls;
+  list.shape = exact_shape(problem);
+  const std::size_t n = list.shape->vertices.size();
+  // In the order of the input, so that "a" of a nearly parallel pair is the edge given first.
+  std::vector<Edge> edges;
+  std::vector<std::size_t> order(n);
+  for (std::size_t i = 0; i < n; ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    const auto given =
+        [&](std::size_t k) {  // the index of the edge's first vertex, in the input's direction
+          const std::size_t p = list.shape->given_index[k],
+                            q = list.shape->given_index[(k + 1) % n];
+          return (p + 1) % n == q ? p : q;
+        };
+    return given(i) < given(j);
+  });
+  for (std::size_t i : order)
+    if (const std::optional<Edge> e = seen_edge(*list.shape, i, calls)) edges.push_back(*e);
+
+  const Real least_ratio = Real(problem.min_ratio) - tau;
+  std::vector<ExactChord> chords;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      const std::optional<Range> range = common_range(edges[i], edges[j]);
+      if (!range) continue;
+      ++list.pairs;
+      const RealVec first = real(range->first), last = real(range->last);
+      list.thinnest_range =
+          std::min(list.thinnest_range,
+                   static_cast<double>(cross(first, last) / (length(first) * length(last))));
+      if (const auto c = candidate_of(edges[i], edges[j], *range, least_ratio, list, calls))
+        chords.push_back(*c);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j)
+      if (const auto c = candidate_between(*list.shape, i, j, least_ratio, calls))
+        chords.push_back(*c);
+  chords = merged(chords, list.shape->size, calls);
+  Order(calls).sort(chords);
+  list.closest_call = calls.closest();
+  return packed(std::move(list), std::move(chords));
+}
+
+CandidateList given_candidates(const Problem& problem, const std::vector<Candidate>& given) {
+  CandidateList list;
+  list.shape = exact_shape(problem);
+  std::vector<ExactChord> chords;
+  for (const Candidate& c : given)
+    chords.push_back(exact_chord(exact(c.ends[0]) - list.shape->centre,
+                                 exact(c.ends[1]) - list.shape->centre, c.kind, Real(c.ratio)));
+  return packed(std::move(list), std::move(chords));
+}
+
+std::vector<std::array<Point, 2>> vertex_chords(const Problem& problem) {
+  const auto shape = exact_shape(problem);
+  const std::vector<ExactVec>& v = shape->vertices;
+  const std::size_t n = v.size();
+  Calls calls;
+  std::vector<std::array<Point, 2>> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (v[i] == ExactVec{0, 0}) continue;
+    const ExactVec u = -v[i];
+    for (std::size_t j = 0; j < n; ++j)  // hits at a vertex: once for the two of them
+      if (j > i && cross(u, v[j]) == 0 && dot(u, v[j]) > 0)
+        result.push_back({rounded(*shape, v[i]), rounded(*shape, v[j])});
+    for (std::size_t j = 0; j < n; ++j)
+      if (const auto e = seen_edge(*shape, j, calls); e && in_cone(u, *e, false, false))
+        result.push_back({rounded(*shape, v[i]), rounded(*shape, u * reach(u, *e))});
+  }
+  return result;
+}
+
+}  // namespace oracle

@@ -1,0 +1,402 @@
+// Immobilization (algorithm.md, "Immobilization"): contacts, free motions, margin, second order.
+#include "oracle/exact.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace oracle {
+namespace {
+
+struct Contact {
+  RealVec at;
+  ExactVec
+      edge;  // along the edge, counter-clockwise about P: the inward normal is to its left, exactly
+  RealVec normal;  // inward, of unit length
+};
+
+Contact contact_on(const ExactShape& shape, const RealVec& at, std::size_t edge) {
+  const ExactVec along = shape.vertices[(edge + 1) % shape.vertices.size()] - shape.vertices[edge];
+  const RealVec left{Real(-along.y), Real(along.x)};
+  return {at, along, left * (1 / length(left))};
+}
+
+std::optional<std::size_t> vertex_at(const ExactShape& shape, const RealVec& p, Calls& calls) {
+  std::size_t nearest = 0;
+  Real least = -1;
+  for (std::size_t i = 0; i < shape.real_vertices.size(); ++i) {
+    const Real d = length(p - shape.real_vertices[i]);
+    if (least < 0 || d < least) {
+      least = d;
+      nearest = i;
+    }
+  }
+  if (calls.within(least, tau * shape.size, "lifting point at a vertex")) return nearest;
+  return std::nullopt;
+}
+
+std::size_t nearest_edge(const ExactShape& shape, const RealVec& p) {
+  const std::size_t n = shape.real_vertices.size();
+  std::size_t nearest = 0;
+  Real least = -1;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Real d = distance_to_segment(p, shape.real_vertices[i], shape.real_vertices[(i + 1) % n]);
+    if (least < 0 || d < least) {
+      least = d;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+/// Positive at a convex vertex, 0 at a straight one, within the tolerance.
+int turn_at(const ExactShape& shape, std::size_t vertex, Calls& calls) {
+  const std::size_t n = shape.vertices.size();
+  const ExactVec before = shape.vertices[vertex] - shape.vertices[(vertex + n - 1) % n];
+  const ExactVec after = shape.vertices[(vertex + 1) % n] - shape.vertices[vertex];
+  const RealVec u = real(before), v = real(after);
+  if (dot(u, v) > 0 &&
+      calls.within(abs(cross(u, v)) / (length(u) * length(v)), tau, "straight vertex"))
+    return 0;
+  return sign(cross(before, after));
+}
+
+std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<RealVec>& points,
+                                 Calls& calls) {
+  const std::size_t n = shape.vertices.size();
+  std::vector<Contact> contacts;
+  const auto add = [&](const Contact& c) {
+    // Two robots at one place press as one.
+    for (const Contact& o : contacts)
+      if (o.at == c.at && o.edge == c.edge) return;
+    contacts.push_back(c);
+  };
+  for (const RealVec& p : points) {
+    const auto vertex = vertex_at(shape, p, calls);
+    if (!vertex) {
+      add(contact_on(shape, p, nearest_edge(shape, p)));
+      continue;
+    }
+    const std::size_t before = (*vertex + n - 1) % n;
+    const int turn = turn_at(shape, *vertex, calls);
+    if (turn <= 0) add(contact_on(shape, shape.real_vertices[*vertex], *vertex));
+    if (turn < 0) add(contact_on(shape, shape.real_vertices[*vertex], before));
+  }
+  return contacts;
+}
+
+/// Some direction makes no obtuse angle with any normal, within the tolerance. The free directions
+/// form a closed cone; unless it is everything, it has a side perpendicular to a normal, which is
+/// along that contact's edge.
+bool translation_is_free(const std::vector<Contact>& contacts, Calls& calls) {
+  if (contacts.empty()) return true;
+  for (const Contact& c : contacts) {
+    for (const ExactVec& way : {c.edge, -c.edge}) {
+      const auto allowed = [&](const Contact& o) {
+        const Exact side = cross(o.edge, way);  // has the sign of normal . way
+        return side >= 0 || calls.within(-Real(side) / (length(real(o.edge)) * length(real(way))),
+                                         tau, "free translation");
+      };
+      if (std::all_of(contacts.begin(), contacts.end(), allowed)) return true;
+    }
+  }
+  return false;
+}
+
+/// How far contact c's normal line, directed inward, has the point to its left.
+Real left_of_normal(const Contact& c, const RealVec& point) {
+  return cross(c.normal, point - c.at);
+}
+
+/// Weights that add up to 1 and balance the normals of a few contacts.
+struct Balance {
+  std::vector<std::size_t> contacts;
+  std::vector<Real> weights;
+};
+/// The balances that cannot be made of others: opposite pairs, and triples that span the plane
+/// positively. Decided exactly; with `loose`, pairs also when opposite within the tolerance.
+std::vector<Balance> balances(const std::vector<Contact>& c, bool loose, Calls& calls) {
+  std::vector<Balance> result;
+  const std::size_t m = c.size();
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = i + 1; j < m; ++j) {
+      const Exact turn = cross(c[i].edge, c[j].edge);
+      const bool opposite =
+          dot(c[i].edge, c[j].edge) < 0 &&
+          (turn == 0 ||
+           (loose && calls.within(abs(cross(c[i].normal, c[j].normal)), tau, "opposite normals")));
+      if (opposite) result.push_back({{i, j}, {Real(1) / 2, Real(1) / 2}});
+      for (std::size_t k = j + 1; k < m && turn != 0; ++k) {
+        const int s = sign(turn);
+        if (sign(cross(c[j].edge, c[k].edge)) != s || sign(cross(c[k].edge, c[i].edge)) != s)
+          continue;
+        const Real wi = cross(c[j].normal, c[k].normal), wj = cross(c[k].normal, c[i].normal),
+                   wk = cross(c[i].normal, c[j].normal);
+        const Real sum = wi + wj + wk;
+        result.push_back({{i, j, k}, {wi / sum, wj / sum, wk / sum}});
+      }
+    }
+  }
+  return result;
+}
+
+/// A free region: the points on the left (side = 1) or right (side = -1) of every normal.
+struct Region {
+  int side;
+  std::optional<Real> widening;  // the least that makes it non-empty; nothing if it stays non-empty
+                                 // however narrowed
+};
+
+/// The contacts, and behind them four that stand for the border of the plane: no rotation centre
+/// farther than L / tau from C along an axis counts.
+std::vector<Contact> with_border(std::vector<Contact> contacts) {
+  for (const auto& [x, y] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+    contacts.push_back({{0, 0}, {x, y}, {Real(-y), Real(x)}});
+  return contacts;
+}
+
+/// By Farkas's lemma the half-planes side * (n x c) >= side * (n x p) - w of the contacts and side
+/// * (n x c) >= -reach of the border have no common point exactly if some balance has a positive
+/// sum of weight * (side * n x p - w) and of weight * -reach.
+Region region(const std::vector<Contact>& contacts, const std::vector<Balance>& exact_balances,
+              const Real& reach, int side) {
+  Region r{side, std::nullopt};
+  for (const Balance& b : exact_balances) {
+    Real sum = 0, of_contacts = 0;
+    for (std::size_t k = 0; k < b.contacts.size(); ++k) {
+      if (b.contacts[k] >= contacts.size()) {
+        sum -= b.weights[k] * reach;
+        continue;
+      }
+      const Contact& c = contacts[b.contacts[k]];
+      sum += b.weights[k] * cross(c.normal, c.at) * side;
+      of_contacts += b.weights[k];
+    }
+    if (of_contacts == 0) continue;
+    sum /= of_contacts;
+    if (!r.widening || sum > *r.widening) r.widening = sum;
+  }
+  return r;
+}
+
+/// The points from + s way, s in [first, last], that lie in the region widened by w; an end that
+/// nothing sets is absent.
+struct Stretch {
+  std::optional<Real> first, last;
+  bool endless() const { return !first || !last; }
+  bool longer_than(const Real& least) const { return endless() || *last - *first > least; }
+};
+Stretch stretch_on_line(const std::vector<Contact>& contacts, const Region& r, const RealVec& from,
+                        const RealVec& way, const Real& w) {
+  Stretch s;
+  for (const Contact& c : contacts) {
+    const Real slope = r.side * cross(c.normal, way);
+    if (abs(slope) <= tau) continue;  // along the line, within the tolerance
+    const Real at = -(r.side * left_of_normal(c, from) + w) / slope;
+    if (slope > 0 && (!s.first || at > *s.first)) s.first = at;
+    if (slope < 0 && (!s.last || at < *s.last)) s.last = at;
+  }
+  return s;
+}
+
+/// Two normals that are opposite and on one line, both within the tolerance: the region is a
+/// segment there.
+struct Segment {
+  RealVec from, way;
+  Stretch stretch;
+};
+std::optional<Segment> segment_of(const std::vector<Contact>& contacts, const Region& r,
+                                  const Real& size, Calls& calls) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (std::size_t j = i + 1; j < contacts.size(); ++j) {
+      const Contact &a = contacts[i], &b = contacts[j];
+      if (dot(a.normal, b.normal) >= 0) continue;
+      if (!calls.within(abs(cross(a.normal, b.normal)), tau, "opposite normals")) continue;
+      const RealVec way = (a.normal - b.normal) * (1 / length(a.normal - b.normal));
+      const RealVec from = (a.at + b.at) * (Real(1) / 2);
+      // Half the distance between the lines; measured at `from`, so that both are as near as they
+      // can be.
+      if (!calls.within(abs(left_of_normal(a, from)), tau * size, "normals on one line")) continue;
+      const Segment s{from, way, stretch_on_line(contacts, r, from, way, tau * size)};
+      if (s.stretch.longer_than(tau * size)) return s;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Where a region without area is most nearly non-empty: the corner in which it vanishes as the
+/// widening is taken back.
+std::optional<RealVec> last_point(const std::vector<Contact>& contacts, const Region& r,
+                                  const Real& size) {
+  const Real w = *r.widening + size * Real("1e-50");
+  std::optional<RealVec> best;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (std::size_t j = i + 1; j < contacts.size(); ++j) {
+      if (cross(contacts[i].edge, contacts[j].edge) == 0) continue;
+      // n x point = n x at - side * w on both borders.
+      const auto &ni = contacts[i].normal, &nj = contacts[j].normal;
+      const Real bi = cross(ni, contacts[i].at) - r.side * w;
+      const Real bj = cross(nj, contacts[j].at) - r.side * w;
+      const Real det = cross(ni, nj);
+      const RealVec corner{(bi * nj.x - bj * ni.x) / det, (bi * nj.y - bj * ni.y) / det};
+      const Real slip = (size + length(corner)) * Real("1e-60");
+      const auto inside = [&](const Contact& c) {
+        return r.side * left_of_normal(c, corner) >= -w - slip;
+      };
+      if (std::all_of(contacts.begin(), contacts.end(), inside)) best = corner;
+    }
+  }
+  return best;
+}
+
+/// Whether the contacts whose normals pass through c stop every finite motion about it.
+bool immobile_about(const std::vector<Contact>& contacts, const RealVec& c, const Real& size,
+                    Calls& calls) {
+  std::vector<Contact> through;
+  for (const Contact& contact : contacts)
+    if (calls.within(abs(left_of_normal(contact, c)), tau * size, "normal through the centre"))
+      through.push_back(contact);
+  for (const Balance& b : balances(through, true, calls)) {
+    Real sum = 0;
+    for (std::size_t k = 0; k < b.contacts.size(); ++k) {
+      const Contact& contact = through[b.contacts[k]];
+      sum += b.weights[k] * dot(contact.normal, c - contact.at);
+    }
+    if (sum > 0) return true;
+  }
+  return false;
+}
+
+/// The same about the points of a region without area: about a segment's midpoint, or about the one
+/// point. A segment without an end is a translation that rounding alone keeps from being free.
+bool immobile_in(const std::vector<Contact>& contacts, const Region& r, const Real& size,
+                 Calls& calls) {
+  if (const auto segment = segment_of(contacts, r, size, calls)) {
+    const Stretch& s = segment->stretch;
+    if (s.endless()) return false;
+    return immobile_about(contacts, segment->from + segment->way * ((*s.first + *s.last) / 2), size,
+                          calls);
+  }
+  const auto point = last_point(contacts, r, size);
+  return point && immobile_about(contacts, *point, size, calls);
+}
+
+using Vec3 = std::array<Real, 3>;
+Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Real dot3(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec3 cross3(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Squared distance from the origin to the segment a b.
+Real squared_to_segment(const Vec3& a, const Vec3& b) {
+  const Vec3 along = minus(b, a);
+  const Real squared = dot3(along, along);
+  if (squared == 0) return dot3(a, a);
+  const Real where = std::clamp<Real>(-dot3(a, along) / squared, 0, 1);
+  const Vec3 p{a[0] + along[0] * where, a[1] + along[1] * where, a[2] + along[2] * where};
+  return dot3(p, p);
+}
+
+/// Squared distance from the origin to the triangle's inside, if its foot falls there.
+std::optional<Real> squared_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
+                                        const Vec3& normal) {
+  const auto edge_keeps = [&](const Vec3& p,
+                              const Vec3& q) {  // the foot is on the inner side of p q
+    return dot3(cross3(minus(q, p), Vec3{-p[0], -p[1], -p[2]}), normal) >= 0;
+  };
+  if (!edge_keeps(a, b) || !edge_keeps(b, c) || !edge_keeps(c, a)) return std::nullopt;
+  const Real height = dot3(normal, a);
+  return height * height / dot3(normal, normal);
+}
+
+/// The radius of the largest ball about the origin inside the hull of the wrenches; if the origin
+/// is not inside, minus its distance from that hull.
+Real margin(const std::vector<Vec3>& w) {
+  // The hull's point nearest to the origin lies in a triangle of wrenches, if the origin is
+  // outside.
+  Real nearest = dot3(w[0], w[0]);
+  for (std::size_t i = 0; i < w.size(); ++i)
+    for (std::size_t j = i + 1; j < w.size(); ++j)
+      nearest = std::min(nearest, squared_to_segment(w[i], w[j]));
+  // A triangle with all wrenches on one side of its plane is a facet (or part of one).
+  bool inside = w.size() >= 4;
+  bool any = false;
+  Real least = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    for (std::size_t j = i + 1; j < w.size(); ++j) {
+      for (std::size_t k = j + 1; k < w.size(); ++k) {
+        const Vec3 normal = cross3(minus(w[j], w[i]), minus(w[k], w[i]));
+        const Real size = sqrt(dot3(normal, normal));
+        if (size < Real("1e-60")) continue;  // in line, or twice the same
+        if (const auto d = squared_to_triangle(w[i], w[j], w[k], normal))
+          nearest = std::min(nearest, *d);
+        const Real height = dot3(normal, w[i]) / size;
+        bool above = false, below = false;
+        for (const Vec3& p : w) {
+          const Real h = dot3(normal, p) / size - height;
+          above = above || h > Real("1e-60");
+          below = below || h < -Real("1e-60");
+        }
+        if (above && below) continue;
+        if (!above && !below) inside = false;  // everything in one plane: no room for a ball
+        const Real room = above ? Real(-height) : height;
+        if (!any || room < least) least = room;
+        any = true;
+      }
+    }
+  }
+  inside = inside && any && least >= 0;
+  return inside ? least : Real(-sqrt(nearest));
+}
+
+}  // namespace
+
+Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lifting_points) {
+  Closure result;
+  Calls calls;
+  const std::vector<Contact> contacts = contacts_of(shape, lifting_points, calls);
+  result.contacts = contacts.size();
+  if (contacts.empty()) {
+    result.closest_call = calls.closest();
+    return result;
+  }
+  const std::vector<Balance> exact_balances = balances(with_border(contacts), false, calls);
+  const Real tolerance = tau * shape.size;
+  bool degenerate = true;  // no region has an area
+  std::vector<Region> open;
+  for (int side : {1, -1}) {
+    const Region r = region(contacts, exact_balances, shape.size / tau, side);
+    const bool free = !r.widening || calls.within(*r.widening, tolerance, "free region is empty");
+    if (free) {
+      open.push_back(r);
+      if (!r.widening || calls.within(-*r.widening, tolerance, "free region has an area") == false)
+        degenerate = false;
+    }
+    (side == 1 ? result.counterclockwise : result.clockwise) = free;
+  }
+  result.translation = translation_is_free(contacts, calls);
+  result.form_closure = !result.counterclockwise && !result.clockwise && !result.translation;
+
+  if (!result.form_closure && !result.translation && degenerate) {
+    result.second_order = true;
+    for (const Region& r : open)
+      result.second_order = result.second_order && immobile_in(contacts, r, shape.size, calls);
+  }
+
+  for (const Contact& a : contacts)
+    for (const Contact& b : contacts)
+      if (const Real sine = abs(cross(a.normal, b.normal));
+          sine > tau && dot(a.normal, b.normal) < 0)
+        result.flattest_crossing = std::min(result.flattest_crossing, static_cast<double>(sine));
+
+  Real radius = 0;  // R
+  for (const RealVec& v : shape.real_vertices) radius = std::max(radius, length(v));
+  std::vector<Vec3> wrenches;
+  for (const Contact& c : contacts)
+    wrenches.push_back({c.normal.x, c.normal.y, cross(c.at, c.normal) / radius});
+  result.margin = static_cast<double>(margin(wrenches));
+  result.closest_call = calls.closest();
+  return result;
+}
+
+}  // namespace oracle

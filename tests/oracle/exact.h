@@ -1,0 +1,133 @@
+// What the oracle's files share among themselves: its numbers, its vectors, and the tolerance.
+#pragma once
+
+#include "oracle/oracle.h"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <cmath>
+
+namespace oracle {
+
+namespace mp = boost::multiprecision;
+
+/// Exact. Used wherever a sign decides and no tolerance is named.
+using Exact = mp::number<mp::cpp_rational_backend, mp::et_off>;
+/// 100 digits. Used for roots, and for quantities that only meet a tolerance or are only reported.
+using Real = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
+
+template <class T>
+struct Vec {
+  T x, y;
+  friend Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vec operator*(const Vec& a, const T& k) { return {a.x * k, a.y * k}; }
+  friend Vec operator-(const Vec& a) { return {-a.x, -a.y}; }
+  friend bool operator==(const Vec& a, const Vec& b) { return a.x == b.x && a.y == b.y; }
+};
+
+using ExactVec = Vec<Exact>;
+using RealVec = Vec<Real>;
+
+/// Positive when b is to the left of a.
+template <class T>
+T cross(const Vec<T>& a, const Vec<T>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+template <class T>
+T dot(const Vec<T>& a, const Vec<T>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+/// Positive when c is to the left of a -> b.
+template <class T>
+T orient(const Vec<T>& a, const Vec<T>& b, const Vec<T>& c) {
+  return cross(b - a, c - a);
+}
+template <class T>
+int sign(const T& v) {
+  return v > 0 ? 1 : v < 0 ? -1 : 0;
+}
+inline Real length(const RealVec& v) { return sqrt(dot(v, v)); }
+inline RealVec real(const ExactVec& v) { return {Real(v.x), Real(v.y)}; }
+inline ExactVec exact(const Point& p) { return {Exact(p[0]), Exact(p[1])}; }
+
+/// The tolerance, exactly 1e-9.
+inline const Real tau = Real(1) / 1000000000;
+
+/// Records every decision that a tolerance makes.
+class Calls {
+ public:
+  /// Whether value <= threshold; both of one unit, the threshold positive.
+  bool within(const Real& value, const Real& threshold, const char* what) {
+    note(static_cast<double>(value / threshold), what);
+    return value <= threshold;
+  }
+  /// The decision went by value / threshold against 1.
+  void note(double quotient, const char* what) {
+    const double distance = std::fabs(quotient - 1);
+    if (distance < closest_.distance) closest_ = {distance, what};
+  }
+  /// A rule that needs nearness to be transitive met a case where it is not.
+  void intransitive(const char* what) { closest_ = {0, what}; }
+  const ClosestCall& closest() const { return closest_; }
+
+ private:
+  ClosestCall closest_;
+};
+
+/// All in the frame whose origin is C, so that nothing far away is subtracted later on.
+struct ExactShape {
+  std::vector<ExactVec> vertices;        // counter-clockwise, relative to C
+  std::vector<RealVec> real_vertices;    // the same
+  std::vector<std::size_t> given_index;  // of each vertex in the input
+  ExactVec centre;                       // C itself
+  Real size;                             // L
+  Real area;                             // of P, positive
+};
+
+struct ExactChord {
+  std::array<ExactVec, 2> ends;  // relative to C
+  std::array<RealVec, 2> real_ends;
+  Real ratio;
+  Real length;
+  RealVec direction;  // from one end to the other, pointing right, or up if exactly vertical
+  Kind kind = Kind::vertex;
+  Real ratio_slack, ends_slack;
+  bool between_vertices = false;  // of opposite vertices
+};
+
+struct ExactChords {
+  std::vector<ExactChord> chords;
+};
+
+std::shared_ptr<const ExactShape> exact_shape(const Problem& problem);
+ExactChord exact_chord(const ExactVec& end0, const ExactVec& end1, Kind kind, const Real& ratio);
+
+/// Nearest double, ties to even.
+double nearest_double(const Exact& value);
+
+/// Convex hull, corners only, counter-clockwise; two points when all lie on one line, one when all
+/// agree.
+std::vector<ExactVec> convex_hull(std::vector<ExactVec> points);
+
+/// H of these points, not all at one place: its corners, those that stick out by no more than the
+/// tolerance left out; the two ends of a segment if all points lie within the tolerance of one
+/// line.
+std::vector<RealVec> lifting_base(const std::vector<ExactVec>& points, const Real& size,
+                                  Calls& calls);
+
+/// The signed distance of v from the line p -> q, positive to the right: outside, as H runs
+/// counter-clockwise.
+Real outside(const RealVec& v, const RealVec& p, const RealVec& q);
+
+/// The area of what a simple polygon and a convex one, both counter-clockwise, have in common.
+Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>& convex);
+Real signed_area(const std::vector<RealVec>& polygon);
+
+/// The distance from p to the segment a b.
+Real distance_to_segment(const RealVec& p, const RealVec& a, const RealVec& b);
+
+Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lifting_points);
+
+}  // namespace oracle

@@ -1,0 +1,172 @@
+// Validation, the centroid and the frame of C, by definition.
+#include "oracle/exact.h"
+
+#include <algorithm>
+
+namespace oracle {
+namespace {
+
+std::vector<ExactVec> exact_points(const std::vector<Point>& points) {
+  std::vector<ExactVec> result;
+  result.reserve(points.size());
+  for (const Point& p : points) result.push_back(exact(p));
+  return result;
+}
+
+Exact doubled_area(const std::vector<ExactVec>& v) {
+  Exact sum = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) sum += cross(v[i], v[(i + 1) % v.size()]);
+  return sum;
+}
+
+/// Whether p, known to be on the line of a b, lies on the closed segment.
+bool in_box(const ExactVec& a, const ExactVec& b, const ExactVec& p) {
+  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
+         p.y <= std::max(a.y, b.y);
+}
+
+/// Whether the closed segments a b and c d have a point in common.
+bool meet(const ExactVec& a, const ExactVec& b, const ExactVec& c, const ExactVec& d) {
+  const int abc = sign(orient(a, b, c)), abd = sign(orient(a, b, d));
+  const int cda = sign(orient(c, d, a)), cdb = sign(orient(c, d, b));
+  if (abc * abd < 0 && cda * cdb < 0) return true;
+  return (abc == 0 && in_box(a, b, c)) || (abd == 0 && in_box(a, b, d)) ||
+         (cda == 0 && in_box(c, d, a)) || (cdb == 0 && in_box(c, d, b));
+}
+
+bool simple(const std::vector<ExactVec>& v) {
+  const std::size_t n = v.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const ExactVec &a = v[i], &b = v[(i + 1) % n], &c = v[j], &d = v[(j + 1) % n];
+      if (j == i + 1 || (i == 0 && j == n - 1)) {
+        // Neighbours: they may meet only at the shared vertex, so they must not fold back onto each
+        // other.
+        const ExactVec shared = j == i + 1 ? b : a;
+        const ExactVec one = (j == i + 1 ? a : b) - shared, other = (j == i + 1 ? d : c) - shared;
+        if (cross(one, other) == 0 && dot(one, other) > 0) return false;
+      } else if (meet(a, b, c, d)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// p is strictly in the hull of v when every line through p has vertices strictly on both sides; it
+/// suffices to try the lines through p and a vertex, as any other can be turned until it meets one.
+bool strictly_in_hull(const std::vector<ExactVec>& v, const ExactVec& p) {
+  for (const ExactVec& through : v) {
+    if (through == p) continue;
+    bool left = false, right = false;
+    for (const ExactVec& other : v) {
+      const int side = sign(orient(p, through, other));
+      left = left || side > 0;
+      right = right || side < 0;
+    }
+    if (!left || !right) return false;
+  }
+  return true;
+}
+
+/// The bounding box's diagonal is below 1e-9.
+bool too_small(const std::vector<ExactVec>& v) {
+  ExactVec low = v[0], high = low;
+  for (const ExactVec& p : v) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return length(real(high - low)) < tau;
+}
+
+}  // namespace
+
+double nearest_double(const Exact& value) {
+  if (value == 0) return 0;
+  const bool negative = value < 0;
+  mp::cpp_int num = abs(numerator(value)), den = denominator(value);
+  // 64 bits of quotient at least, the lowest made sticky: then one rounding of an integer to 53
+  // bits is left.
+  int shift = static_cast<int>(msb(den)) - static_cast<int>(msb(num)) + 65;
+  if (shift > 1074) shift = 1074;  // the grid of subnormals: never round twice
+  if (shift > 0)
+    num <<= shift;
+  else
+    den <<= -shift;
+  mp::cpp_int quotient, rest;
+  divide_qr(num, den, quotient, rest);
+  if (quotient == 0) {
+    const bool up = rest * 2 > den;
+    return (negative ? -1 : 1) * (up ? std::ldexp(1.0, -shift) : 0.0);
+  }
+  const int bits = static_cast<int>(msb(quotient)) + 1;
+  int drop = bits - 53;
+  if (drop > 0) {
+    const mp::cpp_int low = quotient & ((mp::cpp_int(1) << drop) - 1), half = mp::cpp_int(1)
+                                                                              << (drop - 1);
+    quotient >>= drop;
+    if (low > half || (low == half && (rest != 0 || (quotient & 1) != 0))) quotient += 1;
+  } else {
+    if (rest * 2 > den || (rest * 2 == den && (quotient & 1) != 0)) quotient += 1;
+    drop = 0;
+  }
+  return (negative ? -1 : 1) * std::ldexp(quotient.convert_to<double>(), drop - shift);
+}
+
+Point centroid(const std::vector<Point>& vertices) {
+  const std::vector<ExactVec> v = exact_points(vertices);
+  ExactVec sum{0, 0};
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const ExactVec &a = v[i], &b = v[(i + 1) % v.size()];
+    sum = sum + (a + b) * cross(a, b);
+  }
+  const Exact scale = 1 / (3 * doubled_area(v));
+  return {nearest_double(sum.x * scale), nearest_double(sum.y * scale)};
+}
+
+Refusal refusal(const Problem& problem) {
+  if (problem.vertices.size() < 3) return Refusal::too_few_vertices;
+  const auto bad = [](const Point& p) {
+    return !(std::fabs(p[0]) <= 1e9 && std::fabs(p[1]) <= 1e9);
+  };
+  if (std::any_of(problem.vertices.begin(), problem.vertices.end(), bad))
+    return Refusal::bad_coordinate;
+  const std::vector<ExactVec> v = exact_points(problem.vertices);
+  for (std::size_t i = 0; i < v.size(); ++i)
+    for (std::size_t j = i + 1; j < v.size(); ++j)
+      if (v[i] == v[j]) return Refusal::repeated_vertex;
+  const auto on_first_line = [&](const ExactVec& p) { return orient(v[0], v[1], p) == 0; };
+  if (std::all_of(v.begin(), v.end(), on_first_line)) return Refusal::no_area;
+  if (!simple(v)) return Refusal::not_simple;
+  if (too_small(v)) return Refusal::too_small;
+  const Point c = problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem.vertices);
+  if (bad(c)) return Refusal::bad_coordinate;
+  if (!strictly_in_hull(v, exact(c))) return Refusal::centre_outside;
+  if (!(problem.min_ratio >= 0 && problem.min_ratio <= 1)) return Refusal::bad_ratio;
+  if (problem.teams < 1) return Refusal::bad_teams;
+  return Refusal::none;
+}
+
+std::shared_ptr<const ExactShape> exact_shape(const Problem& problem) {
+  auto shape = std::make_shared<ExactShape>();
+  shape->centre =
+      exact(problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem.vertices));
+  shape->vertices = exact_points(problem.vertices);
+  for (std::size_t i = 0; i < shape->vertices.size(); ++i) shape->given_index.push_back(i);
+  if (doubled_area(shape->vertices) < 0) {
+    std::reverse(shape->vertices.begin(), shape->vertices.end());
+    std::reverse(shape->given_index.begin(), shape->given_index.end());
+  }
+  ExactVec low = shape->vertices[0], high = low;
+  for (ExactVec& v : shape->vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
+    v = v - shape->centre;
+    shape->real_vertices.push_back(real(v));
+  }
+  shape->size = length(real(high - low));
+  shape->area = Real(doubled_area(shape->vertices)) / 2;
+  return shape;
+}
+
+}  // namespace oracle

@@ -1,0 +1,219 @@
+// The program as a script meets it. EVENLIFT_COMMAND in the environment names another program to
+// try, such as "node build/bin/evenlift.js".
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <sstream>
+
+#include "kit/corpus.h"
+
+using namespace evenlift;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// tests/cli/cases.txt, split up.
+struct Case {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> files;  // name, text
+  std::string command;                                     // for sh
+  std::string expected;                                    // status and the line on standard error
+};
+
+std::vector<Case> read_cases(const std::string& text) {
+  std::vector<Case> cases;
+  std::istringstream lines(text);
+  Case current;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    if (line.rfind("== ", 0) == 0) {
+      current = {line.substr(3), {}, "", ""};
+    } else if (line.rfind("> ", 0) == 0) {
+      current.files.emplace_back(line.substr(2), "");
+    } else if (line.rfind("$ ", 0) == 0) {
+      current.command = line.substr(2);
+      std::getline(lines, current.expected);
+      cases.push_back(current);
+    } else {
+      INFO("a line of no file: " << line);
+      REQUIRE_FALSE(current.files.empty());
+      current.files.back().second += line + "\n";
+    }
+  }
+  return cases;
+}
+
+struct Outcome {
+  int status = -1;
+  std::string output, errors;
+};
+
+class Folder {
+ public:
+  explicit Folder(const std::string& name)
+      : path_(fs::temp_directory_path() /
+              ("evenlift-test-" + name + "-" + std::to_string(::getpid()))) {
+    fs::create_directories(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// Runs a line of sh in the folder, in which `evenlift` is the program.
+Outcome run(const Folder& folder, const std::string& line) {
+  const char* other = std::getenv("EVENLIFT_COMMAND");
+  const std::string program = other ? other : "'" EVENLIFT_PROGRAM "'";
+  const fs::path script = folder.path() / "script.sh";
+  corpus::write_file(script, "evenlift() { " + program + " \"$@\"; }\n" + line + "\n");
+  const std::string folder_text = folder.path().string();
+  const int status =
+      std::system(("cd '" + folder_text + "' && sh script.sh > script.out 2> script.err").c_str());
+  Outcome outcome;
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.output = corpus::read_file(folder.path() / "script.out");
+  outcome.errors = corpus::read_file(folder.path() / "script.err");
+  return outcome;
+}
+
+const std::string square = "(0,0)\n(4,0)\n(4,4)\n(0,4)\n";
+
+}  // namespace
+
+TEST_CASE("bad usage and bad input get one clear line, and nothing else", "[cli]") {
+  const std::vector<Case> cases =
+      read_cases(corpus::read_file(fs::path(EVENLIFT_TESTS_DIR) / "cli" / "cases.txt"));
+  REQUIRE(cases.size() >= 40);
+  const Folder folder("cases");
+  for (const Case& c : cases) {
+    for (const auto& [name, text] : c.files) corpus::write_file(folder.path() / name, text);
+    const Outcome outcome = run(folder, c.command);
+    INFO(c.name << "\n$ " << c.command);
+    CHECK(std::to_string(outcome.status) + " " + outcome.errors == c.expected + "\n");
+    CHECK(outcome.output.empty());
+  }
+}
+
+TEST_CASE("the program answers in all its ways", "[cli]") {
+  const Folder folder("answers");
+  corpus::write_file(folder.path() / "square.txt", square);
+  corpus::write_file(folder.path() / "1.dat", square);
+  const auto answers = [&](const std::string& line) {
+    const Outcome outcome = run(folder, line);
+    INFO("$ " << line);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.errors.empty());
+    CHECK_FALSE(outcome.output.empty());
+    return outcome.output;
+  };
+
+  CHECK(answers("evenlift --version").rfind("evenlift ", 0) == 0);
+  for (const char* command : {"place", "trace", "link", "link encode", "link decode", "generate"})
+    CHECK(answers("evenlift " + std::string(command) + " --help")
+              .find("Usage: evenlift " + std::string(command)) != std::string::npos);
+  CHECK(answers("evenlift --help") == answers("evenlift help"));
+
+  SECTION("FILE is a path, standard input or a link") {
+    const std::string expected = answers("evenlift place square.txt --json --teams 2");
+    CHECK(answers("evenlift place --json --teams=2 square.txt") == expected);
+    CHECK(answers("evenlift place - --json --teams 2 < square.txt") == expected);
+    CHECK(answers("evenlift place 1.dat --json --teams 2") == expected);
+    CHECK(answers("evenlift place --json --teams 2 -- square.txt") == expected);
+    CHECK(answers("evenlift place \"$(evenlift link encode square.txt --teams 2)\" --json") ==
+          expected);
+    CHECK(answers("evenlift place \"https://example.org/evenlift/#$(evenlift link encode "
+                  "square.txt)\" --json --teams 2") == expected);
+  }
+  SECTION("an option overrides what a link carries") {
+    CHECK(answers("evenlift place \"$(evenlift link encode square.txt --metric circle --com 1,2 "
+                  "--seed 5)\" --json "
+                  "--metric area --com 2,2 --seed 1") ==
+          answers("evenlift place square.txt --com 2,2 --json"));
+  }
+  SECTION("a negative centre of mass is a value, not an option") {
+    CHECK(answers("printf '(-4,-4)\\n(4,-4)\\n(0,4)\\n' | evenlift place - --com -.5,-1 --json")
+              .find("\"centre_of_mass\": [-0.5, -1]") != std::string::npos);
+  }
+  SECTION("fewer teams than asked for are no failure") {
+    CHECK(answers("evenlift place square.txt --teams 9").find("only 4 of 9 teams") !=
+          std::string::npos);
+  }
+  SECTION("a picture is written beside the result") {
+    CHECK(answers("evenlift place square.txt --svg square.svg --json") ==
+          answers("evenlift place square.txt --json"));
+    CHECK(corpus::read_file(folder.path() / "square.svg").find("</svg>") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder.path() / "square.svg.part"));
+    CHECK(answers("evenlift place square.txt --svg /dev/stdout").find("</svg>") !=
+          std::string::npos);
+  }
+  SECTION("a trace is an array of steps, or a list to read") {
+    const std::string json = answers("evenlift trace square.txt --json --teams 2 --metric circle");
+    CHECK(json.rfind("[\n  {\"kind\": \"polygon\", ", 0) == 0);
+    CHECK(json.substr(json.size() - 3) == "\n]\n");
+    CHECK(answers("evenlift trace \"$(evenlift link encode square.txt --teams 2 --metric circle)\" "
+                  "--json") == json);
+    CHECK(answers("evenlift trace square.txt").find("\nThe first team\n") != std::string::npos);
+  }
+  SECTION("what is generated can be placed") {
+    CHECK(answers("evenlift generate random --n 60 --seed 3 | evenlift place - --json").front() ==
+          '{');
+    CHECK(answers("evenlift generate comb").substr(0, 1) == "(");
+  }
+}
+
+TEST_CASE(
+    "a picture that cannot be written is a failure of its own, and leaves things as they were",
+    "[cli]") {
+  const Folder folder("picture");
+  corpus::write_file(folder.path() / "square.txt", square);
+  corpus::write_file(folder.path() / "before.svg", "before");
+  fs::create_directory(folder.path() / "folder");
+  for (const char* line :
+       {"evenlift place square.txt --svg missing/a.svg", "evenlift place square.txt --svg folder",
+        "evenlift place square.txt --json --svg /dev/full"}) {
+    const Outcome outcome = run(folder, line);
+    INFO("$ " << line << "\n" << outcome.errors);
+    CHECK(outcome.status == 1);
+    CHECK(outcome.output.empty());
+    CHECK(outcome.errors.rfind("evenlift: ", 0) == 0);
+    CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+  }
+  run(folder, "evenlift place square.txt --teams 0 --svg before.svg");
+  CHECK(corpus::read_file(folder.path() / "before.svg") == "before");
+}
+
+TEST_CASE("output that nobody takes is no crash", "[cli]") {
+  const Folder folder("pipe");
+  const Outcome broken =
+      run(folder, "evenlift generate star --n 100000 | head -c 100 > /dev/null; echo done");
+  CHECK(broken.status == 0);
+  CHECK(broken.output == "done\n");
+  CHECK(broken.errors.empty());
+  const Outcome full = run(folder, "evenlift generate star --n 1000 > /dev/full");
+  CHECK(full.status == 1);
+  CHECK(full.errors == "evenlift: standard output: no space left on device\n");
+}
+
+TEST_CASE("bytes that are no text are refused, not misread", "[cli]") {
+  const Folder folder("bytes");
+  std::string bytes;
+  for (int i = 0; i < 4096; ++i) bytes += static_cast<char>((i * 73 + i / 256) & 255);
+  corpus::write_file(folder.path() / "noise", bytes);
+  for (const char* line :
+       {"evenlift place noise", "evenlift place - < noise", "evenlift link encode noise"}) {
+    const Outcome outcome = run(folder, line);
+    INFO("$ " << line << "\n" << outcome.errors);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.output.empty());
+    CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+  }
+}

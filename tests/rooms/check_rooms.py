@@ -1,0 +1,135 @@
+"""Checks that the rooms of the code are as their READMEs say, and that no two use each other in a circle.
+
+    python3 tests/rooms/check_rooms.py
+
+A room is a folder of sources. Its README.md says what comes in and what goes out, and ends with these lines:
+
+    Public headers: polygon.h, hull.h.     of core/include/evenlift, in rooms of the core that have any
+    May use: exact, errors.                the rooms whose files it includes or imports, or "no other room"
+
+The rooms are in core/src, wasm and web. The folders of tests must be without circles, too.
+"""
+
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(__file__).resolve().parent.parent.parent
+most_files = 24
+include = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+imported = re.compile(r'\bfrom "(\.\.?/[^"]+)"')
+problems = []
+
+
+def sources(folder):
+    return [f for f in folder.iterdir() if f.suffix in (".h", ".cpp", ".js", ".mjs") and f.is_file()]
+
+
+def rooms_of(tree):
+    """The folders with sources, by their path within the tree."""
+    folders = [p for p in sorted(tree.rglob("*")) if p.is_dir() and "node_modules" not in p.parts and sources(p)]
+    return {folder.relative_to(tree).as_posix(): folder for folder in folders}
+
+
+def line_of(readme, heading):
+    found = re.search(rf"^{heading}: (.*)\.$", readme, re.MULTILINE)
+    return found[1].split(", ") if found and found[1] != "no other room" else []
+
+
+def uses_of(files, name, target_of):
+    """The other rooms that these files use."""
+    used = set()
+    for file in files:
+        text = file.read_text()
+        for path in include.findall(text) + imported.findall(text):
+            target = target_of(file, path)
+            if target is not None and target != name:
+                used.add(target)
+    return used
+
+
+def check_circles(tree, graph):
+    left = {room: set(used) for room, used in graph.items()}
+    while free := [room for room, used in left.items() if not used & left.keys()]:
+        for room in free:
+            del left[room]
+    for room, used in left.items():
+        problems.append(f"{tree}/{room} is part of a circle: it uses {', '.join(sorted(used & left.keys()))}")
+
+
+def check_readme(tree, name, folder, used):
+    path = folder / "README.md"
+    if not path.exists():
+        problems.append(f"{tree}/{name} has no README.md")
+        return
+    said = set(line_of(path.read_text(), "May use"))
+    for room in sorted(used - said):
+        problems.append(f"{tree}/{name} uses {room}, which its README does not say")
+    for room in sorted(said - used):
+        problems.append(f"{tree}/{name} does not use {room}, as its README says")
+
+
+def check_size(tree, name, folder):
+    count = len(sources(folder))
+    if count > most_files:
+        problems.append(f"{tree}/{name} has {count} files: it is time for another room")
+
+
+def check_core():
+    tree = root / "core/src"
+    public = root / "core/include/evenlift"
+    rooms = rooms_of(tree)
+    owner = {}
+    for name, folder in rooms.items():
+        readme = folder / "README.md"
+        for header in line_of(readme.read_text(), "Public headers") if readme.exists() else []:
+            if header in owner:
+                problems.append(f"{header} belongs to core/src/{owner[header]} and to core/src/{name}")
+            owner[header] = name
+    headers = {h.relative_to(public).as_posix(): h for h in public.rglob("*.h")}
+    for header in sorted(headers.keys() - owner.keys()):
+        problems.append(f"core/include/evenlift/{header} belongs to no room of core/src")
+    for header in sorted(owner.keys() - headers.keys()):
+        problems.append(f"core/src/{owner[header]}/README.md names {header}, which is no public header")
+
+    def target_of(_, path):
+        if path.startswith("evenlift/"):
+            return owner.get(path[len("evenlift/") :])
+        return pathlib.PurePosixPath(path).parent.as_posix()
+
+    graph = {}
+    for name, folder in rooms.items():
+        own = [headers[h] for h, room in owner.items() if room == name and h in headers]
+        graph[name] = uses_of(sources(folder) + own, name, target_of)
+        check_readme("core/src", name, folder, graph[name])
+        check_size("core/src", name, folder)
+    check_circles("core/src", graph)
+
+
+def check_tree(tree, with_readmes):
+    rooms = rooms_of(root / tree)
+
+    def target_of(file, path):
+        if path.startswith("."):
+            at = (file.parent / path).resolve().parent
+            return at.relative_to(root / tree).as_posix() if at.is_relative_to(root / tree) and at != root / tree else None
+        parent = pathlib.PurePosixPath(path).parent.as_posix()
+        return parent if parent in rooms else None
+
+    graph = {}
+    for name, folder in rooms.items():
+        graph[name] = uses_of(sources(folder), name, target_of)
+        check_size(tree, name, folder)
+        if with_readmes:
+            check_readme(tree, name, folder, graph[name])
+    check_circles(tree, graph)
+
+
+check_core()
+check_tree("wasm", with_readmes=True)
+check_tree("web", with_readmes=True)
+check_tree("tests", with_readmes=False)
+for problem in problems:
+    print(problem)
+print("the rooms are as they should be" if not problems else f"{len(problems)} problems")
+sys.exit(1 if problems else 0)

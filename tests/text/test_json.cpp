@@ -1,0 +1,162 @@
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "evenlift/generate.h"
+#include "evenlift/output/json.h"
+#include "evenlift/placement.h"
+#include "kit/corpus.h"
+
+using namespace evenlift;
+using nlohmann::ordered_json;
+
+namespace {
+
+Placement placed(const Document& document) {
+  Result<Placement> placement = place(document);
+  if (!placement) FAIL(placement.error().message);
+  return *std::move(placement);
+}
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+bool same_bits(const ordered_json& json, const Vec2& point) {
+  return json.size() == 2 && same_bits(json[0].get<double>(), point.x()) &&
+         same_bits(json[1].get<double>(), point.y());
+}
+
+bool same_bits(const ordered_json& json, const Points& points) {
+  if (json.size() != points.size()) return false;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!same_bits(json[i], points[i])) return false;
+  return true;
+}
+
+std::vector<std::string> keys(const ordered_json& json) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
+  using Names = std::vector<std::string>;
+  for (const Metric metric : all_metrics) {
+    Document document = corpus::polygon("thesis-sample-centroid");
+    document.settings.metric = metric;
+    const Placement placement = placed(document);
+    const ordered_json plain = ordered_json::parse(placement_json(placement, false));
+    CHECK(keys(plain) == Names{"polygon", "centre_of_mass", "metric", "min_ratio", "weight", "seed",
+                               "requested_teams", "teams", "hull", "coverage", "loads", "closure"});
+    const ordered_json full = ordered_json::parse(placement_json(placement, true));
+    CHECK(full.contains("candidates"));
+    CHECK(keys(full["teams"][0]) == Names{"ends", "ratio", "loads"});
+    CHECK(keys(full["candidates"][0]) == Names{"ends", "ratio", "kind"});
+    CHECK(keys(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share"});
+    CHECK(keys(full["closure"]) ==
+          Names{"form_closure", "margin", "second_order", "free", "clockwise", "counterclockwise"});
+    CHECK(full["metric"] == std::string(name(metric)));
+  }
+}
+
+TEST_CASE("the numbers of the JSON read back to the same doubles", "[json]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    CAPTURE(name);
+    Document document = corpus::polygon(name);
+    document.settings.teams = 5;
+    document.settings.weight = 1.0 / 3;
+    document.settings.seed = ~std::uint64_t{0};
+    const Placement placement = placed(document);
+    const ordered_json json = ordered_json::parse(placement_json(placement, true));
+    CHECK(same_bits(json["polygon"], placement.vertices));
+    CHECK(same_bits(json["centre_of_mass"], placement.centre_of_mass));
+    CHECK(same_bits(json["weight"].get<double>(), 1.0 / 3));
+    CHECK(json["seed"].get<std::uint64_t>() == ~std::uint64_t{0});
+    CHECK(json["requested_teams"] == 5);
+    CHECK(same_bits(json["hull"], placement.hull));
+    CHECK(same_bits(json["coverage"].get<double>(), placement.coverage));
+    REQUIRE(json["candidates"].size() == placement.candidates.size());
+    REQUIRE(json["teams"].size() == placement.teams.size());
+    for (std::size_t i = 0; i < placement.teams.size(); ++i) {
+      const Team& team = placement.teams[i];
+      CHECK(same_bits(json["teams"][i]["ends"],
+                      Points{team.chord.r1.position, team.chord.r2.position}));
+      CHECK(same_bits(json["teams"][i]["ratio"].get<double>(), team.chord.ratio));
+      CHECK(same_bits(json["teams"][i]["loads"][1].get<double>(), team.loads[1]));
+    }
+    const Closure& closure = placement.closure;
+    CHECK(json["closure"]["free"].empty() == closure.form_closure);
+    CHECK(json["closure"]["margin"].is_null() == !closure.margin.has_value());
+    CHECK(same_bits(json["closure"]["clockwise"], closure.clockwise.clipped));
+    CHECK(same_bits(json["closure"]["counterclockwise"], closure.counterclockwise.clipped));
+  }
+}
+
+TEST_CASE("with no team the loads are null and H is empty", "[json]") {
+  Document document;
+  // A wide U with the centre of mass near one of its arms: no chord is nearly even.
+  document.vertices = {{-1, -1}, {101, -1}, {101, 60}, {100, 60},
+                       {100, 0}, {0, 0},    {0, 60},   {-1, 60}};
+  document.centre_of_mass = Vec2(10, 50);
+  const Placement placement = placed(document);
+  REQUIRE(placement.teams.empty());
+  const ordered_json json = ordered_json::parse(placement_json(placement, true));
+  CHECK(json["candidates"].empty());
+  CHECK(json["teams"].empty());
+  CHECK(json["hull"].empty());
+  CHECK(json["coverage"] == 0);
+  CHECK(json["loads"].is_null());
+  CHECK(json["closure"]["margin"].is_null());
+  CHECK(json["closure"]["free"] ==
+        ordered_json::parse(R"(["clockwise", "counterclockwise", "translation"])"));
+}
+
+TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]") {
+  Document document = corpus::polygon("thesis-sample");
+  document.settings = {.teams = std::nullopt,
+                       .metric = Metric::circle,
+                       .min_ratio = 0.25,
+                       .weight = 1e9,
+                       .seed = 7,
+                       .overlays = {.candidates = true, .chords = false},
+                       .step = 4};
+  ordered_json json = ordered_json::parse(document_json(document));
+  CHECK(json["polygon"].size() == 11);
+  CHECK(json["centre_of_mass"] == ordered_json::parse("[278, 227]"));
+  CHECK(json["teams"] == "max");
+  CHECK(json["metric"] == "circle");
+  CHECK(json["min_ratio"] == 0.25);
+  CHECK(json["weight"] == 1e9);
+  CHECK(json["seed"] == 7);
+  CHECK(json["overlays"]["candidates"] == true);
+  CHECK(json["overlays"]["chords"] == false);
+  CHECK(json["step"] == 4);
+  document.centre_of_mass.reset();
+  document.settings = {};
+  json = ordered_json::parse(document_json(document));
+  CHECK(json["centre_of_mass"].is_null());
+  CHECK(json["teams"] == 3);
+  CHECK(json["step"].is_null());
+}
+
+// tests/expected/POLYGON.METRIC.json: what the program prints with --candidates, for people to read
+// and for changes to show. The target update_expected writes them anew.
+TEST_CASE("known polygons give the expected results", "[expected]") {
+  const std::filesystem::path folder = std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected";
+  const bool renew = std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr;
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    ++count;
+    const std::filesystem::path stem = entry.path().stem();
+    INFO(entry.path().string());
+    Document document = corpus::polygon(stem.stem().string());
+    const std::optional<Metric> metric = metric_from_name(stem.extension().string().substr(1));
+    REQUIRE(metric);
+    document.settings.metric = *metric;
+    const std::string json = placement_json(placed(document), true);
+    if (renew) corpus::write_file(entry.path(), json);
+    CHECK(json == corpus::read_file(entry.path()));
+  }
+  CHECK(count >= 10);
+}

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/output/svg.h"
+#include "evenlift/placement.h"
+#include "kit/corpus.h"
+#include "output/svg/label_places.h"
+
+using namespace evenlift;
+
+namespace {
+
+Placement placed(Document document, Metric metric, std::uint32_t teams) {
+  document.settings.metric = metric;
+  document.settings.teams = teams;
+  Result<Placement> placement = place(document);
+  if (!placement) FAIL(placement.error().message);
+  return *std::move(placement);
+}
+
+// Every tag is closed, in order; attributes are in quotes; no character is out of place.
+bool well_formed(const std::string& xml) {
+  std::vector<std::string> open;
+  for (std::size_t i = 0; i < xml.size(); ++i) {
+    if (xml[i] == '>' || xml[i] == '"') return false;
+    if (xml[i] != '<') continue;
+    const std::size_t end = xml.find('>', i);
+    if (end == std::string::npos) return false;
+    const std::string tag = xml.substr(i + 1, end - i - 1);
+    if (tag.find('<') != std::string::npos || std::count(tag.begin(), tag.end(), '"') % 2 != 0)
+      return false;
+    const std::string name = tag.substr(0, tag.find(' '));
+    if (tag[0] == '/') {
+      if (open.empty() || open.back() != tag.substr(1)) return false;
+      open.pop_back();
+    } else if (tag.back() != '/') {
+      open.push_back(name);
+    }
+    i = end;
+  }
+  return open.empty();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+void check_picture(const std::string& svg) {
+  CHECK(svg.rfind("<svg xmlns=\"http://www.w3.org/2000/svg\"", 0) == 0);
+  CHECK(well_formed(svg));
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(svg.find("inf") == std::string::npos);
+  CHECK(svg.find("e+") == std::string::npos);
+  CHECK(count(svg, "<title") == 1);
+  CHECK(count(svg, "<desc") == 1);
+  CHECK(count(svg, "class=\"centre-of-mass\"") == 2);  // the mark, and in the key
+}
+
+bool overlap(const labels::Box& a, const labels::Box& b) {
+  return (a.low.array() < b.high.array()).all() && (b.low.array() < a.high.array()).all();
+}
+
+}  // namespace
+
+TEST_CASE("a picture of every sample is sound", "[svg]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    CAPTURE(name);
+    for (const std::uint32_t teams : {1u, 3u, 50u}) {
+      const Placement placement = placed(corpus::polygon(name), Metric::area, teams);
+      const std::string svg = placement_svg(placement);
+      check_picture(svg);
+      CHECK(count(svg, "class=\"chord\"") == placement.teams.size());
+      CHECK(count(svg, "class=\"robot\"") >= std::min<std::size_t>(2, 2 * placement.teams.size()));
+    }
+  }
+}
+
+TEST_CASE("with three teams each robot of every sample has its load beside it", "[svg]") {
+  for (const std::string& name : corpus::polygon_names())
+    for (const Metric metric : {Metric::area, Metric::distributed, Metric::random}) {
+      CAPTURE(name, evenlift::name(metric));
+      const std::string svg = placement_svg(placed(corpus::polygon(name), metric, 3));
+      CHECK(count(svg, "class=\"load\"") == count(svg, "class=\"robot\""));
+    }
+}
+
+TEST_CASE("pictures of extreme shapes are sound", "[svg]") {
+  const std::vector<Points> shapes = {
+      {{0, 0}, {1e9, 0}, {1e9, 1}, {0, 1}},
+      {{0, 0}, {1e-6, 0}, {0, 1e-6}},
+      {{-1e9, -1e9}, {1e9, -1e9}, {1e9, 1e9}, {-1e9, 1e9}},
+      {{0, 0}, {1, 0}, {1, 1e5}, {0, 1e5}},
+  };
+  for (const Points& vertices : shapes) {
+    Document document;
+    document.vertices = vertices;
+    check_picture(placement_svg(placed(document, Metric::area, 3)));
+    check_picture(placement_svg(placed(document, Metric::distributed, 200)));
+  }
+}
+
+TEST_CASE("labels cover neither each other nor what they name", "[svg]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    CAPTURE(name);
+    const Placement placement = placed(corpus::polygon(name), Metric::area, 12);
+    labels::Surroundings around{{Vec2(-200, -200), Vec2(1300, 1400)}, placement.vertices, {}, {}};
+    std::vector<labels::Request> requests;
+    for (const Team& team : placement.teams)
+      for (const Vec2& at : {team.chord.r1.position, team.chord.r2.position})
+        requests.push_back(
+            {{at - Vec2(12, 12), at + Vec2(12, 12)}, at - placement.centre_of_mass, {40, 14}});
+    const std::vector<std::optional<labels::Box>> places = labels::place(requests, around);
+    REQUIRE(places.size() == requests.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!places[i]) continue;
+      for (std::size_t j = 0; j < places.size(); ++j) {
+        CHECK_FALSE(overlap(*places[i], requests[j].owner));
+        if (j != i && places[j]) CHECK_FALSE(overlap(*places[i], *places[j]));
+      }
+    }
+  }
+}

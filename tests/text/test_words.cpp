@@ -1,0 +1,252 @@
+// Numbers and results in words: the one formatter of all that people read.
+#include "evenlift/output/words.h"
+
+#include <cmath>
+
+#include "evenlift/random.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+
+using namespace evenlift;
+
+namespace {
+
+Placement three_teams() {
+  Placement placement;
+  placement.requested_teams = 3;
+  placement.teams.resize(3);
+  for (Team& team : placement.teams) team.loads = {15.24, 18.06};
+  placement.hull = {{0, 0}, {1, 0}, {0, 1}};
+  placement.coverage = 0.814;
+  placement.loads = LoadSummary{15.24, 100.0 / 6, 18.06, 2.82, 0.54};
+  placement.closure.margin = -0.1;
+  placement.closure.translation_free = false;
+  placement.closure.clockwise.exists = true;
+  return placement;
+}
+
+// What is read has U+00A0 between a number and its unit; here it is written as a space.
+std::string plainly(std::string text) {
+  for (std::size_t at; (at = text.find("\u00A0")) != std::string::npos;) text.replace(at, 2, " ");
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("the verdict is a few plain sentences", "[words]") {
+  Placement placement = three_teams();
+  CHECK(verdict(placement) ==
+        "6 robots carry 15.2–18.1\u00A0kg each (100\u00A0kg in all). 81\u00A0% of the object is "
+        "safe to push on. It can still turn clockwise.");
+  placement.requested_teams = 5;
+  placement.loads = LoadSummary{16.66, 16.66, 16.66, 0, 0.5};
+  CHECK(plainly(loads_in_words(placement)) == "6 robots carry 16.7 kg each (100 kg in all).");
+  CHECK(shortage_in_words(placement) ==
+        "There is room for only 3 of 5 teams at this minimum load ratio.");
+  placement.settings.metric = Metric::random;
+  CHECK(shortage_in_words(placement) == "There is room for only 3 of 5 teams.");
+}
+
+TEST_CASE("with no team the reason is given, and what helps", "[words]") {
+  Placement placement;
+  placement.requested_teams = 3;
+  CHECK(
+      verdict(placement) ==
+      "No team can be placed. No chord through the centre of mass is this even. Lower the minimum "
+      "load ratio, or move the centre of mass.");
+  placement.settings.metric = Metric::distributed;
+  CHECK(
+      verdict(placement) ==
+      "No team can be placed. No line through the centre of mass meets the boundary on both sides "
+      "of it.");
+}
+
+TEST_CASE("what part of the object is safe to push on is said in words", "[words]") {
+  Placement placement = three_teams();
+  const auto coverage = [&](double share) {
+    placement.coverage = share;
+    return plainly(coverage_in_words(placement));
+  };
+  CHECK(coverage(0.5) == "50 % of the object is safe to push on.");
+  CHECK(coverage(1) == "All of the object is safe to push on.");
+  CHECK(coverage(1 - 1e-12) == "All of the object is safe to push on.");
+  CHECK(coverage(0.999) == "More than 99 % of the object is safe to push on.");
+  CHECK(coverage(0.004) == "Less than 1 % of the object is safe to push on.");
+  placement.hull.pop_back();
+  CHECK(coverage(0) == "They stand on one line, so the object can tip.");
+}
+
+TEST_CASE("what can still move is named, and what holds the object", "[words]") {
+  Placement placement = three_teams();
+  placement.closure.translation_free = true;
+  CHECK(closure_in_words(placement) == "It can still turn clockwise and slide.");
+  placement.closure.counterclockwise.exists = true;
+  CHECK(closure_in_words(placement) == "It can still turn either way and slide.");
+  placement.closure.clockwise.exists = false;
+  CHECK(closure_in_words(placement) == "It can still turn counter-clockwise and slide.");
+  placement.closure.counterclockwise.exists = false;
+  CHECK(closure_in_words(placement) == "It can still slide.");
+  placement.closure.translation_free = false;
+  placement.closure.second_order = true;
+  CHECK(closure_in_words(placement) ==
+        "It is held, but only by the curvature of the contact (second order).");
+  placement.closure.form_closure = true;
+  placement.closure.second_order = false;
+  CHECK(closure_in_words(placement) ==
+        "The robots' contact alone stops it from sliding or turning.");
+  placement.closure = {};
+  placement.closure.margin.reset();
+  CHECK(closure_in_words(placement) == "Nothing keeps it from sliding or turning.");
+}
+
+TEST_CASE("a capacity names the teams that are overloaded and the robots that are needed",
+          "[words][capacity]") {
+  Placement placement = three_teams();
+  const auto words = [&](double capacity, const CapacityPlan* plan = nullptr) {
+    return plainly(capacity_in_words(placement, capacity, plan));
+  };
+  CHECK(words(18.06) == "No robot carries more than 18.06 kg.");
+  CHECK(words(16) == "3 of 6 robots are overloaded, with more than 16 kg: teams 1, 2 and 3.");
+  CHECK(words(15) == "All 6 robots are overloaded, with more than 15 kg: teams 1, 2 and 3.");
+  placement.teams[0].loads = placement.teams[2].loads = {16, 16};
+  CHECK(words(17) == "1 of 6 robots is overloaded, with more than 17 kg: team 2.");
+  CapacityPlan plan{true, 4, 12.48, 4};
+  CHECK(words(20, &plan) ==
+        "No robot carries more than 20 kg. This method needs 8 robots, with at most 12.5 kg each.");
+  plan = {false, 0, 0, 9};
+  CHECK(words(20, &plan) ==
+        "No robot carries more than 20 kg. Not even all 18 robots that find a place are enough.");
+  plan.tried = most_teams_for_capacity;
+  CHECK(words(20, &plan) == "No robot carries more than 20 kg. Even 1024 robots are too few.");
+  placement.teams.resize(12, Team{{}, {30, 30}});
+  CHECK(words(17) ==
+        "19 of 24 robots are overloaded, with more than 17 kg: teams 2, 4, 5, 6, 7, 8, 9 and 3 "
+        "more.");
+}
+
+TEST_CASE("a number is rounded as its shortest decimal, a half away from zero", "[words]") {
+  CHECK(fixed(2.345, 2) == "2.35");  // its double is a little less
+  CHECK(fixed(1.005, 2) == "1.01");
+  CHECK(fixed(0.285, 2) == "0.29");
+  CHECK(fixed(2.5, 0) == "3");
+  CHECK(fixed(1234.5, 0) == "1235");
+  CHECK(fixed(0.05, 1) == "0.1");
+  CHECK(fixed(-1.5, 0) == "−2");
+  CHECK(fixed(-2.345, 2) == "−2.35");
+  CHECK(fixed(0.5, 0) == "1");
+  CHECK(fixed(0.49999999999999994, 0) == "0");
+  CHECK(fixed(999.995, 2) == "1000.00");
+  CHECK(fixed(3, 9) == "3.000000000");
+  CHECK(fixed(5e-324, 9) == "0.000000000");
+  CHECK(fixed(123456789012345.6, 1) == "123456789012345.6");
+  CHECK(fixed(1e20, 3) == "100000000000000000000");
+  CHECK(fixed(1e300, 3) == "1e+300");
+}
+
+TEST_CASE("zero has no minus", "[words]") {
+  CHECK(fixed(-0.0, 2) == "0.00");
+  CHECK(fixed(-0.001, 2) == "0.00");
+  CHECK(fixed(-0.005, 2) == "−0.01");
+  CHECK(plain(-0.0) == "0");
+  CHECK(plain(-0.5) == "−0.5");
+  CHECK(significant(-0.0, 3) == "0");
+  CHECK(given_point({-0.0, -2.5}) == "(0, −2.5)");
+}
+
+TEST_CASE("fixed decimals are within half a unit and keep the order of numbers", "[words]") {
+  Rng rng(3);
+  for (int i = 0; i < 20000; ++i) {
+    const int decimals = static_cast<int>(rng.below(7));
+    const double a = (rng.uniform() - 0.3) * std::pow(10.0, static_cast<double>(rng.below(8)));
+    const auto read = [&](double value) {
+      std::string text = fixed(value, decimals);
+      if (text.starts_with("−")) text.replace(0, std::string("−").size(), "-");
+      return std::stod(text);
+    };
+    INFO(a << " with " << decimals << " decimals: " << fixed(a, decimals));
+    CHECK(std::fabs(read(a) - a) <= 0.5 * std::pow(10.0, -decimals) * (1 + 1e-9) + 1e-9);
+    CHECK(read(a) <= read(std::nextafter(a, 1e300)));
+    CHECK(read(-a) == -read(a));
+  }
+}
+
+TEST_CASE("values of a kind have three significant digits of the largest", "[words]") {
+  CHECK(decimals_for(16.7) == 1);
+  CHECK(decimals_for(100) == 0);
+  CHECK(decimals_for(99.94) == 1);
+  CHECK(decimals_for(99.95) == 0);
+  CHECK(decimals_for(99.97) == 0);
+  CHECK(decimals_for(9.995) == 1);
+  CHECK(decimals_for(9.99) == 2);
+  CHECK(decimals_for(0.0123) == 4);
+  CHECK(decimals_for(-16.7) == 1);
+  CHECK(decimals_for(0) == 0);
+  CHECK(decimals_for(1e9) == 0);
+  CHECK(decimals_for(1e-12) == 9);
+  CHECK(amount(15.24, 18.06) == "15.2");
+  CHECK(amount(0.5, 150) == "1");
+  CHECK(amount(1.2345e-20, 2e-20) == "1.23e−20");
+  CHECK(amount(0, 0) == "0");
+  CHECK(plainly(kilograms(15.24, 18.06, 18.06)) == "15.2–18.1 kg");
+  CHECK(plainly(kilograms(18.04, 18.02, 18.04)) == "18.0 kg");
+}
+
+TEST_CASE("significant digits are rounded to, and zeros at the end are left out", "[words]") {
+  CHECK(significant(0.0016666, 3) == "0.00167");
+  CHECK(significant(1.6666e-21, 3) == "1.67e−21");
+  CHECK(significant(123456, 3) == "123000");
+  CHECK(significant(-9.996, 3) == "−10");
+  CHECK(significant(2.5, 6) == "2.5");
+  CHECK(given_point({12.4302, 340.15249}) == "(12.4302, 340.152)");
+}
+
+TEST_CASE("only nothing is 0 % and only all of it is 100 %", "[words]") {
+  const auto percent = [](double share, int decimals = 0) {
+    return plainly(percentage(share, decimals));
+  };
+  CHECK(percent(0) == "0 %");
+  CHECK(percent(1e-10) == "0 %");  // within tolerance
+  CHECK(percent(1e-8) == "< 1 %");
+  CHECK(percent(0.004) == "< 1 %");
+  CHECK(percent(0.005) == "1 %");
+  CHECK(percent(0.0514) == "5 %");
+  CHECK(percent(0.285) == "29 %");  // 28.499999999999996 in doubles
+  CHECK(percent(0.814) == "81 %");
+  CHECK(percent(0.994) == "99 %");
+  CHECK(percent(0.995) == "> 99 %");
+  CHECK(percent(0.99999) == "> 99 %");
+  CHECK(percent(1) == "100 %");
+  CHECK(percent(0.8144, 1) == "81.4 %");
+  CHECK(percent(0.0004, 1) == "< 0.1 %");
+  CHECK(percent(0.9996, 1) == "> 99.9 %");
+  CHECK(percent(0.5, 1) == "50.0 %");
+}
+
+TEST_CASE("coordinates show where a point is on the object", "[words]") {
+  CHECK(coordinate_decimals({{0, 0}, {724, 0}, {0, 892}}) == 1);
+  CHECK(coordinate_decimals({{0, 0}, {1, 0}, {0, 1}}) == 3);
+  CHECK(coordinate_decimals({{0, 0}, {1e-9, 0}, {0, 1e-9}}) == 9);
+  CHECK(point_in_words({-3.25, 2}, 1) == "(−3.3, 2.0)");
+}
+
+TEST_CASE("an error is a sentence that begins with its place", "[words]") {
+  InputError error{ErrorCode::edges_cross, "the edges cross", {Place::Kind::edge, 1, 6, {}}};
+  CHECK(sentence(error) == "Edges 2 and 7: the edges cross");
+  error.place = {};
+  CHECK(sentence(error) == "The edges cross");
+  error.place = {Place::Kind::option, 0, 0, "min_ratio"};
+  CHECK(sentence(error) == "min_ratio: the edges cross");
+}
+
+TEST_CASE("the facts of every sample have a label, a value and a meaning", "[words]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    const Result<Placement> placement = place(corpus::polygon(name));
+    REQUIRE(placement.ok());
+    const std::vector<Fact> facts = facts_in_words(*placement);
+    CHECK(facts.size() >= 6);
+    for (const Fact& fact : facts) {
+      CHECK_FALSE(fact.value.empty());
+      CHECK(fact.value.find("nan") == std::string::npos);
+    }
+  }
+}

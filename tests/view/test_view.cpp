@@ -1,0 +1,766 @@
+// The view without a window.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "actions/actions.h"
+#include "app/app.h"
+#include "app/open_lesson.h"
+#include "app/set_settings.h"
+#include "app/update.h"
+#include "canvas/fill_rows.h"
+#include "canvas/heat.h"
+#include "canvas/labels.h"
+#include "canvas/triangulate.h"
+#include "evenlift/link.h"
+#include "evenlift/numbers.h"
+#include "evenlift/output/json.h"
+#include "evenlift/stability.h"
+#include "kit/catch.h"
+#include "panels/summary.h"
+#include "state/history.h"
+#include "state/layout.h"
+#include "state/opened.h"
+#include "tools/drawing.h"
+#include "tools/pick.h"
+#include "ui/theme.h"
+#include "view/view_page.h"
+#include "walkthrough/walkthrough.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+namespace {
+
+double area_of(const Points& polygon, const std::vector<std::uint32_t>& triangles) {
+  double area = 0;
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const Vec2 &a = polygon[triangles[i]], &b = polygon[triangles[i + 1]],
+               &c = polygon[triangles[i + 2]];
+    area += std::abs(cross(b - a, c - a)) / 2;
+  }
+  return area;
+}
+
+double area_of(const Points& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    twice +=
+        cross(polygon[i] - polygon[0], polygon[i + 1 == polygon.size() ? 0 : i + 1] - polygon[0]);
+  }
+  return std::abs(twice) / 2;
+}
+
+}  // namespace
+
+TEST_CASE("every panel draws for every sample on every kind of screen, and then comes to rest",
+          "[view]") {
+  Page page;
+  for (const auto& path : assets()) {
+    INFO(path.string());
+    page.open(document(asset(path)));
+    for (const auto& [width, height] : {std::pair{1280, 800}, {844, 390}, {390, 844}}) {
+      for (const bool embed : {false, true}) {
+        Screen& screen = page.app.state.screen;
+        screen.width = width;
+        screen.height = height;
+        screen.embed = embed;
+        screen.dark = !screen.dark;
+        for (int i = 0; i < 4; ++i) page.frame();
+        page.frame();
+        CHECK_FALSE(settle(page.app));  // nothing asks for another frame
+        CHECK(page.app.commands.empty());
+        // The picture and each card have lists of their own, and none is empty.
+        const ImDrawData& drawn = *ImGui::GetDrawData();
+        CHECK(drawn.CmdListsCount >= (embed ? 2 : 4));
+        for (int list = 0; list < drawn.CmdListsCount; ++list)
+          CHECK(drawn.CmdLists[list]->VtxBuffer.Size > 0);
+        CHECK(drawn.TotalVtxCount > (embed ? 500 : 2000));
+      }
+    }
+  }
+}
+
+TEST_CASE("triangles fill a polygon exactly", "[view]") {
+  for (const auto& path : assets()) {
+    INFO(path.string());
+    const Points polygon = document(asset(path)).vertices;
+    const auto triangles = triangulate(polygon);
+    CHECK(triangles.size() == 3 * (polygon.size() - 2));
+    CHECK(area_of(polygon, triangles) == Approx(area_of(polygon)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("triangulation of a large star and of nonsense ends soon", "[view]") {
+  Points star;
+  for (int i = 0; i < 30000; ++i) {
+    const double a = 2 * 3.14159265358979 * i / 30000, r = i % 2 ? 100 : 99.9;
+    star.emplace_back(r * std::cos(a), r * std::sin(a));
+  }
+  CHECK(area_of(star, triangulate(star)) == Approx(area_of(star)).epsilon(1e-6));
+  CHECK(triangulate({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).size() == 6);
+  CHECK(triangulate({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}}).size() == 9);
+  CHECK(triangulate({}).empty());
+}
+
+TEST_CASE("a drag of a vertex is one step of undo", "[view]") {
+  Page page;
+  page.frame();
+  const Points before = page.app.state.document.vertices;
+  page.drag({400, 150}, {430, 190});
+  const AppState& state = page.app.state;
+  CHECK(length(state.document.vertices[2] - Vec2(430, 190)) < 2);
+  CHECK(state.selected == 2u);
+  CHECK_FALSE(state.edit_open);
+  page.press({"z", true});
+  CHECK(state.document.vertices == before);
+  CHECK_FALSE(state.history.can_undo());
+  page.press({"z", true, true});
+  CHECK(length(state.document.vertices[2] - Vec2(430, 190)) < 2);
+}
+
+TEST_CASE("a refused polygon keeps the last good placement, link and reason", "[view]") {
+  Page page;
+  page.frame();
+  const AppState& state = page.app.state;
+  Pointer held = page.at({400, 150});
+  page.frame(held);
+  held.pressed = held.down = true;
+  page.frame(held);
+  held.pressed = false;
+  // On the way there the polygon is accepted, further on its edges cross.
+  std::string last_link, last_json;
+  for (int i = 1; i <= 12; ++i) {
+    held.at = state.camera.to_screen(Vec2(400, 150) + (Vec2(75, 350) - Vec2(400, 150)) * i / 12);
+    held.moved = 4.0 * i;
+    page.frame(held);
+    if (state.refusal) continue;
+    last_link = encode_link(state.document).value();
+    last_json = placement_json(place(state.document).value(), true);
+  }
+  held.down = false;
+  held.released = true;
+  page.frame(held);
+  REQUIRE_FALSE(last_link.empty());
+  REQUIRE(state.refusal);
+  CHECK(state.refusal->code == ErrorCode::edges_cross);
+  CHECK(state.refusal->place.kind == Place::Kind::edge);
+  CHECK(verdict(state).mood == Mood::refused);
+  CHECK(verdict(state).headline.find("cross") != std::string::npos);
+  CHECK(encode_link(state.placed).value() == last_link);
+  REQUIRE(state.placement);
+  CHECK(placement_json(*state.placement, true) == last_json);
+  for (int i = 0; i < 3; ++i) page.frame();
+  page.press({"z", true});
+  CHECK_FALSE(state.refusal);
+  CHECK(verdict(state).mood != Mood::refused);
+}
+
+TEST_CASE(
+    "a double press on an edge adds a vertex that can be dragged at once, Delete takes it away",
+    "[view]") {
+  Page page;
+  page.frame();
+  Pointer p = page.at({200, 0});
+  p.pressed = p.down = p.double_pressed = true;
+  page.frame(p);
+  const AppState& state = page.app.state;
+  REQUIRE(state.document.vertices.size() == 7);
+  CHECK(state.held.kind == Pick::Kind::vertex);
+  CHECK(state.held.index == 1);
+  p.pressed = p.double_pressed = p.down = false;
+  page.frame(p);
+  page.press({"Delete"});
+  CHECK(state.document.vertices.size() == 6);
+}
+
+TEST_CASE("the last three vertices stay", "[view]") {
+  Page page("(0,0)\n(10,0)\n(0,10)\n");
+  page.app.commands = {SelectVertex{0}, RemoveVertex{0}};
+  settle(page.app);
+  CHECK(page.app.state.document.vertices.size() == 3);
+  CHECK_FALSE(page.app.state.notice.text.empty());
+}
+
+TEST_CASE("the centre of mass can be dragged and given back", "[view]") {
+  Page page;
+  page.frame();
+  const Vec2 centroid = page.app.state.placement->centre_of_mass;
+  page.drag(centroid, centroid + Vec2(20, 10));
+  REQUIRE(page.app.state.document.centre_of_mass);
+  page.app.commands = {ReleaseCentre{}};
+  settle(page.app);
+  CHECK(page.app.state.placement->centre_of_mass == centroid);
+}
+
+TEST_CASE("zooming keeps the point under the pointer", "[view]") {
+  Camera camera;
+  camera.centre = {3, 4};
+  camera.anchor = {400, 300};
+  camera.scale = 7;
+  const Vec2 about(123, 456), world = camera.to_world(about);
+  const Camera zoomed = zoom(camera, about, 1.7, 0.1, 1000);
+  CHECK(length(zoomed.to_screen(world) - about) < 1e-9);
+  CHECK(zoomed.scale == Approx(7 * 1.7));
+  CHECK(length(pan(camera, {10, -5}).to_screen(world) - (about + Vec2(10, -5))) < 1e-9);
+}
+
+TEST_CASE("dragged coordinates are short decimals within a pixel", "[view]") {
+  Camera camera;
+  for (const double scale : {0.003, 0.7, 1.0, 3.3, 250.0}) {
+    camera.scale = scale;
+    const Vec2 p(123.456789123, -0.000123456), rounded = rounded_to_pixels(camera, p);
+    CHECK(length(rounded - p) * scale <= 1);
+    CHECK(shortest(rounded.x()).size() <= 9);
+  }
+}
+
+TEST_CASE("history gives back whole documents, without limit", "[view]") {
+  History history;
+  Document now = document(l_shape);
+  for (int i = 0; i < 500; ++i) {
+    history.record(now);
+    now.settings.weight += 1;
+  }
+  for (int i = 0; i < 500; ++i) now = history.undo(now);
+  CHECK(now.settings.weight == 100);
+  CHECK_FALSE(history.can_undo());
+  for (int i = 0; i < 500; ++i) now = history.redo(now);
+  CHECK(now.settings.weight == 600);
+  CHECK(now.vertices == document(l_shape).vertices);
+}
+
+TEST_CASE("labels stand clear of each other, of robots and of what covers the drawing", "[view]") {
+  std::vector<LabelRequest> requests;
+  for (int i = 0; i < 6; ++i)
+    requests.push_back({Vec2(200 + 60 * i, 200), Vec2(0, -1), Vec2(58, 20)});
+  const Rect window{0, 0, 800, 600}, covered{0, 100, 300, 170};
+  const auto places = place_labels(requests, window, covered, 15);
+  const auto apart = [](const Rect& a, const Rect& b) {
+    return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+  };
+  // There is room for all of them.
+  REQUIRE(places.size() == requests.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    REQUIRE(places[i]);
+    CHECK(apart(*places[i], covered));
+    for (std::size_t j = 0; j < i; ++j) CHECK(apart(*places[i], *places[j]));
+    for (const LabelRequest& request : requests) {
+      const Rect robot{request.robot.x() - 15, request.robot.y() - 15, request.robot.x() + 15,
+                       request.robot.y() + 15};  // its mark
+      CHECK(apart(*places[i], robot));
+    }
+  }
+}
+
+TEST_CASE("the verdict is a sentence", "[view]") {
+  Page page;
+  const AppState& state = page.app.state;
+  CHECK(verdict(state).headline.starts_with("6 robots carry "));
+  CHECK(summary(state).find("Team 3 at ") != std::string::npos);
+  Settings one = state.document.settings;
+  one.teams = 1;
+  page.app.commands = {SetSettings{one}};
+  settle(page.app);
+  CHECK(verdict(state).mood == Mood::not_quite);
+}
+
+TEST_CASE("no two actions share a key, but for the lesson's arrows", "[view]") {
+  std::vector<Key> seen;
+  for (const Action& a : actions()) {
+    for (const Key& key : a.keys) {
+      if (key.name.empty()) continue;
+      const bool lessons = a.id >= ActionId::step_on && a.id <= ActionId::predict;
+      if (lessons && key.name.starts_with("Arrow")) continue;
+      for (const Key& other : seen) {
+        CHECK_FALSE(
+            (other.name == key.name && other.command == key.command && other.shift == key.shift));
+      }
+      seen.push_back(key);
+    }
+  }
+  CHECK(seen.size() > 20);
+}
+
+TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leaves most of it free",
+          "[view]") {
+  AppState state;
+  state.screen.width = 390;
+  state.screen.height = 844;
+  CHECK_FALSE(layout(state).wide);
+  CHECK(layout(state).panel.top >= 0.55 * 844);
+  state.sheet = Sheet::half;
+  CHECK(layout(state).panel.top >= 0.55 * 844 - 1);
+  state.screen.width = 1280;
+  state.screen.height = 800;
+  CHECK(layout(state).wide);
+  CHECK(layout(state).room.right < layout(state).panel.left);
+}
+
+TEST_CASE("a polygon is drawn by clicks, vertex by vertex, and opens when it is closed", "[view]") {
+  Page page;
+  page.frame();
+  page.press({"d"});
+  const Points corners = {{10, 10}, {300, 20}, {280, 200}, {30, 180}};
+  for (const Vec2& corner : corners) page.click(corner);
+  CHECK(page.app.state.drawing.points.size() == 4);
+  CHECK(page.app.state.document.vertices.size() == 6);  // the old one is still there
+  page.press({"Escape"});
+  CHECK(page.app.state.drawing.points.size() == 3);
+  page.press({"z", true, true});
+  CHECK(page.app.state.drawing.points.size() == 4);
+  page.click(corners[0]);
+  CHECK(page.app.state.tool == Tool::parts);
+  REQUIRE(page.app.state.document.vertices.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(length(page.app.state.document.vertices[i] - corners[i]) < 2);
+  }
+  CHECK_FALSE(page.app.state.document.centre_of_mass);
+  page.press({"z", true});
+  CHECK(page.app.state.document.vertices.size() == 6);
+}
+
+TEST_CASE("a drawing whose edges cross does not close, and says why", "[view]") {
+  Page page;
+  page.frame();
+  page.press({"d"});
+  for (const Vec2& corner : Points{{0, 0}, {300, 300}, {300, 0}, {0, 300}}) page.click(corner);
+  page.press({"Enter"});
+  CHECK(page.app.state.tool == Tool::draw);
+  CHECK(page.app.state.drawing.points.size() == 4);
+  CHECK(page.app.state.notice.text.find("cross") != std::string::npos);
+  for (int i = 0; i < 5; ++i) page.press({"Escape"});  // the notice, then vertex by vertex
+  CHECK(page.app.state.drawing.points.empty());
+  page.press({"Escape"});
+  CHECK(page.app.state.tool == Tool::parts);
+}
+
+TEST_CASE("crossing edges of a chain are found exactly", "[view]") {
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+  CHECK(crossings({{0, 0}, {4, 0}, {4, 4}, {0, 4}}) == Pairs{});
+  CHECK(crossings({{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == Pairs{{0, 2}});
+  CHECK(crossings({{0, 0}, {4, 0}, {2, 0}}) == Pairs{{0, 1}});          // folds back
+  CHECK(crossings({{0, 0}, {4, 0}, {4, 4}, {2, 0}}) == Pairs{{0, 2}});  // touches
+  CHECK(crossings({{0, 0}, {4, 0}, {4, 4}, {0, 0}}) == Pairs{});        // closed
+  CHECK(crossings({{0, 0}, {2, 0}, {4, 0}}) == Pairs{});                // straight on
+}
+
+TEST_CASE("what is dragged and drawn snaps to the dots, or level with its neighbours", "[view]") {
+  Page page;
+  page.frame();
+  page.press({"n"});
+  page.drag({400, 150}, {433.7, 171.2});
+  const double step = grid_step(page.app.state.camera);
+  const Vec2 at = page.app.state.document.vertices[2];
+  CHECK(std::fmod(at.x(), step) == 0);
+  CHECK(std::fmod(at.y(), step) == 0);
+  page.press({"n"});
+  page.press({"x"});
+  page.drag({0, 300}, {3, 260});
+  CHECK(page.app.state.document.vertices[5].x() == 0);
+}
+
+TEST_CASE("the whole moves, turns and scales, each drag a step of undo", "[view]") {
+  Page page;
+  page.frame();
+  const Points before = page.app.state.document.vertices;
+  const auto area = [&] {
+    return page.app.state.placement->hull.empty() ? 0 : area_of(page.app.state.document.vertices);
+  };
+  const double size = area();
+  page.press({"w"});
+  page.frame();
+  page.drag({150, 100}, {250, 140});
+  Vec2 moved = page.app.state.document.vertices[0] - before[0];
+  CHECK(length(moved - Vec2(100, 40)) < 1);
+  CHECK(std::abs(area() - size) < 1e-6 * size);
+  page.press({"z", true});
+  CHECK(page.app.state.document.vertices == before);
+  page.press({"["});
+  page.press({"["});
+  page.press({"]"});
+  page.press({"]"});
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    CHECK(length(page.app.state.document.vertices[i] - before[i]) < 0.1);
+  }
+  page.press({"}"});
+  CHECK(std::abs(area() / size - 1.21) < 1e-3);
+  page.press({"ArrowRight"});
+  page.press({"Escape"});
+  CHECK(page.app.state.tool == Tool::parts);
+}
+
+TEST_CASE("keys alone select, move, add and remove vertices", "[view]") {
+  Page page;
+  page.frame();
+  page.press({"v"});
+  CHECK(page.app.state.selected == 0u);
+  page.press({"V"});
+  CHECK(page.app.state.selected == 5u);
+  const Vec2 before = page.app.state.document.vertices[5];
+  page.press({"ArrowLeft"});
+  page.press({"ArrowUp"});
+  const Vec2 after = page.app.state.document.vertices[5];
+  CHECK(after.x() < before.x());
+  CHECK(after.y() > before.y());
+  page.press({"i"});
+  CHECK(page.app.state.document.vertices.size() == 7);
+  page.press({"Delete"});
+  CHECK(page.app.state.document.vertices.size() == 6);
+}
+
+TEST_CASE("two methods stand side by side and follow the same polygon", "[view]") {
+  Page page;
+  page.press({"k"});
+  page.frame();
+  REQUIRE(page.app.state.other);
+  CHECK(page.app.state.other->settings.metric == Metric::circle);
+  const Layout places = layout(page.app.state);
+  CHECK(places.first.right == places.second.left);
+  // A drag in the second picture moves the one polygon.
+  const Vec2 offset(places.second.left - places.first.left, places.second.top - places.first.top);
+  page.drag({400, 150}, {420, 180}, offset);
+  CHECK(length(page.app.state.document.vertices[2] - Vec2(420, 180)) < 2);
+  CHECK(page.app.state.other->vertices == page.app.state.placement->vertices);
+  for (int i = 0; i < 4; ++i) page.press({"k"});
+  CHECK_FALSE(page.app.state.compared);
+}
+
+TEST_CASE("a capacity tells how many robots are needed and who carries too much", "[view]") {
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/grand-piano.txt"));
+  AppState& state = page.app.state;
+  Commands commands{SetCapacity{12.0}};
+  apply(state, commands);
+  REQUIRE(state.plan);
+  CHECK(need_in_words(state).find("All 6 robots are overloaded, with more than") == 0);
+  CHECK(verdict(state).mood == Mood::not_quite);
+  REQUIRE(state.plan->possible);
+  CHECK(state.plan->teams > 3);
+  Settings changed = state.document.settings;
+  changed.teams = state.plan->teams;
+  commands = {SetSettings{changed}};
+  apply(state, commands);
+  CHECK(need_in_words(state).find("No robot carries more") != std::string::npos);
+  CHECK(verdict(state).mood != Mood::not_quite);
+}
+
+TEST_CASE("a capacity that no number of robots stays within says so", "[view]") {
+  Page page;  // it has three candidates
+  Commands commands{SetCapacity{12.0}};
+  apply(page.app.state, commands);
+  REQUIRE(page.app.state.plan);
+  CHECK_FALSE(page.app.state.plan->possible);
+  CHECK(need_in_words(page.app.state).find("Not even all 6 robots") != std::string::npos);
+}
+
+TEST_CASE("a capacity is planned for anew only when the plan can change", "[view][capacity]") {
+  Page page;
+  AppState& state = page.app.state;
+  Commands commands{SetCapacity{12.0}};
+  apply(state, commands);
+  REQUIRE(state.plan);
+  // What no plan is: it stays as long as none is made.
+  const CapacityPlan mark{false, 0, 0, 12345};
+  state.plan = mark;
+  for (const Key& key : {Key{"c"}, {"h"}, {"a"}, {"f"}, {"r"}, {"l"}, {"t"}, {"t", false, true}}) {
+    page.press(key);
+    INFO(key.name);
+    CHECK(state.plan == mark);
+  }
+  // While something is dragged nobody reads it.
+  Settings lighter = settings(state);
+  lighter.weight = 90;
+  commands = {SetSettings{lighter, true}};
+  apply(state, commands);
+  CHECK(state.plan == mark);
+  commands = {EndEdit{}};
+  apply(state, commands);
+  CHECK(state.plan == plan_capacity(*state.placement, 12));
+  for (const auto change :
+       {+[](Settings& s) { s.metric = Metric::circle; }, +[](Settings& s) { s.min_ratio = 0.5; },
+        +[](Settings& s) { s.weight = 100; }}) {
+    state.plan = mark;
+    Settings changed = settings(state);
+    change(changed);
+    commands = {SetSettings{changed}};
+    apply(state, commands);
+    CHECK(state.plan == plan_capacity(*state.placement, 12));
+  }
+  state.plan = mark;
+  commands = {SetCapacity{13.0}};
+  apply(state, commands);
+  CHECK(state.plan == plan_capacity(*state.placement, 13));
+  commands = {SetCapacity{}};
+  apply(state, commands);
+  CHECK_FALSE(state.plan);
+}
+
+TEST_CASE("the heat map's bands are the polygon where the tipping force says so", "[view]") {
+  for (const char* name : {"kidney-table", "horseshoe", "puzzle-piece"}) {
+    const Document shape =
+        document(asset(std::string(EVENLIFT_ASSETS_DIR "/polygons/") + name + ".txt"));
+    const Result<Placement> placed = place(shape);
+    REQUIRE(placed.ok());
+    const std::vector<HeatBand> bands = heat_bands(*placed, triangulate(placed->vertices));
+    REQUIRE(bands.size() == std::size(heat_levels) + 2);
+    double before = area_of(shape.vertices) * (1 + 1e-9);
+    for (const HeatBand& band : bands) {
+      double area = 0;
+      for (std::size_t i = 0; i < band.triangles.size(); i += 3) {
+        const Vec2 &a = band.triangles[i], &b = band.triangles[i + 1], &c = band.triangles[i + 2];
+        area += std::abs(cross(b - a, c - a)) / 2;
+        // Well inside of the band no smaller push tips.
+        const Vec2 middle = (a + b + c) / 3;
+        const double force = tipping_force(placed->hull, placed->centre_of_mass, 1, middle);
+        CHECK(force >= std::min(band.share, 1e9) * (1 - 1e-6));
+      }
+      CHECK(area <= before);
+      before = area * (1 + 1e-9);
+    }
+    CHECK(std::abs(before - placed->coverage * area_of(shape.vertices)) <
+          1e-6 * area_of(shape.vertices));
+  }
+}
+
+namespace {
+
+// How often what follows placed and traced.
+struct Count {
+  Computed before = computed();
+  std::uint64_t placements() const { return computed().placements - before.placements; }
+  std::uint64_t traces() const { return computed().traces - before.traces; }
+};
+
+Document changed(const AppState& state, const char* lines) {
+  const Result<Changeable> result = with_settings({state.placed, state.capacity}, lines);
+  REQUIRE(result.ok());
+  return result->document;
+}
+
+}  // namespace
+
+TEST_CASE("each action places the polygon once, however it comes in", "[view]") {
+  Page page;
+  page.frame();
+  AppState& state = page.app.state;
+  {
+    const Count count;
+    Result<Opened> read = read_document("(0,0)\n(300,0)\n(300,200)\n(0,200)\n");
+    REQUIRE(read);
+    page.app.commands.push_back(OpenDocument{std::move(read).value()});
+    settle(page.app);
+    page.frame();
+    CHECK(count.placements() == 1);
+    CHECK(count.traces() == 0);
+  }
+  {
+    const Count count;
+    const Document two = changed(state, "teams=2");
+    CHECK_FALSE(try_edit(state, two));
+    CHECK(count.placements() == 1);
+  }
+  {
+    const Count count;
+    page.press({"z", true});
+    CHECK(count.placements() == 1);
+  }
+  {
+    page.press({"d"});
+    const Count count;
+    for (const Vec2& corner : Points{{10, 10}, {250, 20}, {240, 180}}) page.click(corner);
+    CHECK(count.placements() == 0);
+    page.press({"Enter"});
+    REQUIRE(state.document.vertices.size() == 3);
+    CHECK(count.placements() == 1);
+  }
+  {
+    const Count count;
+    page.press({"k"});
+    CHECK(count.placements() == 1);  // of the other method
+    page.press({"t"});
+    CHECK(count.placements() == 3);  // of both
+  }
+  {
+    const Count count;
+    const Document refused = changed(state, "com=9999,9999");
+    CHECK(try_edit(state, refused));
+    CHECK(count.placements() == 1);
+  }
+}
+
+TEST_CASE("a lesson is traced once when it is opened, and its steps compute nothing", "[view]") {
+  Page page;
+  AppState& state = page.app.state;
+  {
+    const Count count;
+    const Document at = changed(state, "step=5");
+    CHECK_FALSE(try_edit(state, at));
+    CHECK(state.lesson.at == 5);
+    CHECK(count.placements() == 0);
+    CHECK(count.traces() == 1);
+  }
+  {
+    const Count count;
+    for (const char* change : {"step=9", "step=2", "step=none"}) {
+      const Document to = changed(state, change);
+      CHECK_FALSE(try_edit(state, to));
+    }
+    CHECK_FALSE(lesson_is_open(state));
+    CHECK_FALSE(state.placed.settings.step);
+    CHECK(count.placements() + count.traces() == 0);
+  }
+  {
+    const Count count;
+    const Document both = changed(state, "teams=2\nstep=3");
+    CHECK_FALSE(try_edit(state, both));
+    CHECK(state.lesson.at == 3);
+    CHECK(count.placements() == 1);
+    CHECK(count.traces() == 1);
+  }
+  {
+    const Count count;
+    const std::string text = "title: One stop\npolygon: l\nteams: 2\n\n[team 2]\nDone.\n";
+    CHECK_FALSE(open_script(state, text, l_shape));
+    CHECK(words_of_stop(state) == "Done.");
+    CHECK(count.placements() == 1);
+    CHECK(count.traces() == 1);
+  }
+}
+
+TEST_CASE("what is shown is changed without computing anything, and is no step of undo", "[view]") {
+  Page page;
+  page.frame();
+  AppState& state = page.app.state;
+  const std::uint64_t revision = state.revision;
+  const Count count;
+  for (const char* key : {"h", "c", "a", "r", "l", "f"}) {
+    page.press({key});
+    page.frame();
+  }
+  CHECK(count.placements() + count.traces() == 0);
+  CHECK(state.revision == revision);  // nothing that follows from the placement is made anew
+  CHECK_FALSE(state.history.can_undo());
+  const Overlays shown{true, false, false, false, false, true};
+  CHECK(settings(state).overlays == shown);
+  CHECK(state.placement->settings.overlays == shown);
+  CHECK(decode_link(encode_link(state.placed).value())->settings.overlays == shown);
+  // Undo is of edits, and leaves what is shown as it is.
+  page.press({"t"});
+  page.press({"z", true});
+  CHECK(settings(state).teams == 3u);
+  CHECK(settings(state).overlays == shown);
+}
+
+TEST_CASE("no way leads to a method beside itself", "[view]") {
+  Page page;
+  AppState& state = page.app.state;
+  const auto parted = [&] { return !state.compared || *state.compared != settings(state).metric; };
+  page.press({"k"});
+  REQUIRE(state.compared == Metric::circle);
+  page.press({"m"});  // takes the method that is compared: the two change sides
+  CHECK(settings(state).metric == Metric::circle);
+  CHECK(state.compared == Metric::area);
+  REQUIRE(state.other);
+  CHECK(state.other->settings.metric == Metric::area);
+  page.press({"z", true});
+  CHECK(parted());
+  const Document edited = changed(state, "metric=distance");
+  Commands commands{Compare{Metric::distance}};
+  apply(state, commands);
+  CHECK_FALSE(try_edit(state, edited));
+  CHECK(parted());
+  commands = {Compare{Metric::distance}};
+  apply(state, commands);
+  CHECK_FALSE(state.compared);
+  commands = {Compare{Metric::area}};
+  apply(state, commands);
+  page.open(document(l_shape));
+  CHECK(parted());
+  for (int i = 0; i < 12; ++i) {
+    page.press({i % 3 ? "m" : "k"});
+    CHECK(parted());
+  }
+}
+
+// As many as do not fit onto a stack of 8 MB while a line is drawn; tests/page/recovery.test.mjs
+// goes to the limit.
+TEST_CASE("very large polygons are drawn, in outline and filled, and as what is refused",
+          "[view]") {
+  constexpr int n = 400000;
+  Document large;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * 3.14159265358979 * i / n;
+    const double r = 4e5 + 5e4 * std::sin(9 * a);
+    large.vertices.emplace_back(r * std::cos(a), r * std::sin(a));
+  }
+  Page page;
+  page.open(large);
+  const auto drawn = [&](double ratio) {
+    page.app.state.screen.ratio = ratio;
+    page.frame();
+    return ImGui::GetDrawData()->TotalVtxCount;
+  };
+  // What is drawn is as much as can be seen, not as much as there is.
+  for (const double ratio : {1.0, 1.25, 1.5, 2.0, 3.0}) {
+    const int vertices = drawn(ratio);
+    CHECK(vertices > 10000);
+    CHECK(vertices < 600000);
+  }
+  page.app.commands.push_back(MoveVertex{0, Vec2(-6e5, 3)});
+  settle(page.app);
+  REQUIRE(page.app.state.refusal);
+  for (const double ratio : {1.0, 3.0}) CHECK(drawn(ratio) > 10000);
+}
+
+TEST_CASE("rows of pixels fill what triangles fill, and the heat map's bands alike", "[view]") {
+  const auto filled = [](const RowFill& rows) {
+    double area = 0;
+    for (const RowSpan& span : rows.spans) {
+      CHECK(span.left < span.right);
+      area += static_cast<double>(span.right - span.left) * static_cast<double>(rows.height);
+    }
+    return area;
+  };
+  for (const char* name : {"kidney-table", "horseshoe", "labyrinth", "gear"}) {
+    INFO(name);
+    const Points polygon =
+        document(asset(std::string(EVENLIFT_ASSETS_DIR "/polygons/") + name + ".txt")).vertices;
+    const Rect window{0, 0, 800, 600};
+    const Camera camera = fit(polygon, {20, 20, 780, 580});
+    const double whole = area_of(polygon) * camera.scale * camera.scale;
+    CHECK(filled(fill_rows(polygon, camera, window, 0.5)) == Approx(whole).epsilon(0.003));
+    // Half of it beside the window: what is seen is filled, and no more.
+    const Camera aside = pan(camera, {-400, 0});
+    const RowFill half = fill_rows(polygon, aside, window, 0.5);
+    CHECK(filled(half) < whole);
+    for (const RowSpan& span : half.spans) {
+      const Vec2 middle(static_cast<double>(span.left + span.right) / 2,
+                        static_cast<double>(span.top) + 0.25);
+      CHECK(inside(polygon, aside.to_world(middle)));
+    }
+  }
+}
+
+TEST_CASE("bands of a large polygon are the regions where the tipping force says so", "[view]") {
+  const Document shape = document(asset(EVENLIFT_ASSETS_DIR "/polygons/kidney-table.txt"));
+  const Result<Placement> result = place(shape);
+  REQUIRE(result);
+  const std::vector<HeatBand> bands = heat_bands(*result, {});
+  REQUIRE(bands.size() == std::size(heat_levels) + 2);
+  CHECK(bands[0].region.empty());  // all of it
+  for (std::size_t i = 1; i < bands.size(); ++i) {
+    CHECK(area_of(bands[i].region) > 0);
+    for (const Vec2& corner : bands[i].region) {
+      const Vec2 within = corner + (result->centre_of_mass - corner) * 1e-6;
+      const double force = tipping_force(result->hull, result->centre_of_mass, 1, within);
+      CHECK(force >= std::min(bands[i].share, 1e9) * (1 - 1e-6));
+    }
+  }
+}

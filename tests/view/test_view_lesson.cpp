@@ -1,0 +1,229 @@
+// The lesson's player, without a window.
+#include <string>
+#include <vector>
+
+#include "app/open_lesson.h"
+#include "evenlift/generate.h"
+#include "evenlift/link.h"
+#include "kit/catch.h"
+#include "panels/summary.h"
+#include "view/view_page.h"
+#include "walkthrough/walkthrough.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+namespace {
+
+struct Moment {
+  std::string words;
+  Done known;
+  std::size_t marks;
+  bool operator==(const Moment&) const = default;
+};
+
+Moment moment(const AppState& state) {
+  return {summary(state), state.lesson.known, state.lesson.marks.size()};
+}
+
+void go(Page& page, std::uint32_t step) {
+  page.app.commands.push_back(GoToStep{step});
+  settle(page.app);
+}
+
+}  // namespace
+
+TEST_CASE("the lesson forward and back is the same at every step", "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  const std::uint32_t count = timeline(page.app.state).count;
+  REQUIRE(count > 20);
+  std::vector<Moment> forward;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    CHECK(page.app.state.document.settings.step == k);
+    forward.push_back(moment(page.app.state));
+    page.frame();
+    if (k + 1 < count) page.press({"ArrowRight"});
+  }
+  CHECK(action_for(page.app.state, {"ArrowRight"}) == nullptr);  // the browser's, at the end
+  for (std::uint32_t k = count; k-- > 0;) {
+    CHECK(moment(page.app.state) == forward[k]);
+    if (k > 0) page.press({"ArrowLeft"});
+  }
+  go(page, count / 2);
+  CHECK(moment(page.app.state) == forward[count / 2]);
+}
+
+TEST_CASE("every step of every sample draws, and asks for no frame of its own", "[view][lesson]") {
+  Page page;
+  for (const auto& path : assets()) {
+    INFO(path.string());
+    page.open(document(asset(path)));
+    page.press({"b"});
+    const std::uint32_t count = timeline(page.app.state).count;
+    // All steps of small ones, of others some of each chapter.
+    for (std::uint32_t k = 0; k < count; k += 1 + count / 60) {
+      go(page, k);
+      page.frame();
+      CHECK_FALSE(page.app.state.lesson.caption.empty());
+    }
+    page.press({"End"});
+    for (int i = 0; i < 4; ++i) page.frame();
+    CHECK_FALSE(settle(page.app));
+    page.press({"b"});
+    CHECK_FALSE(lesson_is_open(page.app.state));
+  }
+}
+
+TEST_CASE("an edit during the lesson keeps the place, and undo is of the edit", "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  const auto team = page.app.state.lesson.trace->find(StepKind::team, 1);
+  REQUIRE(team);
+  go(page, *team);
+  page.drag(page.app.state.document.vertices[2], Vec2(390, 170));
+  const LessonState& lesson = page.app.state.lesson;
+  CHECK(lesson.detail.step.kind == StepKind::team);
+  CHECK(lesson.detail.step.item == 1);
+  CHECK(page.app.state.document.settings.step == lesson.at);
+  const std::uint32_t at = lesson.at;
+  page.press({"z", true});
+  CHECK(page.app.state.document.vertices == document(l_shape).vertices);
+  CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);
+  CHECK(page.app.state.lesson.at <= at + 50);
+  CHECK_FALSE(page.app.state.history.can_undo());  // stepping is no edit
+}
+
+TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  go(page, 17);
+  const Result<std::string> link = encode_link(page.app.state.placed);
+  REQUIRE(link);
+  const std::string words = summary(page.app.state);
+  page.press({"b"});
+  CHECK_FALSE(page.app.state.placed.settings.step);
+  Result<Opened> read = read_link(*link);
+  REQUIRE(read);
+  page.app.commands.push_back(OpenDocument{std::move(read).value()});
+  settle(page.app);
+  CHECK(lesson_is_open(page.app.state));
+  CHECK(summary(page.app.state) == words);
+}
+
+TEST_CASE("a step that there is not is refused by name, and told of a link", "[view][lesson]") {
+  Page page;
+  Document far = page.app.state.document;
+  far.settings.step = 99999;
+  const auto problem = try_edit(page.app.state, far);
+  REQUIRE(problem);
+  CHECK(problem->message.starts_with("must be less than "));
+  CHECK_FALSE(lesson_is_open(page.app.state));
+  page.open(far);
+  CHECK(page.app.state.notice.text.starts_with("This lesson has no step 100000"));
+  CHECK(page.app.state.lesson.at + 1 == timeline(page.app.state).count);
+}
+
+TEST_CASE("predicting stops before each choice, and tells whether the guess was right",
+          "[view][lesson]") {
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/stone-slab.txt"));
+  page.press({"b"});
+  page.press({"q"});
+  int asked = 0, right = 0;
+  while (action_for(page.app.state, {"ArrowRight"})) {
+    const std::uint32_t before = page.app.state.lesson.at;
+    page.press({"ArrowRight"});
+    if (!page.app.state.lesson.ask) continue;
+    CHECK(page.app.state.lesson.at == before);  // not shown yet
+    const Ask ask = *page.app.state.lesson.ask;
+    CHECK_FALSE(ask.text.empty());
+    page.frame();
+    ++asked;
+    const bool honest = asked % 2 == 0;
+    std::uint32_t answer = ask.question.answer;
+    if (!honest && ask.choices.size() > 1)
+      answer = ask.choices[0] == answer ? ask.choices[1] : ask.choices[0];
+    page.app.commands.push_back(Guess{answer});
+    settle(page.app);
+    CHECK(page.app.state.lesson.at == ask.step);
+    CHECK(page.app.state.lesson.was_right == (answer == ask.question.answer));
+    right += page.app.state.lesson.was_right;
+    page.frame();
+  }
+  CHECK(asked > 3);
+  CHECK(right > 0);
+  CHECK(right < asked);
+}
+
+TEST_CASE("why not this one: a click on a chord or anywhere is answered", "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  const auto scores = page.app.state.lesson.trace->find(StepKind::scores, 1);
+  REQUIRE(scores);
+  go(page, *scores);
+  const auto& candidates = page.app.state.placement->candidates;
+  REQUIRE(candidates.size() > 2);
+  page.click(Vec2(120, 80));
+  CHECK_FALSE(page.app.state.lesson.why.empty());
+  const std::string first = page.app.state.lesson.why;
+  page.click(Vec2(330, 60));
+  CHECK_FALSE(page.app.state.lesson.why.empty());
+  CHECK(page.app.state.lesson.asked.has_value());
+  page.press({"ArrowRight"});
+  CHECK(page.app.state.lesson.why.empty());
+}
+
+TEST_CASE("playing turns over by itself and stops at the end", "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  page.app.commands.push_back(SetSpeed{32});
+  page.press({" "});
+  double now = 0;
+  for (int i = 0; i < 10000 && page.app.state.lesson.playing; ++i) {
+    turn_over(page.app.state, now);
+    now += 0.1;
+  }
+  CHECK_FALSE(page.app.state.lesson.playing);
+  CHECK(page.app.state.lesson.at + 1 == timeline(page.app.state).count);
+}
+
+TEST_CASE("a ready-made lesson shows its own stops and words, and can be left for all steps",
+          "[view][lesson]") {
+  Page page;
+  const std::string text =
+      "title: Two stops\npolygon: l\nteams: 2\n\n[centre]\nHere it balances.\n\n[team 2]\nDone.\n";
+  CHECK_FALSE(open_script(page.app.state, text, l_shape));
+  CHECK(timeline(page.app.state).count == 2);
+  CHECK(words_of_stop(page.app.state) == "Here it balances.");
+  page.press({"ArrowRight"});
+  CHECK(words_of_stop(page.app.state) == "Done.");
+  CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);
+  page.frame();
+  page.app.commands.push_back(LeaveScript{});
+  settle(page.app);
+  CHECK(timeline(page.app.state).count > 20);
+  CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);
+
+  const auto wrong =
+      open_script(page.app.state, "title: x\npolygon: l\n\n[team 9]\nNo.\n", l_shape);
+  REQUIRE(wrong);
+  CHECK(wrong->place.kind == Place::Kind::line);
+  CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);  // nothing changed
+}
+
+TEST_CASE("tens of thousands of candidates are drawn, in the picture and in the lesson",
+          "[view][lesson]") {
+  const Result<Points> comb = generate(Family::comb, 700, 1);
+  REQUIRE(comb);
+  Document many;
+  many.vertices = *comb;
+  many.settings.overlays.candidates = true;
+  Page page;
+  page.open(many);
+  CHECK(page.app.state.placement->candidates.size() > 10000);
+  page.frame();
+  page.press({"b"});
+  go(page, page.app.state.lesson.trace->find(StepKind::candidates, 0).value());
+  page.frame();
+}

@@ -1,0 +1,136 @@
+// A page without a window: Dear ImGui draws into nothing, the pointer is made up.
+#pragma once
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "actions/actions.h"
+#include "app/app.h"
+#include "app/update.h"
+#include "evenlift/formats.h"
+#include "kit/catch.h"
+#include "state/opened.h"
+#include "ui/theme.h"
+
+namespace view_page {
+
+using namespace evenlift;
+using namespace evenlift::view;
+
+inline Document document(const std::string& text) {
+  Result<Document> read = read_polygon(text);
+  REQUIRE(read.ok());
+  return *read;
+}
+
+// Placed, as it is opened.
+inline Opened placed(const Document& document) {
+  Result<Opened> result = opened(document);
+  REQUIRE(result.ok());
+  return std::move(result).value();
+}
+
+inline const std::string l_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
+
+inline std::string asset(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline std::vector<std::filesystem::path> assets() {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(EVENLIFT_ASSETS_DIR "/polygons")) {
+    if (entry.path().extension() == ".txt" && entry.path().stem() != "index")
+      paths.push_back(entry.path());
+  }
+  REQUIRE(paths.size() > 10);
+  return paths;
+}
+
+// A page without a window.
+class Page {
+ public:
+  explicit Page(const std::string& text = l_shape) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    load_fonts(1);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    start_with(app.state, placed(document(text)), std::nullopt);
+  }
+  ~Page() { ImGui::DestroyContext(); }
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+
+  void frame(const Pointer& pointer = {}) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(static_cast<float>(app.state.screen.width),
+                            static_cast<float>(app.state.screen.height));
+    io.DeltaTime = 1.0f / 60;
+    ImGui::NewFrame();
+    draw_frame(app, pointer);
+    ImGui::Render();
+    settle(app);
+  }
+
+  Pointer at(const Vec2& world) const {
+    Pointer p;
+    p.at = app.state.camera.to_screen(world);
+    p.present = true;
+    return p;
+  }
+
+  void click(const Vec2& world) {
+    Pointer p = at(world);
+    p.pressed = p.down = true;
+    frame(p);
+    p.pressed = p.down = false;
+    p.released = true;
+    frame(p);
+  }
+
+  // `off` in CSS pixels: in another picture of the same.
+  void drag(const Vec2& from, const Vec2& to, const Vec2& off = Vec2::Zero()) {
+    Pointer p = at(from);
+    p.at += off;
+    frame(p);
+    p.pressed = p.down = true;
+    frame(p);
+    p.pressed = false;
+    const Vec2 start = p.at, end = app.state.camera.to_screen(to) + off;
+    for (int i = 1; i <= 4; ++i) {
+      p.at = start + (end - start) * i / 4;
+      p.moved = length(p.at - start);
+      frame(p);
+    }
+    p.down = false;
+    p.released = true;
+    frame(p);
+  }
+
+  void open(const Document& document) {
+    app.commands.push_back(OpenDocument{placed(document)});
+    settle(app);
+  }
+
+  void press(const Key& key) {
+    const Action* found = action_for(app.state, key);
+    REQUIRE(found != nullptr);
+    found->run(app.state, app.commands);
+    settle(app);
+  }
+
+  App app;
+};
+
+}  // namespace view_page

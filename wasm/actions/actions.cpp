@@ -1,0 +1,294 @@
+#include "actions/actions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "tools/transform.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+bool always(const AppState&) { return true; }
+bool editing(const AppState& s) { return !s.screen.embed; }
+
+bool has_teams_number(const AppState& s) { return editing(s) && s.placement.has_value(); }
+
+// From "max" one step down is the number of teams that there are.
+std::uint32_t teams_now(const AppState& s) {
+  return settings(s).teams.value_or(
+      static_cast<std::uint32_t>(s.placement ? s.placement->teams.size() : 3));
+}
+
+void set_teams(const AppState& s, Commands& out, std::int64_t teams) {
+  Settings changed = settings(s);
+  changed.teams = static_cast<std::uint32_t>(std::clamp<std::int64_t>(teams, 1, max_teams));
+  out.push_back(SetSettings{changed});
+}
+
+void next_method(const AppState& s, Commands& out) {
+  Settings changed = settings(s);
+  const auto* at = std::find(std::begin(all_metrics), std::end(all_metrics), changed.metric);
+  const auto next = static_cast<std::size_t>(at - std::begin(all_metrics)) + 1;
+  changed.metric = all_metrics[next % std::size(all_metrics)];
+  out.push_back(SetSettings{changed});
+}
+
+void change_ratio(const AppState& s, Commands& out, double steps) {
+  Settings changed = settings(s);
+  changed.min_ratio = std::clamp(std::round(changed.min_ratio * 100 + steps) / 100, 0.0, 1.0);
+  out.push_back(SetSettings{changed});
+}
+
+template <bool Overlays::*overlay>
+void toggle(const AppState& s, Commands& out) {
+  Overlays changed = settings(s).overlays;
+  changed.*overlay = !(changed.*overlay);
+  out.push_back(Show{changed});
+}
+
+template <class Asked>
+void ask(const AppState&, Commands& out) {
+  out.push_back(Asked{});
+}
+
+template <browser::Dialog dialog>
+void show(const AppState&, Commands& out) {
+  out.push_back(OpenDialog{dialog});
+}
+
+template <Tool tool>
+void take(const AppState& s, Commands& out) {
+  out.push_back(SetTool{s.tool == tool ? Tool::parts : tool});
+}
+
+bool drawing(const AppState& s) { return s.tool == Tool::draw; }
+bool can_close(const AppState& s) { return drawing(s) && s.drawing.points.size() >= 3; }
+bool on_parts(const AppState& s) { return editing(s) && s.tool == Tool::parts; }
+
+bool in_lesson(const AppState& s) { return lesson_is_open(s); }
+bool can_teach(const AppState& s) { return s.placement && !s.refusal && s.tool != Tool::draw; }
+void begin_or_end_lesson(const AppState& s, Commands& out) {
+  if (in_lesson(s))
+    out.push_back(CloseLesson{});
+  else
+    out.push_back(OpenLesson{});
+}
+bool can_go_on(const AppState& s) {
+  const Timeline t = timeline(s);
+  return in_lesson(s) && (t.at + 1 < t.count || s.lesson.ask);
+}
+bool can_go_back(const AppState& s) { return in_lesson(s) && timeline(s).at > 0; }
+template <int by>
+void move_step(const AppState&, Commands& out) {
+  out.push_back(MoveSteps{by});
+}
+template <int by>
+void move_chapter(const AppState&, Commands& out) {
+  out.push_back(MoveChapters{by});
+}
+bool on_whole(const AppState& s) { return editing(s) && s.tool == Tool::whole; }
+bool on_vertex(const AppState& s) { return on_parts(s) && s.selected.has_value(); }
+
+// While drawing, a step is a vertex.
+bool can_undo(const AppState& s) {
+  return drawing(s) ? !s.drawing.points.empty() : s.history.can_undo();
+}
+bool can_redo(const AppState& s) {
+  return drawing(s) ? !s.drawing.undone.empty() : s.history.can_redo();
+}
+void undo(const AppState& s, Commands& out) {
+  if (drawing(s))
+    out.push_back(TakePointBack{});
+  else
+    out.push_back(Undo{});
+}
+void redo(const AppState& s, Commands& out) {
+  if (drawing(s))
+    out.push_back(PutPointBack{});
+  else
+    out.push_back(Redo{});
+}
+
+template <int by>
+void select_vertex(const AppState& s, Commands& out) {
+  const std::size_t n = s.document.vertices.size();
+  const std::size_t now = s.selected.value_or(by > 0 ? n - 1 : 0);
+  out.push_back(SelectVertex{by > 0 ? (now + 1) % n : (now + n - 1) % n});
+}
+
+void insert_vertex(const AppState& s, Commands& out) {
+  const Points& vertices = s.document.vertices;
+  const Vec2 &a = vertices[*s.selected], &b = vertices[(*s.selected + 1) % vertices.size()];
+  out.push_back(InsertVertex{*s.selected, a + (b - a) / 2});
+}
+
+// The selected vertex, or the whole, by a dot of the ground.
+bool can_nudge(const AppState& s) { return on_vertex(s) || on_whole(s); }
+template <int x, int y>
+void nudge(const AppState& s, Commands& out) {
+  if (on_whole(s)) return out.push_back(moved_whole(s, x, y));
+  const double step = grid_step(s.camera) / (s.snap.grid ? 1 : 10);
+  const Vec2 to = s.document.vertices[*s.selected] + Vec2(x * step, y * step);
+  out.push_back(MoveVertex{
+      *s.selected, s.snap.grid ? nearest_dot(s.camera, to) : rounded_to_pixels(s.camera, to)});
+  out.push_back(EndEdit{});
+}
+
+template <int steps>
+void turn(const AppState& s, Commands& out) {
+  out.push_back(turned_whole(s, steps));
+}
+template <int tenths>
+void scale(const AppState& s, Commands& out) {
+  out.push_back(scaled_whole(s, tenths / 10.0));
+}
+
+template <bool Snap::*which>
+void snap(const AppState& s, Commands& out) {
+  Snap changed = s.snap;
+  changed.*which = !(changed.*which);
+  out.push_back(SetSnap{changed});
+}
+
+// The next other method, and after the last one none.
+void next_compared(const AppState& s, Commands& out) {
+  const Metric own = settings(s).metric;
+  const auto from = s.compared
+                        ? std::find(std::begin(all_metrics), std::end(all_metrics), *s.compared) + 1
+                        : std::begin(all_metrics);
+  const auto next = std::find_if(from, std::end(all_metrics), [&](Metric m) { return m != own; });
+  out.push_back(
+      Compare{next == std::end(all_metrics) ? std::nullopt : std::optional<Metric>(*next)});
+}
+
+// Escape takes away the topmost thing that is in the way.
+bool anything_open(const AppState& s) {
+  return s.list_open || s.help_open || s.selected || s.tool != Tool::parts ||
+         !s.notice.text.empty() || (in_lesson(s) && editing(s));
+}
+void dismiss(const AppState& s, Commands& out) {
+  if (s.list_open)
+    out.push_back(CloseList{});
+  else if (s.help_open)
+    out.push_back(SetHelpOpen{false});
+  else if (!s.notice.text.empty())
+    out.push_back(ShowNotice{});
+  else if (in_lesson(s))
+    out.push_back(CloseLesson{});
+  else if (drawing(s) && !s.drawing.points.empty())
+    out.push_back(TakePointBack{});
+  else if (s.tool != Tool::parts)
+    out.push_back(SetTool{Tool::parts});
+  else
+    out.push_back(SelectVertex{});
+}
+
+// clang-format off
+const std::vector<Action> table = {
+    {ActionId::samples, Icon::shapes, "Samples", "G", {{"g"}}, editing, show<browser::Dialog::samples>},
+    {ActionId::draw, Icon::draw, "Draw", "D", {{"d"}}, editing, take<Tool::draw>},
+    {ActionId::lessons, Icon::lesson, "Lessons", "Shift+B", {{"B"}}, editing, show<browser::Dialog::lessons>},
+    {ActionId::lesson, Icon::lesson, "The algorithm step by step, on this object", "B", {{"b"}}, can_teach, begin_or_end_lesson},
+    {ActionId::step_on, Icon::step_on, "Next step", "Right", {{"ArrowRight"}}, can_go_on, move_step<1>},
+    {ActionId::step_back, Icon::step_back, "Step before", "Left", {{"ArrowLeft"}}, can_go_back, move_step<-1>},
+    {ActionId::next_chapter, Icon::chapter_on, "Next chapter", "Page down", {{"PageDown"}}, in_lesson, move_chapter<1>},
+    {ActionId::previous_chapter, Icon::chapter_back, "Chapter before", "Page up", {{"PageUp"}}, in_lesson, move_chapter<-1>},
+    {ActionId::first_step, Icon::first, "First step", "Home", {{"Home"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, 0)}); }},
+    {ActionId::last_step, Icon::last, "Last step", "End", {{"End"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, timeline(s).count - 1)}); }},
+    {ActionId::play, Icon::play, "Play or pause the lesson", "Space", {{" "}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(SetPlaying{!s.lesson.playing}); }},
+    {ActionId::faster, Icon::none, "Play faster or slower", "Up, down", {{"ArrowUp"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.lesson.speed * 2}); }},
+    {ActionId::slower, Icon::none, "Play slower", "", {{"ArrowDown"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.lesson.speed / 2}); }},
+    {ActionId::predict, Icon::none, "Predict before each choice", "Q", {{"q"}}, in_lesson,
+     [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.lesson.predict}); }},
+    {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, editing, show<browser::Dialog::open>},
+    {ActionId::save, Icon::save, "Save", "S", {{"s"}}, editing, show<browser::Dialog::save>},
+    {ActionId::undo, Icon::undo, "Undo", "Ctrl+Z", {{"z", true}}, can_undo, undo},
+    {ActionId::redo, Icon::redo, "Redo", "Ctrl+Shift+Z", {{"z", true, true}, {"y", true}}, can_redo, redo},
+    {ActionId::copy_link, Icon::link, "Copy link", "Ctrl+C", {{"c", true}}, always, ask<CopyLink>},
+    {ActionId::table, Icon::table, "Coordinates", "E", {{"e"}}, editing, show<browser::Dialog::table>},
+    {ActionId::whole, Icon::transform, "Move, turn or scale the whole", "W", {{"w"}}, editing, take<Tool::whole>},
+    {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, can_close, ask<FinishDrawing>},
+    {ActionId::next_vertex, Icon::none, "Select the next vertex", "V", {{"v"}}, on_parts, select_vertex<1>},
+    {ActionId::previous_vertex, Icon::none, "Select the vertex before", "Shift+V", {{"V"}}, on_parts, select_vertex<-1>},
+    {ActionId::insert_vertex, Icon::none, "Add a vertex after the selected one", "I", {{"i"}}, on_vertex, insert_vertex},
+    {ActionId::remove_vertex, Icon::close, "Remove the selected vertex", "Delete", {{"Delete"}, {"Backspace"}}, on_vertex,
+     [](const AppState& s, Commands& out) { out.push_back(RemoveVertex{*s.selected}); }},
+    {ActionId::left, Icon::none, "Move the selected vertex, or the whole", "Arrows", {{"ArrowLeft"}}, can_nudge, nudge<-1, 0>},
+    {ActionId::right, Icon::none, "Move to the right", "", {{"ArrowRight"}}, can_nudge, nudge<1, 0>},
+    {ActionId::up, Icon::none, "Move up", "", {{"ArrowUp"}}, can_nudge, nudge<0, 1>},
+    {ActionId::down, Icon::none, "Move down", "", {{"ArrowDown"}}, can_nudge, nudge<0, -1>},
+    {ActionId::turn_left, Icon::none, "Turn the whole by 15°", "[ ]", {{"["}}, on_whole, turn<1>},
+    {ActionId::turn_right, Icon::none, "Turn the whole clockwise", "", {{"]"}}, on_whole, turn<-1>},
+    {ActionId::larger, Icon::none, "Scale the whole", "{ }", {{"}"}}, on_whole, scale<11>},
+    {ActionId::smaller, Icon::none, "Make the whole smaller", "", {{"{"}}, on_whole, scale<9>},
+    {ActionId::snap_grid, Icon::none, "Snap to the grid", "N", {{"n"}}, editing, snap<&Snap::grid>},
+    {ActionId::snap_axis, Icon::none, "Snap to the axis", "X", {{"x"}}, editing, snap<&Snap::axis>},
+    {ActionId::more_teams, Icon::plus, "One team more", "T", {{"t"}}, has_teams_number,
+     [](const AppState& s, Commands& out) { set_teams(s, out, std::int64_t{teams_now(s)} + 1); }},
+    {ActionId::fewer_teams, Icon::minus, "One team fewer", "Shift+T", {{"T"}}, has_teams_number,
+     [](const AppState& s, Commands& out) { set_teams(s, out, std::int64_t{teams_now(s)} - 1); }},
+    {ActionId::next_method, Icon::none, "Next method", "M", {{"m"}}, editing, next_method},
+    {ActionId::compare, Icon::compare, "Compare with another method", "K", {{"k"}}, editing, next_compared},
+    {ActionId::experiment, Icon::none, "Compare all methods in charts", "Shift+K", {{"K"}}, editing,
+     show<browser::Dialog::experiment>},
+    {ActionId::higher_ratio, Icon::none, "Raise the minimum load ratio", ".", {{"."}}, editing,
+     [](const AppState& s, Commands& out) { change_ratio(s, out, 1); }},
+    {ActionId::lower_ratio, Icon::none, "Lower the minimum load ratio", ",", {{","}}, editing,
+     [](const AppState& s, Commands& out) { change_ratio(s, out, -1); }},
+    {ActionId::toggle_hull, Icon::none, "Show the lifting base", "H", {{"h"}}, always, toggle<&Overlays::hull>},
+    {ActionId::toggle_clockwise, Icon::none, "Show free clockwise turns", "R", {{"r"}}, always, toggle<&Overlays::clockwise>},
+    {ActionId::toggle_counterclockwise, Icon::none, "Show free counter-clockwise turns", "L", {{"l"}}, always,
+     toggle<&Overlays::counterclockwise>},
+    {ActionId::toggle_chords, Icon::none, "Show the teams' chords", "C", {{"c"}}, always, toggle<&Overlays::chords>},
+    {ActionId::toggle_candidates, Icon::none, "Show the candidates", "A", {{"a"}}, always, toggle<&Overlays::candidates>},
+    {ActionId::toggle_tipping, Icon::none, "Show the force that tips", "F", {{"f"}}, always, toggle<&Overlays::tipping>},
+    {ActionId::zoom_in, Icon::plus, "Zoom in", "+", {{"+"}, {"="}}, always,
+     [](const AppState&, Commands& out) { out.push_back(ZoomView{1.25}); }},
+    {ActionId::zoom_out, Icon::minus, "Zoom out", "−", {{"-"}}, always,
+     [](const AppState&, Commands& out) { out.push_back(ZoomView{0.8}); }},
+    {ActionId::fit, Icon::fit, "Show all of the object", "0", {{"0"}}, always, ask<FitView>},
+    {ActionId::fold_panel, Icon::fold, "Fold the panel away", "P", {{"p"}}, editing,
+     [](const AppState& s, Commands& out) { out.push_back(SetPanelOpen{!s.panel_open}); }},
+    {ActionId::motion, Icon::none, "Motion on or off", "Shift+M", {{"M"}}, always,
+     [](const AppState& s, Commands& out) { out.push_back(SetMotion{!s.motion}); }},
+    {ActionId::help, Icon::help, "Keys", "?", {{"?"}}, always,
+     [](const AppState& s, Commands& out) { out.push_back(SetHelpOpen{!s.help_open}); }},
+    {ActionId::dismiss, Icon::close, "Close, or select nothing", "Esc", {{"Escape"}}, anything_open, dismiss},
+};
+// clang-format on
+
+bool same(const Key& wanted, const Key& pressed) {
+  if (wanted.name.empty() || wanted.command != pressed.command) return false;
+  if (wanted.command) {
+    // With Shift, the letter is a capital; with Caps Lock, it may be one without Shift.
+    return wanted.shift == pressed.shift && wanted.name.size() == pressed.name.size() &&
+           (wanted.name[0] | 0x20) == (pressed.name[0] | 0x20);
+  }
+  return wanted.name == pressed.name;
+}
+
+}  // namespace
+
+const std::vector<Action>& actions() { return table; }
+
+const Action& action(ActionId id) {
+  return *std::find_if(table.begin(), table.end(), [&](const Action& a) { return a.id == id; });
+}
+
+const Action* action_for(const AppState& state, const Key& key) {
+  for (const Action& candidate : table) {
+    const bool matches = std::any_of(std::begin(candidate.keys), std::end(candidate.keys),
+                                     [&](const Key& wanted) { return same(wanted, key); });
+    if (matches && candidate.enabled(state)) return &candidate;
+  }
+  return nullptr;
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,49 @@
+// Everything that can be done by a key or a button, in one table: the toolbar, the keyboard and the
+// list under `?` read it.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "state/command.h"
+#include "state/state.h"
+#include "ui/icons.h"
+
+namespace evenlift::view {
+
+// clang-format off
+enum class ActionId : std::uint8_t {
+  samples, draw, lessons, lesson, whole, open, save, table, undo, redo, copy_link,
+  step_on, step_back, next_chapter, previous_chapter, first_step, last_step, play, faster, slower, predict,
+  finish, next_vertex, previous_vertex, insert_vertex, remove_vertex,
+  left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
+  more_teams, fewer_teams, next_method, compare, experiment, higher_ratio, lower_ratio,
+  toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, toggle_tipping,
+  zoom_in, zoom_out, fit, fold_panel, motion, help, dismiss
+};
+// clang-format on
+
+// A key as KeyboardEvent.key names it; `command` is Ctrl, or Cmd on a Mac.
+struct Key {
+  std::string_view name;
+  bool command = false;
+  bool shift = false;  // looked at for named keys and with command; "?" says it by itself
+};
+
+struct Action {
+  ActionId id;
+  Icon icon;
+  const char* label;
+  const char* shown;  // its key in words, "" for none of its own
+  Key keys[3];        // any of them
+  bool (*enabled)(const AppState&);
+  void (*run)(const AppState&, Commands&);
+};
+
+const std::vector<Action>& actions();
+const Action& action(ActionId id);
+
+// The action of a key, if it has one that makes sense now; else null, and the key is the browser's.
+const Action* action_for(const AppState& state, const Key& key);
+
+}  // namespace evenlift::view

@@ -1,0 +1,168 @@
+#include "actions/pointer.h"
+
+#include <cmath>
+
+#include "tools/drawing.h"
+#include "tools/pick.h"
+#include "tools/transform.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr double still = 3;  // CSS pixels that a click may shake
+
+Vec2 neighbour(const Points& points, std::size_t i, bool next) {
+  if (next) return points[i + 1 == points.size() ? 0 : i + 1];
+  return points[i == 0 ? points.size() - 1 : i - 1];
+}
+
+void press_parts(const AppState& state, const Pointer& pointer, Commands& commands) {
+  Pick under = pick(state, pointer.at, pointer.other);
+  if (under.kind == Pick::Kind::edge && pointer.double_pressed && !state.screen.embed) {
+    const Vec2 at = rounded_to_pixels(state.camera, under.at);
+    commands.push_back(InsertVertex{under.index, at});
+    under = {Pick::Kind::vertex, under.index + 1, 0, at};  // and it can be dragged at once
+  }
+  // A finger hovers over nothing: what it presses is what it asks about.
+  if (pointer.touch) commands.push_back(SetHover{under});
+  const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre;
+  if (!grip) under.kind = Pick::Kind::ground;
+  // From here on `at` is how far the pointer is off what it holds, so that nothing jumps.
+  under.at = grip ? Vec2(state.camera.to_screen(under.at) - pointer.at) : pointer.at;
+  commands.push_back(SetHeld{under});
+  if (under.kind == Pick::Kind::vertex) commands.push_back(SelectVertex{under.index});
+}
+
+void press(const AppState& state, const Pointer& pointer, Commands& commands) {
+  if (state.tool == Tool::parts) return press_parts(state, pointer, commands);
+  Pick held{Pick::Kind::ground, 0, 0, pointer.at};
+  if (state.tool == Tool::whole) {
+    if (const auto grip = grip_at(state, pointer.at)) {
+      held.kind = Pick::Kind::frame;
+      held.index = static_cast<std::size_t>(*grip);
+      commands.push_back(GripWhole{});
+    }
+  }
+  commands.push_back(SetHeld{held});
+}
+
+void drag_ground(const AppState& state, const Pointer& pointer, Commands& commands) {
+  const Pick& held = state.held;
+  // While drawing, a hand that shakes still places a vertex.
+  if (state.tool == Tool::draw && pointer.moved < still) return;
+  if (!(length(pointer.at - held.at) > 0)) return;
+  commands.push_back(SetCamera{pan(state.camera, pointer.at - held.at)});
+  Pick moved = held;
+  moved.at = pointer.at;
+  commands.push_back(SetHeld{moved});
+}
+
+void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
+  const Pick& held = state.held;
+  if (held.kind == Pick::Kind::ground) return drag_ground(state, pointer, commands);
+  if (pointer.moved < still && !state.edit_open) return;
+  if (held.kind == Pick::Kind::frame) {
+    commands.push_back(
+        dragged_whole(state, static_cast<FrameGrip>(held.index), held.at, pointer.at));
+    return;
+  }
+  const Vec2 to = state.camera.to_world(pointer.at + held.at);
+  if (held.kind == Pick::Kind::vertex) {
+    const Points& vertices = state.document.vertices;
+    commands.push_back(
+        MoveVertex{held.index, snapped(state, to, neighbour(vertices, held.index, false),
+                                       neighbour(vertices, held.index, true))});
+  }
+  if (held.kind == Pick::Kind::centre) {
+    const bool to_dot = state.snap.grid;
+    commands.push_back(
+        MoveCentre{to_dot ? nearest_dot(state.camera, to) : rounded_to_pixels(state.camera, to)});
+  }
+}
+
+void click_drawing(const AppState& state, const Pointer& pointer, Commands& commands) {
+  if (closes(state, pointer.at)) {
+    commands.push_back(FinishDrawing{});
+  } else {
+    commands.push_back(AddPoint{next_point(state, state.camera.to_world(pointer.at))});
+  }
+}
+
+// An answer to the question, or a question of the learner's own.
+void click_lesson(const AppState& state, const Pointer& pointer, Commands& commands) {
+  commands.push_back(SelectVertex{});
+  if (state.lesson.ask) {
+    if (const auto choice = choice_at(state, pointer.at)) commands.push_back(Guess{*choice});
+  } else {
+    commands.push_back(AskWhy{state.camera.to_world(pointer.at)});
+  }
+}
+
+void release(const AppState& state, const Pointer& pointer, Commands& commands) {
+  const bool clicked = state.held.kind == Pick::Kind::ground && pointer.moved < still;
+  if (clicked && state.tool == Tool::draw) click_drawing(state, pointer, commands);
+  // A click on the ground lets go of the selection; a pan does not.
+  else if (clicked && lesson_is_open(state))
+    click_lesson(state, pointer, commands);
+  else if (clicked)
+    commands.push_back(SelectVertex{});
+  commands.push_back(EndEdit{});
+  commands.push_back(SetHeld{});
+}
+
+void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
+  // What the first finger had taken hold of is let go where it is.
+  if (state.held.kind != Pick::Kind::none) release(state, pointer, commands);
+  const Camera moved = pan(state.camera, pointer.pinch_moved);
+  commands.push_back(SetCamera{zoom(moved, pointer.pinch_at, pointer.pinch_factor, 0, 1e300)});
+}
+
+void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Commands& commands) {
+  std::optional<Vec2> cursor;
+  if (!none) cursor = next_point(state, state.camera.to_world(pointer.at));
+  if (cursor != state.drawing.cursor) commands.push_back(SetDrawCursor{cursor});
+}
+
+void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
+  const bool none = !pointer.present || pointer.over_panel;
+  if (state.tool == Tool::draw)
+    return hover_drawing(state, pointer, none || pointer.touch, commands);
+  // What a finger asked about stays until it asks about something else.
+  if (pointer.touch && !none) return;
+  if (none && pointer.touch && state.hover.kind == Pick::Kind::object) return;
+  Pick under;
+  if (!none && state.tool == Tool::whole) {
+    if (const auto grip = grip_at(state, pointer.at)) {
+      under.kind = Pick::Kind::frame;
+      under.index = static_cast<std::size_t>(*grip);
+    }
+  } else if (!none) {
+    under = pick(state, pointer.at, pointer.other);
+  }
+  if (!(under == state.hover)) commands.push_back(SetHover{under});
+  if (lesson_is_open(state)) {
+    const auto mark = none ? std::nullopt : mark_at(state, pointer.at);
+    if (mark != state.lesson.hovered) commands.push_back(HoverMark{mark});
+  }
+}
+
+}  // namespace
+
+void interact(const AppState& state, const Pointer& pointer, Commands& commands) {
+  if (pointer.pinching) return pinch(state, pointer, commands);
+  const bool holding = state.held.kind != Pick::Kind::none;
+  if (holding && pointer.down)
+    drag(state, pointer, commands);
+  else if (holding)
+    release(state, pointer, commands);
+  else if (pointer.pressed && !pointer.over_panel)
+    press(state, pointer, commands);
+  if (!holding) hover(state, pointer, commands);
+  if (pointer.wheel != 0 && !pointer.over_panel) {
+    const double factor = std::exp(pointer.wheel * 0.18);
+    commands.push_back(SetCamera{zoom(state.camera, pointer.at, factor, 0, 1e300)});
+  }
+}
+
+}  // namespace evenlift::view

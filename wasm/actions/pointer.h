@@ -1,0 +1,27 @@
+// Pointer and touch for one frame, and what they do to the drawing.
+#pragma once
+
+#include "state/command.h"
+#include "state/state.h"
+
+namespace evenlift::view {
+
+struct Pointer {
+  Vec2 at = Vec2::Zero();   // CSS pixels
+  bool present = false;     // over the canvas, or holding something
+  bool touch = false;       // a finger: it hovers over nothing
+  bool other = false;       // over the picture of the method that is compared
+  bool over_panel = false;  // a panel or popup has it
+  bool pressed = false, down = false, released = false, double_pressed = false;
+  double moved = 0;  // farthest from where it was pressed, CSS pixels
+  double wheel = 0;  // steps, > 0 to zoom in
+  // Two fingers, or a trackpad's pinch.
+  bool pinching = false;
+  Vec2 pinch_at = Vec2::Zero(), pinch_moved = Vec2::Zero();
+  double pinch_factor = 1;
+};
+
+// Drags, pans, zooms, adds vertices, and says what is under the pointer.
+void interact(const AppState& state, const Pointer& pointer, Commands& commands);
+
+}  // namespace evenlift::view

@@ -1,0 +1,42 @@
+#include "app/open_lesson.h"
+
+#include <utility>
+
+#include "app/update.h"
+#include "evenlift/formats.h"
+#include "evenlift/lesson.h"
+#include "state/opened.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+
+std::optional<InputError> open_script(AppState& state, const std::string& text,
+                                      const std::string& polygon, bool join) {
+  Result<Lesson> lesson = parse_lesson(text);
+  if (!lesson) return lesson.error();
+  Document sample;
+  if (lesson->link.empty()) {
+    Result<Document> read = read_polygon(polygon);
+    if (!read) return read.error();
+    sample = std::move(read).value();
+  }
+  Result<Document> document = lesson_document(*lesson, sample);
+  if (!document) return document.error();
+  Result<Opened> of_it = opened(std::move(document).value());
+  if (!of_it) return of_it.error();
+  Result<Trace> trace = compute_trace(of_it->placement);
+  if (!trace) return trace.error();
+  if (const auto problem = check_lesson(*lesson, *trace)) return problem;
+  Script script{std::move(lesson).value(), {}, 0, of_it->document.vertices, 0};
+  if (join) return join_script(state, std::move(script));
+  const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
+  of_it->document.settings.step = of_it->placement.settings.step = first;
+  of_it->trace = std::move(trace).value();
+  Commands commands;
+  commands.push_back(OpenDocument{std::move(of_it).value()});
+  apply(state, commands);
+  begin_script(state, std::move(script));
+  return std::nullopt;
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,11 @@
+#include "app/opening_sample.h"
+
+namespace evenlift::view {
+
+std::string_view opening_sample() {
+  return
+#include "opening_sample.inc"
+      ;
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,204 @@
+#include "canvas/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvas/canvas_drawing.h"
+#include "canvas/canvas_lesson.h"
+#include "canvas/canvas_marks.h"
+#include "canvas/canvas_view.h"
+#include "canvas/painter.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+Rect window_of(const AppState& state) { return {0, 0, state.screen.width, state.screen.height}; }
+
+constexpr std::size_t most_dashed =
+    300;  // beyond that, thin lines: dashes by the ten thousand are slow
+
+// A grid of dots at 1, 2 or 5 times a power of ten units, so that zooming can be felt.
+void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
+  const Camera& camera = state.camera;
+  const double step = grid_step(camera);
+  const Vec2 low = camera.to_world(Vec2(0, state.screen.height)),
+             high = camera.to_world(Vec2(state.screen.width, 0));
+  const ImU32 colour = theme.dots.packed();
+  const float ratio = static_cast<float>(state.screen.ratio);
+  const float half = std::max(0.75f, std::round(ratio) / ratio * 0.75f);
+  for (double i = std::floor(low.x() / step); i * step <= high.x(); ++i) {
+    for (double j = std::floor(low.y() / step); j * step <= high.y(); ++j) {
+      const Vec2 p = camera.to_screen(Vec2(i * step, j * step));
+      const float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
+      list.AddRectFilled(ImVec2(x - half, y - half), ImVec2(x + half, y + half), colour);
+    }
+  }
+}
+
+void draw_region(const Painter& painter, const Shape& shape, Colour fill, Colour line,
+                 bool rising) {
+  if (shape.points.size() == 1) {
+    painter.list().AddCircle(painter.at(shape.points[0]), 6, line.packed(), 24, 2);
+  } else if (shape.points.size() == 2) {
+    painter.line(shape.points[0], shape.points[1], line, 3);
+  } else {
+    painter.fill_convex(shape.points, fill);
+    painter.hatch_convex(shape.points, rising, line.at(0.55f));
+    painter.outline(shape.points, line.at(0.7f), 1.2f);
+  }
+}
+
+bool named(const CanvasView& view, std::int32_t team) {
+  const Pick& hover = view.state.hover;
+  return (hover.kind == Pick::Kind::chord || hover.kind == Pick::Kind::robot) &&
+         hover.other == view.other && static_cast<std::int32_t>(hover.index) == team;
+}
+
+// H grows from what it was: the old one fades while the new one comes.
+void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shape) {
+  const Theme& theme = view.theme;
+  const float come = view.scene.progress;
+  if (come < 1 && view.scene.hull_before.size() >= 3) {
+    painter.fill_convex(view.scene.hull_before, theme.hull.at(1 - come));
+    painter.outline(view.scene.hull_before, theme.hull_outline.at(1 - come), 2);
+  }
+  // Under the heat map the base is only outlined: its own green would mix with the map's colours.
+  if (!view.scene.shows_heat()) painter.fill_convex(shape.points, theme.hull.at(come));
+  painter.outline(shape.points, theme.hull_outline.at(come), 2);
+}
+
+void draw_object(const Painter& painter, const CanvasView& view, const Shape& shape) {
+  const RowFill rows = view.scene.triangles.empty() ? painter.rows(shape.points) : RowFill{};
+  painter.fill(shape.points, view.scene.triangles, view.theme.object);
+  painter.fill(rows, view.theme.object);
+  if (!view.scene.shows_heat()) return;
+  for (const HeatBand& band : view.scene.heat) {
+    painter.triangles(band.triangles, heat_colour(view.theme, band.share));
+    painter.fill(rows, heat_colour(view.theme, band.share), band.region);
+  }
+}
+
+void draw_shape(const Painter& painter, const CanvasView& view, const Shape& shape, bool dash) {
+  const Theme& theme = view.theme;
+  switch (shape.role) {
+    case Role::object:
+      draw_object(painter, view, shape);
+      break;
+    case Role::hull:
+      draw_hull(painter, view, shape);
+      break;
+    case Role::clockwise:
+      draw_region(painter, shape, theme.clockwise, theme.clockwise_line, true);
+      break;
+    case Role::counterclockwise:
+      draw_region(painter, shape, theme.counter, theme.counter_line, false);
+      break;
+    case Role::candidate:
+      if (dash)
+        painter.dashes(shape.points[0], shape.points[1], theme.candidate, 1.2f);
+      else
+        painter.line(shape.points[0], shape.points[1], theme.candidate.at(0.5f), 1);
+      break;
+    case Role::chord: {
+      const bool hovered = named(view, shape.team);
+      painter.line(shape.points[0], shape.points[1], hovered ? theme.accent : theme.chord,
+                   hovered ? 3.0f : 2.0f);
+      break;
+    }
+    case Role::robot:
+    case Role::centre_of_mass:
+      break;  // marks: they come on top, and do not grow with the view
+  }
+}
+
+void draw_picture(const Painter& painter, const CanvasView& view) {
+  const std::vector<Shape>& shapes = view.scene.shapes;
+  const auto candidates = std::count_if(shapes.begin(), shapes.end(),
+                                        [](const Shape& s) { return s.role == Role::candidate; });
+  const bool dash = static_cast<std::size_t>(candidates) <= most_dashed;
+  for (const Shape& shape : shapes) draw_shape(painter, view, shape, dash);
+}
+
+// The outline of what is being edited, and where it is wrong.
+void draw_refused(const Painter& painter, const AppState& state, const Theme& theme) {
+  const Points& vertices = state.document.vertices;
+  painter.outline(vertices, theme.amber, 2);
+  if (vertices.empty()) return;
+  const Place& place = state.refusal->place;
+  const auto mark_edge = [&](std::size_t edge) {
+    painter.line(vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()],
+                 theme.amber, 5);
+  };
+  if (place.kind == Place::Kind::edge) {
+    mark_edge(place.index);
+    mark_edge(place.other);
+  }
+  if (place.kind == Place::Kind::vertex && place.index < vertices.size()) {
+    painter.list().AddCircle(painter.at(vertices[place.index]), 11, theme.amber.packed(), 32, 3);
+  }
+}
+
+void draw_view(ImDrawList& list, const CanvasView& view) {
+  const ImVec2 low(static_cast<float>(view.window.left), static_cast<float>(view.window.top));
+  const ImVec2 high(static_cast<float>(view.window.right), static_cast<float>(view.window.bottom));
+  list.PushClipRect(low, high, true);
+  const bool teaches = lesson_is_open(view.state) && view.current() && !view.other;
+  if (teaches) {
+    draw_lesson(Painter(list, view.camera, view.window), view);
+  } else if (view.placement) {
+    const Painter painter(list, view.camera, view.window, view.current() ? 1.0f : 0.35f);
+    draw_picture(painter, view);
+    if (view.current()) painter.outline(view.placement->vertices, view.theme.object_outline, 2);
+  }
+  const Painter painter(list, view.camera, view.window);
+  if (view.state.refusal) draw_refused(painter, view.state, view.theme);
+  draw_marks(painter, view);
+  list.PopClipRect();
+}
+
+// The two pictures of a comparison, a line between them and the method's name over each.
+void draw_both(ImDrawList& list, const CanvasView& first, const Scene& other,
+               const Layout& layout) {
+  CanvasView left = first;
+  left.window = layout.first;
+  draw_view(list, left);
+  Camera camera = first.camera;
+  camera.anchor +=
+      Vec2(layout.second.left - layout.first.left, layout.second.top - layout.first.top);
+  const std::optional<Placement>& placement = first.state.other;
+  const CanvasView right{first.state, first.theme, layout,        placement ? &*placement : nullptr,
+                         other,       camera,      layout.second, true};
+  draw_view(list, right);
+  const ImU32 line = first.theme.panel_line.packed();
+  const Rect& r = layout.second;
+  const ImVec2 from(static_cast<float>(r.left), static_cast<float>(r.top));
+  const ImVec2 to(static_cast<float>(layout.wide ? r.left : r.right),
+                  static_cast<float>(layout.wide ? r.bottom : r.top));
+  list.AddLine(from, to, line, 2);
+}
+
+}  // namespace
+
+void draw_canvas(const AppState& state, const Scene& scene, const Scene& other,
+                 const Layout& layout) {
+  const Theme& colours = theme(state);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  sharpen(list, state);
+  draw_ground(list, state, colours);
+  if (state.tool == Tool::draw) {
+    draw_drawing(Painter(list, state.camera, window_of(state)), state, colours);
+    draw_hint(list, state, layout, colours);
+    return;
+  }
+  const Placement* placement = state.placement ? &*state.placement : nullptr;
+  const CanvasView view{state, colours,      layout,           placement,
+                        scene, state.camera, window_of(state), false};
+  if (state.compared)
+    draw_both(list, view, other, layout);
+  else
+    draw_view(list, view);
+  draw_hint(list, state, layout, colours);
+}
+
+}  // namespace evenlift::view

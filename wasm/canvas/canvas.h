@@ -1,0 +1,15 @@
+// The drawing: ground, picture, numbers, grips.
+#pragma once
+
+#include "canvas/scene.h"
+#include "state/layout.h"
+#include "state/state.h"
+
+namespace evenlift::view {
+
+// Draws into Dear ImGui's background, under every panel.
+// `other` is the scene of the method that is compared.
+void draw_canvas(const AppState& state, const Scene& scene, const Scene& other,
+                 const Layout& layout);
+
+}  // namespace evenlift::view

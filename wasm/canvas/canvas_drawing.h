@@ -1,0 +1,15 @@
+// The tools at work: the polygon being drawn, and the frame about the whole one.
+#pragma once
+
+#include "canvas/canvas_view.h"
+
+namespace evenlift::view {
+
+void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme);
+void draw_frame_grips(const Painter& painter, const AppState& state, const Theme& theme);
+
+// A word in a box at a spot, kept inside the window.
+void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const Theme& theme,
+               Colour colour, const std::string& text);
+
+}  // namespace evenlift::view

@@ -1,0 +1,265 @@
+// What the page's own windows (web/dialogs.js) ask of the program: samples, coordinates, files, QR
+// codes. Edits are commands, so each is a step of undo. Functions that may refuse return why as a
+// sentence, or nothing.
+#include <emscripten/emscripten.h>
+#include <qrcodegen.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "app/app.h"
+#include "app/open_lesson.h"
+#include "app/update.h"
+#include "evenlift/formats.h"
+#include "evenlift/link.h"
+#include "evenlift/numbers.h"
+#include "evenlift/output/words.h"
+#include "page/page_api.h"
+#include "state/browser.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+// Keeps a text alive for JavaScript to read.
+const char* hand_over(std::string text) {
+  static std::string kept;
+  kept = std::move(text);
+  return kept.c_str();
+}
+
+void carry_out(Commands commands) {
+  App& a = app();
+  std::move(commands.begin(), commands.end(), std::back_inserter(a.commands));
+  settle(a);
+  browser::request_frame();
+}
+
+// Opens a polygon's text with the settings in force.
+std::string open_with_these_settings(std::string_view text) {
+  Result<Document> read = read_polygon(text);
+  if (!read) return sentence(read.error());
+  Document document = std::move(read).value();
+  document.settings = settings(app().state);
+  document.settings.step.reset();  // of another polygon's lesson
+  Result<Opened> polygon = opened(std::move(document));
+  if (!polygon) return sentence(polygon.error());
+  Commands commands;
+  commands.push_back(OpenDocument{std::move(polygon).value()});
+  carry_out(std::move(commands));
+  return {};
+}
+
+// A coordinate as the formats write it, or why it is none.
+std::optional<double> coordinate(std::string_view text, std::string& problem) {
+  constexpr std::string_view blank = " \t\n\r";
+  const std::size_t first = text.find_first_not_of(blank);
+  text = first == std::string_view::npos
+             ? std::string_view()
+             : text.substr(first, text.find_last_not_of(blank) - first + 1);
+  const std::optional<double> value = read_number(text);
+  if (value && std::abs(*value) <= max_coordinate) return value;
+  if (value)
+    problem = "Coordinates go from −1,000,000,000 to 1,000,000,000";
+  else if (text.empty())
+    problem = "A number is missing";
+  else if (text.find(',') != std::string_view::npos)
+    problem = "Decimals are written with a point, not with a comma: 2.5";
+  else
+    problem = "“" + std::string(text.substr(0, 40)) + "” is not a number";
+  return std::nullopt;
+}
+
+void append_point(std::string& text, const Vec2& p) {
+  text += shortest(p.x()) + ' ' + shortest(p.y()) + '\n';
+}
+
+int index_of(const std::optional<std::size_t>& vertex) {
+  return vertex ? static_cast<int>(*vertex) : -1;
+}
+
+}  // namespace
+}  // namespace evenlift::view
+
+using namespace evenlift::view;
+using evenlift::Document;
+using evenlift::Result;
+using evenlift::Vec2;
+
+extern "C" {
+
+// --- Samples, and text edited as a whole
+
+// Opens a polygon's text and keeps method, teams, ratio, weight and what is shown.
+EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
+  return hand_over(open_with_these_settings(text));
+}
+
+// --- Coordinates: of what is being edited, also while it is refused
+
+EMSCRIPTEN_KEEPALIVE int page_vertex_count() {
+  return static_cast<int>(app().state.document.vertices.size());
+}
+
+// A line `x y` for each of the vertices from `first` on.
+EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
+  const evenlift::Points& vertices = app().state.document.vertices;
+  const std::size_t from = std::min(static_cast<std::size_t>(std::max(first, 0)), vertices.size());
+  const std::size_t to =
+      std::min(from + static_cast<std::size_t>(std::max(count, 0)), vertices.size());
+  std::string lines;
+  for (std::size_t i = from; i < to; ++i) append_point(lines, vertices[i]);
+  return hand_over(std::move(lines));
+}
+
+// `x y` of the centre of mass if it was given, else of the last centroid; and whether it was given.
+EMSCRIPTEN_KEEPALIVE const char* page_centre() {
+  const AppState& state = app().state;
+  std::string line;
+  append_point(line, state.document.centre_of_mass.value_or(state.placement->centre_of_mass));
+  return hand_over(std::move(line));
+}
+EMSCRIPTEN_KEEPALIVE int page_centre_is_given() {
+  return app().state.document.centre_of_mass ? 1 : 0;
+}
+
+// Why the polygon is refused, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
+  const AppState& state = app().state;
+  return hand_over(state.refusal ? sentence(*state.refusal) : std::string());
+}
+
+// Sets one coordinate of a vertex, or with vertex -1 of the centre of mass; `axis` is 0 for x, 1
+// for y.
+EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const char* text) {
+  const AppState& state = app().state;
+  const evenlift::Points& vertices = state.document.vertices;
+  std::string problem;
+  const std::optional<double> value = coordinate(text, problem);
+  if (!value) return hand_over(std::move(problem));
+  if (vertex >= static_cast<int>(vertices.size()))
+    return hand_over("There is no such vertex any more");
+  Vec2 to = vertex < 0 ? state.document.centre_of_mass.value_or(state.placement->centre_of_mass)
+                       : vertices[static_cast<std::size_t>(vertex)];
+  to[axis] = *value;
+  if (vertex < 0)
+    carry_out({EndEdit{}, MoveCentre{to}, EndEdit{}});
+  else
+    carry_out({EndEdit{}, MoveVertex{static_cast<std::size_t>(vertex), to}, EndEdit{}});
+  return hand_over({});
+}
+
+EMSCRIPTEN_KEEPALIVE void page_release_centre() { carry_out({ReleaseCentre{}}); }
+
+// The settings with which the polygon on the screen is placed, for the window of experiments.
+EMSCRIPTEN_KEEPALIVE double page_min_ratio() { return app().state.placed.settings.min_ratio; }
+EMSCRIPTEN_KEEPALIVE double page_weight() { return app().state.placed.settings.weight; }
+
+// In the middle of the edge that begins at this vertex.
+EMSCRIPTEN_KEEPALIVE void page_insert_vertex(int after) {
+  const evenlift::Points& vertices = app().state.document.vertices;
+  if (after < 0 || after >= static_cast<int>(vertices.size())) return;
+  const auto edge = static_cast<std::size_t>(after);
+  const Vec2 middle = vertices[edge] / 2 + vertices[(edge + 1) % vertices.size()] / 2;
+  carry_out({InsertVertex{edge, middle}});
+}
+
+EMSCRIPTEN_KEEPALIVE void page_remove_vertex(int vertex) {
+  if (vertex >= 0) carry_out({RemoveVertex{static_cast<std::size_t>(vertex)}});
+}
+
+EMSCRIPTEN_KEEPALIVE void page_select_vertex(int vertex) {
+  SelectVertex select;
+  if (vertex >= 0) select.vertex = static_cast<std::size_t>(vertex);
+  carry_out({select});
+}
+
+// -1 for none.
+EMSCRIPTEN_KEEPALIVE int page_selected_vertex() { return index_of(app().state.selected); }
+EMSCRIPTEN_KEEPALIVE int page_hovered_vertex() {
+  const AppState& state = app().state;
+  const Pick& pick = state.held.kind != Pick::Kind::none ? state.held : state.hover;
+  return pick.kind == Pick::Kind::vertex ? static_cast<int>(pick.index) : -1;
+}
+
+// --- To share and to save: the last polygon that was accepted
+
+EMSCRIPTEN_KEEPALIVE const char* page_wkt() {
+  return hand_over(evenlift::write_wkt(app().state.placed));
+}
+EMSCRIPTEN_KEEPALIVE const char* page_geojson() {
+  return hand_over(evenlift::write_geojson(app().state.placed));
+}
+
+// Why there is no link, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
+  const Result<std::string> link = evenlift::encode_link(app().state.placed);
+  return hand_over(link ? std::string() : sentence(link.error()));
+}
+
+// A text as a QR code: a line of 0 and 1 (dark) for each row of modules, without the quiet zone.
+// Nothing if it is too long for one. Version and mask are chosen by the generator, and as much
+// error correction as the version has room for.
+EMSCRIPTEN_KEEPALIVE const char* page_qr(const char* text) {
+  static std::array<std::uint8_t, qrcodegen_BUFFER_LEN_MAX> code, work;
+  if (!qrcodegen_encodeText(text, work.data(), code.data(), qrcodegen_Ecc_LOW,
+                            qrcodegen_VERSION_MIN, qrcodegen_VERSION_MAX, qrcodegen_Mask_AUTO,
+                            true))
+    return hand_over({});
+  const int size = qrcodegen_getSize(code.data());
+  std::string rows;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) rows += qrcodegen_getModule(code.data(), x, y) ? '1' : '0';
+    rows += '\n';
+  }
+  return hand_over(std::move(rows));
+}
+
+// --- Lessons
+
+// The sample that a ready-made lesson names: its polygon's text goes to page_open_lesson(). Nothing
+// if it brings a link of its own, or cannot be read.
+EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
+  const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
+  return hand_over(lesson ? lesson->polygon : std::string());
+}
+
+// Opens a ready-made lesson; with `join` for the document that is open, which stays where it is.
+// Returns why it cannot be, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon, int join) {
+  const std::optional<evenlift::InputError> problem =
+      open_script(app().state, text, polygon, join != 0);
+  if (problem) return hand_over(sentence(*problem));
+  frame_view(app().state);
+  browser::request_frame();
+  return hand_over({});
+}
+
+// The polygon that is open, step by step, where it was left; or, with `predict`, as a challenge
+// from its first step.
+EMSCRIPTEN_KEEPALIVE void page_begin_lesson(int predict) {
+  Commands commands{OpenLesson{}, LeaveScript{}, SetPredict{predict != 0}};
+  if (predict) commands.push_back(GoToStep{0});
+  carry_out(std::move(commands));
+}
+
+// In the lesson that is open.
+EMSCRIPTEN_KEEPALIVE void page_predict() { carry_out({SetPredict{true}}); }
+
+EMSCRIPTEN_KEEPALIVE int page_lesson_is_open() { return lesson_is_open(app().state) ? 1 : 0; }
+
+// 0 if no ready-made lesson is open, 1 if its polygon was edited since, else 2.
+EMSCRIPTEN_KEEPALIVE int page_script() {
+  const AppState& state = app().state;
+  return !state.lesson.script ? 0 : script_is_true(state) ? 2 : 1;
+}
+
+}  // extern "C"

@@ -1,0 +1,297 @@
+// The page's start-up and its frames: SDL2 gives events, Emscripten WebGL 2, Dear ImGui draws.
+// A frame is drawn only when something asked for one. Dear ImGui's own backend for SDL2 is not
+// used: it reads the mouse where it is now, not where it was pressed, draws at whole CSS pixels and
+// brings gamepads along.
+//
+// Order: what comes in is dealt with in the order in which it came, however long a frame takes. The
+// pointer's events wait in one queue (sdl_input.h). They are dealt with in passes: a pass lays out
+// the panels and lets the pointer act on them and on the drawing, up to its next press or release.
+// A frame makes as many passes as there is input and draws the last one. A key or a call, which is
+// answered at once, first makes the passes that are waiting (page_catch_up), without a picture.
+#include <SDL.h>
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "evenlift/numbers.h"
+#include "page/page_api.h"
+#include "page/sdl_input.h"
+#include "page/webgl_renderer.h"
+#include "state/browser.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+// Dear ImGui needs more than one frame to settle: what a click opens is measured in the next one
+// and hovered in the one after.
+constexpr int frames_after_input = 3;
+
+struct Page {
+  SDL_Window* window = nullptr;
+  WebglRenderer renderer;
+  SdlInput input;
+  int canvas_width = 0, canvas_height = 0;  // device pixels
+  int frames_due = 0;
+  bool frame_scheduled = false;
+  bool context_lost = false;
+  bool passing = false;  // a pass is under way: calls that it makes to the page may call back
+  int passes_due = 0;    // until the panels stand as they will be: no press is dealt with before
+  double fonts_for_ratio = 0;
+  double last_frame_at = 0;  // seconds
+  double frames = 0;
+  double press_time = 0;  // of the press that the browser is telling of: page_press()
+  int press_clicks = 0;
+  ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
+};
+Page page;
+
+void schedule() {
+  if (page.frame_scheduled || page.context_lost) return;
+  page.frame_scheduled = true;
+  browser::schedule_frame();
+}
+
+void ask_for_frames(int count) {
+  page.frames_due = std::max(page.frames_due, count);
+  schedule();
+}
+
+// SDL_PollEvent() itself puts a sentinel into the queue: waking at that would never end. SDL stamps
+// events with the time at which it hears of them, which a slow frame delays; a press keeps the time
+// at which it was made, and the browser's own count of clicks.
+int SDLCALL on_event(void*, SDL_Event* event) {
+  if (event->type == SDL_MOUSEBUTTONDOWN)
+    event->button.clicks = static_cast<Uint8>(std::clamp(page.press_clicks, 0, 255));
+  if (event->type == SDL_FINGERDOWN)
+    event->common.timestamp = static_cast<Uint32>(std::llround(page.press_time));
+  if (event->type != SDL_POLLSENTINEL) ask_for_frames(frames_after_input);
+  return 0;
+}
+
+void load_fonts_for(double ratio) {
+  if (page.fonts_for_ratio == ratio) return;
+  load_fonts(ratio);
+  page.renderer.upload_fonts();
+  page.fonts_for_ratio = ratio;
+}
+
+// SDL resizes the canvas to CSS pixels, or not at all; the page knows the exact device pixels.
+void fit_canvas() {
+  int width = 0, height = 0;
+  emscripten_get_canvas_element_size("#canvas", &width, &height);
+  if (width != page.canvas_width || height != page.canvas_height) {
+    emscripten_set_canvas_element_size("#canvas", page.canvas_width, page.canvas_height);
+  }
+}
+
+void begin_pass(const Screen& screen) {
+  ImGuiIO& io = ImGui::GetIO();
+  const double now = emscripten_get_now() / 1000;
+  io.DeltaTime = page.last_frame_at > 0
+                     ? static_cast<float>(std::max(now - page.last_frame_at, 1e-4))
+                     : 1.0f / 60;
+  page.last_frame_at = now;
+  const auto width = static_cast<float>(screen.width), height = static_cast<float>(screen.height);
+  io.DisplaySize = ImVec2(width, height);
+  io.DisplayFramebufferScale = ImVec2(static_cast<float>(page.canvas_width) / width,
+                                      static_cast<float>(page.canvas_height) / height);
+  page.input.feed(page.passes_due == 0);
+  page.passes_due = std::max(0, page.passes_due - 1);
+  ImGui::NewFrame();
+}
+
+void show_frame(const Colour& ground) {
+  ImGui::Render();
+  page.renderer.draw(*ImGui::GetDrawData(), ground);
+}
+
+void show_cursor() {
+  const ImGuiMouseCursor wanted = ImGui::GetMouseCursor();
+  if (wanted == page.cursor) return;
+  page.cursor = wanted;
+  SDL_SystemCursor shape = SDL_SYSTEM_CURSOR_ARROW;
+  if (wanted == ImGuiMouseCursor_Hand) shape = SDL_SYSTEM_CURSOR_HAND;
+  if (wanted == ImGuiMouseCursor_ResizeAll) shape = SDL_SYSTEM_CURSOR_SIZEALL;
+  static SDL_Cursor* shown[SDL_NUM_SYSTEM_CURSORS];
+  if (!shown[shape]) shown[shape] = SDL_CreateSystemCursor(shape);
+  SDL_SetCursor(shown[shape]);
+}
+
+// What a press opens is measured in the next pass and can be hit in the one after.
+constexpr int passes_after_change = 2;
+void panels_change() { page.passes_due = passes_after_change; }
+
+// Deals with the next of the input. Draws, if it may, once none is left; returns whether it did.
+bool pass(bool may_draw) {
+  App& a = app();
+  page.passing = true;
+  begin_pass(a.state.screen);
+  const bool draws = may_draw && !page.input.waiting();
+  const Pointer pointer = page.input.pointer();
+  if (pointer.pressed || pointer.released) panels_change();
+  draw_frame(a, pointer, draws);
+  if (draws)
+    show_frame(theme(a.state).ground);
+  else
+    ImGui::EndFrame();
+  if (settle(a)) ask_for_frames(2);
+  page.passing = false;
+  return draws;
+}
+
+void take_input() {
+  App& a = app();
+  page.input.take(a.state.screen);
+  a.state.screen.touch = page.input.touch();
+}
+
+void draw() {
+  App& a = app();
+  if (page.passing || page.context_lost || page.canvas_width <= 0 || !a.state.placement) return;
+  // Not every browser tells at once that the window went to another screen.
+  if (emscripten_get_device_pixel_ratio() != a.state.screen.ratio) browser::measure_screen();
+  take_input();
+  fit_canvas();
+  load_fonts_for(a.state.screen.ratio);
+  while (!pass(true)) {
+  }
+  show_cursor();
+  page.frames += 1;
+  if (page.frames_due > 0) schedule();
+}
+
+// Before the first frame there are no panels yet to be hit.
+void catch_up() {
+  if (page.passing || page.frames == 0) return;
+  take_input();
+  while (page.input.waiting()) pass(false);
+}
+
+// The canvas's WebGL 2 context, without the buffers that flat drawing does not need.
+bool make_webgl_context() {
+  EmscriptenWebGLContextAttributes attributes;
+  emscripten_webgl_init_context_attributes(&attributes);
+  attributes.majorVersion = 2;
+  attributes.alpha = attributes.depth = attributes.antialias = false;
+  attributes.enableExtensionsByDefault = false;
+  const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context =
+      emscripten_webgl_create_context("#canvas", &attributes);
+  return context > 0 && emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
+}
+
+bool start() {
+  SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
+  SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");  // sdl_input.cpp tells fingers apart itself
+  if (SDL_Init(SDL_INIT_VIDEO) != 0) return false;
+  page.window = SDL_CreateWindow("evenlift", 0, 0, 1280, 800, 0);
+  if (!page.window || !make_webgl_context()) return false;
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;  // it would draw for ever
+  io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+  page.renderer.start();
+  return true;
+}
+
+}  // namespace
+
+void browser::request_frame() {
+  panels_change();
+  ask_for_frames(2);
+}
+
+}  // namespace evenlift::view
+
+using namespace evenlift::view;
+
+extern "C" {
+
+// The canvas measures `width` by `height` CSS pixels, and so many device pixels.
+EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio, int device_width,
+                                      int device_height) {
+  Screen& screen = app().state.screen;
+  screen.width = width;
+  screen.height = height;
+  screen.ratio = ratio;
+  page.canvas_width = device_width;
+  page.canvas_height = device_height;
+  SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)),
+                    static_cast<int>(std::lround(height)));
+  // At once: between the resize and the next frame the browser would show the old frame stretched.
+  if (page.frames > 0) draw();
+  ask_for_frames(frames_after_input);
+}
+
+EMSCRIPTEN_KEEPALIVE void page_pinch(double x, double y, double factor) {
+  page.input.pinch(evenlift::Vec2(x, y), factor);
+  ask_for_frames(frames_after_input);
+}
+
+// The WebGL context is lost, or it is back. Everything that it held is gone; when it is back, the
+// renderer begins anew and gets the fonts again.
+EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
+  if (page.context_lost == (lost != 0)) return;
+  page.context_lost = lost != 0;
+  page.frame_scheduled = false;
+  if (page.context_lost) {
+    page.renderer.stop();
+  } else {
+    page.renderer.start();
+    page.fonts_for_ratio = 0;
+    ask_for_frames(frames_after_input);
+  }
+}
+
+EMSCRIPTEN_KEEPALIVE double page_frames() { return page.frames; }
+
+// The frame that was scheduled; and after some time one that was asked for.
+EMSCRIPTEN_KEEPALIVE void page_frame() {
+  if (page.context_lost) return;
+  page.frame_scheduled = false;
+  page.frames_due = std::max(0, page.frames_due - 1);
+  draw();
+}
+EMSCRIPTEN_KEEPALIVE void page_wake() { ask_for_frames(1); }
+
+// Deals with all input that came before. web/program.js calls it before each call but page_frame().
+EMSCRIPTEN_KEEPALIVE void page_catch_up() { catch_up(); }
+
+// The press of which SDL hears next: when it was made, in milliseconds, and the how manyth in one
+// place it is, 0 if the browser does not count.
+EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
+  page.press_time = time;
+  page.press_clicks = clicks;
+}
+
+// Where a control of the panels stands, as `left top width height`, or nothing if there is none of
+// that name now.
+EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
+  static std::string place;
+  place.clear();
+  if (page.passing || page.frames == 0) return place.c_str();
+  do pass(false);
+  while (page.passes_due > 0);
+  seek_control(name);
+  pass(false);
+  if (const std::optional<Rect> found = found_control()) {
+    for (const double value : {found->left, found->top, found->width(), found->height()})
+      place += evenlift::shortest(value) + " ";
+  }
+  return place.c_str();
+}
+
+}  // extern "C"
+
+int main(int, char**) {
+  if (!start()) return 1;
+  SDL_AddEventWatch(on_event, nullptr);
+  return 0;
+}

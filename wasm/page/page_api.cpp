@@ -1,0 +1,204 @@
+#include "page/page_api.h"
+
+#include <emscripten/emscripten.h>
+
+#include <string>
+#include <string_view>
+
+#include "actions/actions.h"
+#include "app/opening.h"
+#include "app/opening_sample.h"
+#include "app/set_settings.h"
+#include "app/update.h"
+#include "evenlift/formats.h"
+#include "evenlift/link.h"
+#include "evenlift/output/json.h"
+#include "evenlift/output/svg.h"
+#include "evenlift/output/words.h"
+#include "panels/summary.h"
+#include "state/browser.h"
+#include "tools/drawing.h"
+
+namespace evenlift::view {
+namespace {
+
+// Keeps a text alive for JavaScript to read.
+const char* hand_over(std::string text) {
+  static std::string kept;
+  kept = std::move(text);
+  return kept.c_str();
+}
+
+const char* no_error() { return ""; }
+
+void open_undoably(Opened opened) {
+  AppState& state = app().state;
+  Commands commands;
+  commands.push_back(OpenDocument{std::move(opened)});
+  apply(state, commands);
+  frame_view(state);
+  browser::request_frame();
+}
+
+std::string link_or_nothing(const Document& document) {
+  Result<std::string> link = encode_link(document);
+  return link ? std::move(link).value() : std::string();
+}
+
+}  // namespace
+
+App& app() {
+  static App the_app;
+  return the_app;
+}
+
+}  // namespace evenlift::view
+
+using namespace evenlift::view;
+using evenlift::CapacityInJson;
+using evenlift::Document;
+using evenlift::Result;
+
+extern "C" {
+
+// --- Start
+
+// Returns why the link could not be read, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* work,
+                                            const char* draft, int embed) {
+  AppState& state = app().state;
+  state.screen.embed = embed != 0;
+  const std::string problem = open_page(state, {fragment, work, draft}, opening_sample());
+  frame_view(state);
+  browser::request_frame();
+  return hand_over(problem);
+}
+
+// --- window.evenlift
+
+EMSCRIPTEN_KEEPALIVE const char* page_state() {
+  const AppState& state = app().state;
+  std::optional<CapacityInJson> capacity;
+  if (state.capacity)
+    capacity =
+        CapacityInJson{*state.capacity, state.plan && !state.plan_due
+                                            ? *state.plan
+                                            : plan_capacity(*state.placement, *state.capacity)};
+  return hand_over(placement_json(*state.placement, true, capacity));
+}
+
+// Returns why it was refused, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
+  Result<Opened> document = read_document(text);
+  if (!document) return hand_over(sentence(document.error()));
+  open_undoably(std::move(document).value());
+  return no_error();
+}
+
+// The same for a fragment, which is a link or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
+  Result<Opened> document = read_link(fragment);
+  if (!document) return hand_over(sentence(document.error()));
+  open_undoably(std::move(document).value());
+  return no_error();
+}
+
+// `changes` is a line `name=value` for each; all of them or, with a reason, none.
+EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
+  AppState& state = app().state;
+  const Result<Changeable> changed = with_settings({state.placed, state.capacity}, changes);
+  if (!changed) return hand_over(sentence(changed.error()));
+  if (const auto error = try_edit(state, changed->document)) return hand_over(sentence(*error));
+  Commands commands{SetCapacity{changed->capacity}};
+  apply(state, commands);
+  browser::request_frame();
+  return no_error();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* page_link() {
+  return hand_over(link_or_nothing(app().state.placed));
+}
+EMSCRIPTEN_KEEPALIVE const char* page_svg() {
+  return hand_over(placement_svg(*app().state.placement));
+}
+EMSCRIPTEN_KEEPALIVE const char* page_text() {
+  return hand_over(evenlift::write_thesis(app().state.placed));
+}
+
+EMSCRIPTEN_KEEPALIVE double page_screen_x(double x, double y) {
+  return app().state.camera.to_screen({x, y}).x();
+}
+EMSCRIPTEN_KEEPALIVE double page_screen_y(double x, double y) {
+  return app().state.camera.to_screen({x, y}).y();
+}
+EMSCRIPTEN_KEEPALIVE double page_world_x(double x, double y) {
+  return app().state.camera.to_world({x, y}).x();
+}
+EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
+  return app().state.camera.to_world({x, y}).y();
+}
+
+// --- The page around the canvas
+
+// The link of what is being edited while it is refused, else nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_draft() {
+  const AppState& state = app().state;
+  return hand_over(state.refusal ? link_or_nothing(state.document) : std::string());
+}
+
+// What is being drawn, to be kept; and to go on with.
+EMSCRIPTEN_KEEPALIVE const char* page_drawing() {
+  return hand_over(drawing_text(app().state.drawing));
+}
+EMSCRIPTEN_KEEPALIVE void page_resume_drawing(const char* text) {
+  const std::optional<evenlift::Points> points = read_drawing(text);
+  if (!points || points->empty()) return;
+  Commands commands{SetTool{Tool::draw}};
+  for (const evenlift::Vec2& p : *points) commands.push_back(AddPoint{p});
+  apply(app().state, commands);
+  browser::request_frame();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* page_summary() { return hand_over(summary(app().state)); }
+
+EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coarse_pointer) {
+  Screen& screen = app().state.screen;
+  screen.dark = dark != 0;
+  screen.reduced_motion = reduced_motion != 0;
+  screen.finger = coarse_pointer != 0;
+  browser::request_frame();
+}
+
+// What this browser keeps besides the document, and back.
+EMSCRIPTEN_KEEPALIVE const char* page_kept() {
+  const AppState& state = app().state;
+  return hand_over(kept_text({state.motion, state.capacity}));
+}
+
+EMSCRIPTEN_KEEPALIVE void page_keep(const char* lines) {
+  AppState& state = app().state;
+  const Kept kept = read_kept(lines);
+  state.motion = kept.motion;
+  Commands commands{SetCapacity{kept.capacity}};
+  apply(state, commands);
+  browser::request_frame();
+}
+
+EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
+  Commands commands{ShowNotice{{problem ? Notice::Kind::problem : Notice::Kind::info, text}}};
+  apply(app().state, commands);
+  browser::request_frame();
+}
+
+// A key as KeyboardEvent.key names it. Whether the page used it; otherwise it is the browser's.
+EMSCRIPTEN_KEEPALIVE int page_key(const char* name, int command, int shift) {
+  App& a = app();
+  const Action* action = action_for(a.state, {name, command != 0, shift != 0});
+  if (!action) return 0;
+  action->run(a.state, a.commands);
+  settle(a);
+  browser::request_frame();
+  return 1;
+}
+
+}  // extern "C"

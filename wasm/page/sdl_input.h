@@ -1,0 +1,72 @@
+// SDL's events as one pointer and two-finger gestures. With main.cpp the only file that knows SDL.
+#pragma once
+
+#include <SDL.h>
+#include <imgui.h>
+
+#include <optional>
+#include <vector>
+
+#include "actions/pointer.h"
+
+namespace evenlift::view {
+
+class SdlInput {
+ public:
+  // Takes all waiting events.
+  void take(const Screen& screen);
+
+  // Hands Dear ImGui the pointer's next events, in the order in which they came: up to and with the
+  // next press, release or turn of the wheel, since two of them in one pass would be lost. A press
+  // waits until the panels are `laid_out`. Call before ImGui::NewFrame().
+  void feed(bool laid_out);
+
+  // Two fingers of a trackpad, which browsers report as a wheel.
+  void pinch(const Vec2& at, double factor);
+
+  // After ImGui::NewFrame(): the pointer in this pass.
+  Pointer pointer();
+
+  bool waiting() const { return !queue_.empty(); }
+  bool touch() const { return touch_; }
+
+ private:
+  enum class What { move, down, up, leave, wheel, pinch };
+  struct Event {
+    What what;
+    Vec2 at;
+    bool touch = false;
+    Uint32 time = 0;            // of a finger's press: when it was made, milliseconds
+    int clicks = 0;             // of a mouse's press: how many there were in one place
+    float wheel = 0;            // steps
+    Vec2 moved = Vec2::Zero();  // of a pinch: its middle
+    double factor = 1;
+  };
+  struct Finger {
+    SDL_FingerID id;
+    Vec2 at;
+  };
+  void take_mouse(const SDL_Event& event);
+  void take_finger(const SDL_Event& event, const Screen& screen);
+  bool is_second(const Event& press) const;
+  void begin_pinch();
+  void follow_pinch();
+  bool ends_pass(const Event& next, bool laid_out) const;
+  void deal_with(const Event& event);
+
+  std::vector<Event> queue_;  // short: what came since the last frame
+  std::vector<Finger> fingers_;
+  Vec2 at_ = Vec2(-1e6, -1e6);
+  bool down_ = false, touch_ = false;
+  Vec2 pressed_at_ = Vec2::Zero();
+  std::optional<Uint32> pressed_time_;  // none: a finger's next press is a first one
+  bool two_fingers_ = false;  // until all are lifted: the last finger of a pinch drags nothing
+  Vec2 pinch_middle_ = Vec2::Zero();
+  double pinch_spread_ = 1;
+
+  // What this pass has dealt with.
+  bool dragged_ = false, ended_ = false, second_press_ = false;
+  std::optional<Event> wheel_, pinch_;  // several in a row count as one
+};
+
+}  // namespace evenlift::view

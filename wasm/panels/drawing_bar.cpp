@@ -1,0 +1,77 @@
+// The bar of the tool in hand: what drawing, or moving the whole, needs besides the drawing itself.
+#include "actions/actions.h"
+#include "panels/panels.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+void snap_chips(const Ui& ui) {
+  Snap snap = ui.state.snap;
+  if (switch_chip(ui, "Snap to grid", snap.grid)) {
+    snap.grid = !snap.grid;
+    ui.push(SetSnap{snap});
+  }
+  ImGui::SameLine(0, 6);
+  if (switch_chip(ui, "Snap to axis", snap.axis)) {
+    snap.axis = !snap.axis;
+    ui.push(SetSnap{snap});
+  }
+}
+
+bool word_button(const Ui& ui, const char* label, bool enabled, bool strong = false) {
+  const float width = text_size(Face::text, label).x + 28;
+  return flat_button(ui, label, label, width, enabled, strong);
+}
+
+void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
+
+void draw_drawing_bar(const Ui& ui) {
+  const bool some = !ui.state.drawing.points.empty();
+  if (word_button(ui, "Close the shape", ui.state.drawing.points.size() >= 3, true))
+    ui.push(FinishDrawing{});
+  ImGui::SameLine(0, 6);
+  if (word_button(ui, ui.layout.wide ? "Take one back" : "Back", some)) ui.push(TakePointBack{});
+  ImGui::SameLine(0, 6);
+  if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
+}
+
+void draw_whole_bar(const Ui& ui) {
+  if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
+  ImGui::SameLine(0, 6);
+  if (word_button(ui, "Turn 15°", true)) run(ui, ActionId::turn_left);
+  ImGui::SameLine(0, 6);
+  if (word_button(ui, "Larger", true)) run(ui, ActionId::larger);
+  ImGui::SameLine(0, 6);
+  if (word_button(ui, "Smaller", true)) run(ui, ActionId::smaller);
+}
+
+void draw_vertex_bar(const Ui& ui) {
+  const bool can_remove = ui.state.document.vertices.size() > 3;
+  if (word_button(ui, "Remove vertex", can_remove)) run(ui, ActionId::remove_vertex);
+  ImGui::SameLine(0, 6);
+  if (word_button(ui, "Add one after", true)) run(ui, ActionId::insert_vertex);
+}
+
+}  // namespace
+
+void draw_tool_bar(const Ui& ui) {
+  const AppState& state = ui.state;
+  if (state.screen.embed) return;
+  const bool held = state.held.kind != Pick::Kind::none;
+  if (state.tool == Tool::parts && (!state.selected || held)) return;
+  const Rect& at = ui.layout.toolbar;
+  begin_card(ui, "tool bar", {at.left, at.bottom + 8, at.right, at.bottom + 160},
+             {.fixed_width = false, .padding = 8});
+  if (state.tool == Tool::draw)
+    draw_drawing_bar(ui);
+  else if (state.tool == Tool::whole)
+    draw_whole_bar(ui);
+  else
+    draw_vertex_bar(ui);
+  if (ui.layout.wide) ImGui::SameLine(0, 12);
+  snap_chips(ui);
+  end_card(ui);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,49 @@
+// What one robot can carry, and how many robots that makes.
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/output/words.h"
+#include "panels/panels.h"
+#include "panels/summary.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+// Steps that suit the size: 100 goes by tens, 12 by ones.
+double step_for(double value, int direction) {
+  const double below = value * (direction < 0 ? 0.999999 : 1);
+  return std::pow(10.0, std::floor(std::log10(std::max(below, 1e-6))) - 1);
+}
+
+}  // namespace
+
+double stepped(double value, int by) {
+  const double step = step_for(value, by);
+  const double steps = std::round(value / step) + by;
+  return step >= 1 ? steps * step : steps / std::round(1 / step);
+}
+
+void draw_capacity(const Ui& ui) {
+  const std::optional<double>& capacity = ui.state.capacity;
+  const float width = labelled(ui, "A robot carries");
+  if (!capacity) {
+    // A round number at which the present placement just holds: something to start from.
+    const Placement* placement = ui.state.placement ? &*ui.state.placement : nullptr;
+    const double most = placement && placement->loads ? placement->loads->max : 20;
+    if (flat_button(ui, "limit", "No limit – set one", width))
+      ui.push(SetCapacity{std::ceil(most)});
+    if (ImGui::IsItemHovered()) tip(ui, "Set what one robot can carry, to see how many are needed");
+    return;
+  }
+  const float clear = ui.control();
+  const int by = stepper(ui, "capacity", plain(*capacity) + "\u00A0kg", *capacity > 1e-3,
+                         *capacity < 1e9, width - clear - 4);
+  if (by != 0) ui.push(SetCapacity{stepped(*capacity, by)});
+  ImGui::SameLine(0, 4);
+  if (icon_button(ui, "any", Icon::close, true, "No limit", clear)) ui.push(SetCapacity{});
+  const std::string needed = need_in_words(ui.state);
+  if (!needed.empty()) text_block(Face::label, ui.theme.second_text, needed);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,33 @@
+// The result in numbers, each with a word on what it means.
+#include "evenlift/output/words.h"
+#include "panels/panels.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+void fact(const Ui& ui, const char* label, const std::string& value, const char* about) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushID(label);
+  ImGui::InvisibleButton("fact", ImVec2(width, 21));
+  ImGui::PopID();
+  const ImVec2 low = ImGui::GetItemRectMin();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, Face::label, ImVec2(low.x, low.y + 2), ui.theme.second_text, label);
+  const ImVec2 size = text_size(Face::strong_label, value);
+  draw_text(list, Face::strong_label, ImVec2(low.x + width - size.x, low.y + 2), ui.theme.text,
+            value);
+  if (ImGui::IsItemHovered()) tip(ui, about);
+}
+
+}  // namespace
+
+void draw_numbers(const Ui& ui) {
+  if (!ui.state.placement) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  for (const Fact& each : facts_in_words(*ui.state.placement))
+    fact(ui, each.label, each.value, each.about);
+  ImGui::PopStyleVar();
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,81 @@
+// What the picture shows: switches that are its legend at the same time.
+#include <algorithm>
+#include <iterator>
+
+#include "canvas/heat.h"
+#include "evenlift/output/words.h"
+#include "panels/panels.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+struct Overlay {
+  bool Overlays::*shown;
+  Swatch swatch;
+  const char* label;
+  const char* about;
+};
+constexpr Overlay overlays[] = {
+    {&Overlays::hull, Swatch::hull, "Base",
+     "Lifting base H, the hull of all robots: safe to push on (H)"},
+    {&Overlays::chords, Swatch::chord, "Chords",
+     "The two robots of a team and the line between them (C)"},
+    {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were weighed (A)"},
+    {&Overlays::clockwise, Swatch::clockwise, "Clockwise",
+     "Points about which it can still turn clockwise (R)"},
+    {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise",
+     "Points about which it can still turn counter-clockwise (L)"},
+    {&Overlays::tipping, Swatch::tipping, "Tipping",
+     "How hard a push tips the object, and where (F)"},
+};
+
+// The heat map's colours, and the forces between them.
+void draw_heat_key(const Ui& ui) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  constexpr int bands = 7;
+  const float each = width / bands, top = low.y + 20;
+  draw_text(list, Face::label, ImVec2(low.x, low.y), ui.theme.second_text,
+            "A push that tips it, in kg");
+  for (int i = 0; i < bands; ++i) {
+    const float left = low.x + each * static_cast<float>(i);
+    list.AddRectFilled(ImVec2(left, top), ImVec2(left + each - 1, top + 10),
+                       ui.theme.heat[i].packed(), 2);
+    const bool last = i + 1 == bands;
+    const double force = last ? 0
+                              : heat_levels[std::min<std::size_t>(static_cast<std::size_t>(i),
+                                                                  std::size(heat_levels) - 1)] *
+                                    settings(ui.state).weight;
+    const std::string text = last ? "none" : plain(force);
+    const ImVec2 size = text_size(Face::tiny, text);
+    // At the border between two bands; the last one has a word of its own.
+    const float x = last ? left + (each - size.x) / 2 : left + each - size.x / 2;
+    if (i + 2 == bands) continue;
+    draw_text(list, Face::tiny, ImVec2(x, top + 13), ui.theme.second_text, text);
+  }
+  ImGui::Dummy(ImVec2(width, 50));
+}
+
+}  // namespace
+
+void draw_overlays(const Ui& ui) {
+  const float left = ImGui::GetCursorScreenPos().x, width = ImGui::GetContentRegionAvail().x;
+  bool first = true;
+  for (const Overlay& overlay : overlays) {
+    const bool on = settings(ui.state).overlays.*overlay.shown;
+    const float wide = text_size(Face::label, overlay.label).x + 42;
+    if (!first && ImGui::GetItemRectMax().x + 6 + wide <= left + width) ImGui::SameLine(0, 6);
+    first = false;
+    if (chip(ui, overlay.label, overlay.swatch, overlay.label, on)) {
+      Overlays changed = settings(ui.state).overlays;
+      changed.*overlay.shown = !on;
+      ui.push(Show{changed});
+    }
+    if (ImGui::IsItemHovered()) tip(ui, overlay.about);
+  }
+  if (settings(ui.state).overlays.tipping) draw_heat_key(ui);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,133 @@
+// The teams as a table: each team's two loads as a balance about the middle, and its load ratio.
+#include <algorithm>
+
+#include "evenlift/output/words.h"
+#include "panels/panels.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr std::size_t most_rows = 60;  // more is for the JSON
+
+// Disc at the left; bars to both sides of the middle; two numbers at the right.
+struct Columns {
+  float left, middle, half, span, ratio;
+};
+
+Columns columns(float left, float width) {
+  const float ratio_width = 42, span_width = 46, disc = 28;
+  const float bars = width - disc - ratio_width - span_width;
+  return {left, left + disc + bars / 2, bars / 2, left + width - ratio_width, left + width};
+}
+
+// How long a bar of the greatest load is.
+float full_bar(const Columns& c) { return c.half - 40; }
+
+void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Colour colour,
+                   const std::string& text) {
+  const ImVec2 size = text_size(face, text);
+  draw_text(list, face, ImVec2(right - size.x, middle_y - size.y / 2), colour, text);
+}
+
+void draw_heading(const Ui& ui, const Columns& c) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float y = ImGui::GetCursorScreenPos().y + 8;
+  const ImVec2 size = text_size(Face::label, "Loads in kg");
+  draw_text(list, Face::label, ImVec2(c.left, y - size.y / 2), ui.theme.second_text, "Team");
+  draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, y - size.y / 2), ui.theme.second_text,
+            "Loads in kg");
+  right_aligned(list, Face::label, c.span, y, ui.theme.second_text, "Length");
+  right_aligned(list, Face::label, c.ratio, y, ui.theme.second_text, "Ratio");
+  ImGui::Dummy(ImVec2(1, 18));
+}
+
+void draw_bar(const Ui& ui, const Columns& c, float y, double share, int side,
+              const std::string& load, bool over) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float way = static_cast<float>(side), full = full_bar(c);
+  const float inner = c.middle + way * 1.5f,
+              outer = c.middle + way * (1.5f + full * static_cast<float>(share));
+  list.AddRectFilled(ImVec2(std::min(inner, outer), y - 6), ImVec2(std::max(inner, outer), y + 6),
+                     (over ? ui.theme.amber : ui.theme.chord).packed(), 3);
+  const ImVec2 size = text_size(Face::label, load);
+  const float x = c.middle + way * (full + 8);
+  draw_text(list, Face::label, ImVec2(side > 0 ? x : x - size.x, y - size.y / 2), ui.theme.text,
+            load);
+}
+
+bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
+  const Placement& placement = *ui.state.placement;
+  const Team& team = placement.teams[index];
+  const float height = std::max(28.0f, ui.control() - 8);
+  ImGui::PushID(static_cast<int>(index));
+  ImGui::InvisibleButton("team", ImVec2(c.ratio - c.left, height));
+  ImGui::PopID();
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const bool hovered = ImGui::IsItemHovered();
+  const bool named =
+      (ui.state.hover.kind == Pick::Kind::chord || ui.state.hover.kind == Pick::Kind::robot) &&
+      ui.state.hover.index == index;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (hovered || named) {
+    list.AddRectFilled(ImVec2(low.x - 6, low.y), ImVec2(high.x + 6, high.y), ui.theme.well.packed(),
+                       7);
+  }
+  const float y = (low.y + high.y) / 2;
+  list.AddCircleFilled(ImVec2(c.left + 11, y), 10, ui.theme.robot.packed(), 24);
+  list.AddCircle(ImVec2(c.left + 11, y), 10, ui.theme.robot_ring.packed(), 24, 1);
+  const std::string number = std::to_string(index + 1);
+  const ImVec2 size = text_size(Face::tiny, number);
+  draw_text(list, Face::tiny, ImVec2(c.left + 11 - size.x / 2, y - size.y / 2), ui.theme.robot_text,
+            number);
+  for (int end = 0; end < 2; ++end) {
+    const double load = team.loads[static_cast<std::size_t>(end)];
+    draw_bar(ui, c, y, load / placement.loads->max, end == 0 ? -1 : 1,
+             amount(load, placement.loads->max), ui.state.capacity && load > *ui.state.capacity);
+  }
+  const double span = team.chord.arm1 + team.chord.arm2;
+  right_aligned(list, Face::label, c.span, y, ui.theme.text, amount(span, span));
+  right_aligned(list, Face::strong_label, c.ratio, y, ui.theme.text,
+                ratio_in_words(team.chord.ratio));
+  return hovered;
+}
+
+// The even share, through all bars: who is beyond it carries more than the mean.
+void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
+  const LoadSummary& loads = *ui.state.placement->loads;
+  const float out = 1.5f + full_bar(c) * static_cast<float>(loads.mean / loads.max);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const float way : {-1.0f, 1.0f}) {
+    const float x = c.middle + way * out;
+    list.AddLine(ImVec2(x, top), ImVec2(x, bottom), ui.theme.accent.packed(), 1.5f);
+  }
+  const std::string text = "even share " + kilograms(loads.mean, loads.max);
+  const ImVec2 size = text_size(Face::label, text);
+  draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
+}
+
+}  // namespace
+
+void draw_teams(const Ui& ui) {
+  if (!ui.state.placement || ui.state.placement->teams.empty()) {
+    text_line(Face::label, ui.theme.second_text, "No teams to list.");
+    return;
+  }
+  const std::size_t count = ui.state.placement->teams.size();
+  const Columns c = columns(ImGui::GetCursorScreenPos().x, ImGui::GetContentRegionAvail().x);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 2));
+  draw_heading(ui, c);
+  const float top = ImGui::GetCursorScreenPos().y;
+  for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {
+    if (draw_row(ui, c, i)) ui.push(SetHover{{Pick::Kind::chord, i, 0, Vec2(0, 0)}});
+  }
+  draw_even_share(ui, c, top, ImGui::GetItemRectMax().y + 2);
+  ImGui::Dummy(ImVec2(1, 20));
+  if (count > most_rows) {
+    text_line(Face::label, ui.theme.second_text,
+              "and " + std::to_string(count - most_rows) + " more");
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace evenlift::view

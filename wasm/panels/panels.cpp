@@ -1,0 +1,178 @@
+#include "panels/panels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "actions/actions.h"
+#include "ui/widgets.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+// Top to bottom.
+constexpr Panel side_panel[] = {
+    {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
+    {"overlays", draw_overlays, false}, {"teams", draw_teams, true},
+    {"numbers", draw_numbers, true},    {"compare", draw_compare, true},
+};
+bool ranks(const AppState& s) {
+  const auto& scores = s.lesson.detail.scores;
+  return scores && !scores->ranking.empty();
+}
+bool has_history(const AppState& s) { return s.lesson.visited.size() > 1; }
+constexpr Panel lesson_panel[] = {
+    {"step", draw_lesson_step, true},
+    {"ranking", draw_lesson_ranking, true, ranks},
+    {"code", draw_lesson_code, true},
+    {"settings", draw_settings, false},
+    {"history", draw_lesson_history, true, has_history},
+};
+
+std::span<const Panel> sections(const AppState& state) {
+  if (lesson_is_open(state)) return lesson_panel;
+  return side_panel;
+}
+
+// The last result stands, dimmed, while the document is refused.
+void dim(const Ui& ui, ImVec2 from) {
+  const float right = from.x + ImGui::GetContentRegionAvail().x + 6;
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(from.x - 6, from.y),
+                                            ImVec2(right, ImGui::GetCursorScreenPos().y),
+                                            ui.theme.panel.at(0.65f).packed());
+}
+
+void draw_sections(const Ui& ui, std::size_t first) {
+  const std::span<const Panel> panels = sections(ui.state);
+  for (std::size_t i = first; i < panels.size(); ++i) {
+    if (panels[i].shown && !panels[i].shown(ui.state)) continue;
+    if (i > first) rule(ui);
+    ImGui::PushID(panels[i].name);
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    panels[i].draw(ui);
+    if (panels[i].of_result && (ui.state.refusal || ui.state.tool == Tool::draw)) dim(ui, from);
+    ImGui::PopID();
+  }
+}
+
+// A button of the panel's own corner, above its content.
+void draw_fold_button(const Ui& ui, Icon icon, bool open, const char* about) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.control() - 8;
+  ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetWindowPos().y + 8 - ImGui::GetScrollY()));
+  if (icon_button(ui, "fold", icon, true, about, ui.control())) ui.push(SetPanelOpen{open});
+  ImGui::SetCursorScreenPos(at);
+}
+
+void draw_close_button(const Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.control() - 8;
+  ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetWindowPos().y + 8 - ImGui::GetScrollY()));
+  if (icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", ui.control()))
+    ui.push(CloseLesson{});
+  ImGui::SetCursorScreenPos(at);
+}
+
+void draw_side_panel(const Ui& ui) {
+  begin_card(ui, "panel", ui.layout.panel);
+  if (lesson_is_open(ui.state))
+    draw_close_button(ui);
+  else
+    draw_fold_button(ui, Icon::fold, false, "Fold the panel away (P)");
+  draw_sections(ui, 0);
+  end_card(ui);
+}
+
+void draw_rail(const Ui& ui) {
+  const Rect place{ui.layout.panel.left, ui.layout.panel.top, ui.layout.panel.right,
+                   ui.layout.panel.top + 48};
+  begin_card(ui, "rail", place, {.fixed_height = true, .padding = 8});
+  if (icon_button(ui, "unfold", Icon::unfold, true, "Show the panel (P)", 32))
+    ui.push(SetPanelOpen{true});
+  end_card(ui);
+}
+
+// The handle of the sheet: pressed it opens a step or closes, dragged it follows the finger.
+void draw_handle(const Ui& ui) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool pressed = ImGui::InvisibleButton("handle", ImVec2(width, 24));
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float x = low.x + width / 2, y = low.y + 8;
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 20, y - 2), ImVec2(x + 20, y + 2),
+                                            ui.theme.quiet.packed(), 2);
+  const float dragged = ImGui::GetIO().MousePos.y - ImGui::GetIO().MouseClickedPos[0].y;
+  if (ImGui::IsItemDeactivated() && std::abs(dragged) > 24) {
+    const int step = std::abs(dragged) > 260 ? 2 : 1;
+    const int wanted = static_cast<int>(ui.state.sheet) + (dragged < 0 ? step : -step);
+    ui.push(SetSheet{static_cast<Sheet>(std::clamp(wanted, 0, 2))});
+  } else if (pressed) {
+    ui.push(SetSheet{ui.state.sheet == Sheet::closed ? Sheet::half
+                     : ui.state.sheet == Sheet::half ? Sheet::full
+                                                     : Sheet::closed});
+  }
+}
+
+void draw_sheet(const Ui& ui) {
+  begin_card(ui, "sheet", ui.layout.panel,
+             {.fixed_height = true, .padding = 16, .scrolls = ui.state.sheet != Sheet::closed});
+  ImGui::SetCursorPosY(4);
+  draw_handle(ui);
+  ImGui::PushID("closed");
+  if (lesson_is_open(ui.state)) {
+    draw_player(ui);
+    if (ui.state.sheet == Sheet::closed)
+      draw_lesson_briefly(ui);
+    else
+      draw_lesson_step(ui);
+  } else {
+    draw_verdict(ui);
+    draw_teams_stepper(ui);
+  }
+  ImGui::PopID();
+  const double closed = static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y +
+                                            ImGui::GetScrollY()) +
+                        16;
+  if (std::abs(closed - ui.state.closed_sheet_height) > 0.5) ui.push(MeasureSheet{closed});
+  if (ui.state.sheet != Sheet::closed) {
+    rule(ui);
+    draw_sections(ui, 1);
+  }
+  end_card(ui);
+}
+
+// At the foot of the drawing; in an <iframe> it says the step, too.
+void draw_floating_player(const Ui& ui) {
+  begin_card(ui, "player", ui.layout.player,
+             {.fixed_height = true, .padding = 12, .scrolls = ui.state.screen.embed});
+  draw_player(ui);
+  if (ui.state.screen.embed) draw_lesson_briefly(ui);
+  end_card(ui);
+}
+
+}  // namespace
+
+void draw_panels(const AppState& state, Commands& commands) {
+  const Layout places = layout(state);
+  apply_style(state, places.control);
+  const Ui ui{state, theme(state), places, commands};
+  if (!state.screen.embed) {
+    if (!places.wide)
+      draw_sheet(ui);
+    else if (state.panel_open)
+      draw_side_panel(ui);
+    else
+      draw_rail(ui);
+    draw_view_tools(ui);
+    draw_help(ui);
+  }
+  if (lesson_is_open(state) && (places.wide || state.screen.embed)) draw_floating_player(ui);
+  draw_toolbar(ui);
+  draw_tool_bar(ui);
+  draw_notice(ui);
+  const bool list_open =
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (list_open != state.list_open) ui.push(ListIsOpen{list_open});
+}
+
+}  // namespace evenlift::view

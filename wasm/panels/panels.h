@@ -1,0 +1,46 @@
+// The panels, in one table.
+#pragma once
+
+#include "ui/ui.h"
+
+namespace evenlift::view {
+
+// A section of the side panel (or sheet).
+struct Panel {
+  const char* name;
+  void (*draw)(const Ui&);
+  bool of_result;                            // shows the last good placement
+  bool (*shown)(const AppState&) = nullptr;  // always, if there is none
+};
+
+void draw_panels(const AppState& state, Commands& commands);
+
+// The sections, each in its own file.
+void draw_verdict(const Ui& ui);
+void draw_settings(const Ui& ui);
+void draw_teams_stepper(const Ui& ui);
+void draw_capacity(const Ui& ui);
+void draw_compare(const Ui& ui);
+void draw_overlays(const Ui& ui);
+void draw_teams(const Ui& ui);
+void draw_numbers(const Ui& ui);
+
+// The value one step up or down, in steps that suit its size: 100 goes by tens, 12 by ones.
+double stepped(double value, int by);
+
+// Those of the lesson.
+void draw_lesson_step(const Ui& ui);
+void draw_lesson_briefly(const Ui& ui);
+void draw_lesson_ranking(const Ui& ui);
+void draw_lesson_code(const Ui& ui);
+void draw_lesson_history(const Ui& ui);
+void draw_player(const Ui& ui);
+
+// What floats by itself.
+void draw_toolbar(const Ui& ui);
+void draw_tool_bar(const Ui& ui);
+void draw_view_tools(const Ui& ui);
+void draw_notice(const Ui& ui);
+void draw_help(const Ui& ui);
+
+}  // namespace evenlift::view

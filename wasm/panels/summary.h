@@ -1,0 +1,28 @@
+// The result in words: the verdict at the top of the panel, and all of it for those who cannot see
+// the canvas.
+#pragma once
+
+#include <string>
+
+#include "state/state.h"
+
+namespace evenlift::view {
+
+enum class Mood : std::uint8_t { good, not_quite, refused, drawing };
+
+struct Verdict {
+  Mood mood = Mood::good;
+  std::string headline;  // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
+  std::string detail;    // "81 % of the object is safe to push on. It can still turn clockwise."
+};
+
+Verdict verdict(const AppState& state);
+
+// With a capacity of one robot: whether each stays within it, and how many robots are needed; else
+// empty.
+std::string need_in_words(const AppState& state);
+
+// Verdict, teams and their loads, each a sentence: the text of the page's live region. O(teams).
+std::string summary(const AppState& state);
+
+}  // namespace evenlift::view

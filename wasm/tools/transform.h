@@ -1,0 +1,33 @@
+// Moving, turning and scaling the whole polygon: a frame about it with grips.
+#pragma once
+
+#include <optional>
+
+#include "state/command.h"
+#include "state/state.h"
+
+namespace evenlift::view {
+
+// The frame on the screen, a little larger than the polygon.
+Rect whole_frame(const AppState& state);
+
+// The frame's grips: corners scale, the knob above it turns, its inside moves.
+enum class FrameGrip : std::uint8_t { low_left, low_right, high_left, high_right, turn, inside };
+inline constexpr FrameGrip corner_grips[] = {FrameGrip::low_left, FrameGrip::low_right,
+                                             FrameGrip::high_left, FrameGrip::high_right};
+
+// Where a grip is drawn, in CSS pixels. O(1).
+Vec2 grip_place(const Rect& frame, FrameGrip grip);
+
+// The grip under the pointer, nearest first. O(1).
+std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen);
+
+// The polygon that was taken, with `from` dragged to `to` (CSS pixels). O(n).
+SetWhole dragged_whole(const AppState& state, FrameGrip grip, const Vec2& from, const Vec2& to);
+
+// By keys: moved by so many dots of the ground, turned by 15° steps, scaled by a factor. O(n).
+SetWhole moved_whole(const AppState& state, int dots_x, int dots_y);
+SetWhole turned_whole(const AppState& state, int steps);
+SetWhole scaled_whole(const AppState& state, double factor);
+
+}  // namespace evenlift::view

@@ -1,0 +1,54 @@
+// The page's icons, drawn with lines so that they are sharp at every size.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+
+#include "ui/theme.h"
+
+namespace evenlift::view {
+
+enum class Icon : std::uint8_t {
+  none,
+  undo,
+  redo,
+  link,
+  plus,
+  minus,
+  fit,
+  fold,
+  unfold,
+  down,
+  up,
+  help,
+  close,
+  check,
+  warning,
+  stop,
+  shapes,
+  open_out,
+  folder,
+  save,
+  table,
+  draw,
+  transform,
+  compare,
+  lesson,
+  play,
+  pause,
+  step_on,
+  step_back,
+  chapter_on,
+  chapter_back,
+  last,
+  first
+};
+
+// Within a square of `size` CSS pixels about `middle`.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour colour);
+
+// The mark of a centre of mass: a disc with opposite quarters filled.
+void draw_centre_mark(ImDrawList& list, ImVec2 middle, float radius, Colour dark, Colour light);
+
+}  // namespace evenlift::view

@@ -1,0 +1,204 @@
+#include "ui/theme.h"
+
+#include <iterator>
+
+#include "state/heat_levels.h"
+#include "ui/fonts.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr Theme light = {
+    .ground = {0xEEF1F4},
+    .dots = {0xD0D7DE},
+    .object = {0xFFFFFF},
+    .object_outline = {0x2B3540},
+    .panel = {0xFFFFFF},
+    .panel_line = {0xD5DBE1},
+    .well = {0xEEF1F4},
+    .text = {0x1B232B},
+    .second_text = {0x55616D},
+    .quiet = {0x8592A0},
+    .hull = {0x2FA36B, 0.24f},
+    .hull_outline = {0x1F7A4E},
+    .hull_text = {0x14603B},
+    .heat = {{0xA63A00}, {0xC75A12}, {0xDE7F33}, {0xEDA565}, {0xF6C898}, {0xFBE3C8}, {0xD3EDDF}},
+    .clockwise = {0xD1495B, 0.16f},
+    .clockwise_line = {0xD1495B},
+    .counter = {0x2D6CDF, 0.16f},
+    .counter_line = {0x2D6CDF},
+    .robot = {0x1B232B},
+    .robot_ring = {0x1B232B},
+    .robot_track = {0xFFFFFF},
+    .robot_text = {0xFFFFFF},
+    .chord = {0x55616D},
+    .candidate = {0xA5B0BB},
+    .accent = {0x5B4BDB},
+    .on_accent = {0xFFFFFF},
+    .amber = {0x9A5B00},
+    .amber_ground = {0xFFF4E0},
+    .shadow = {0x1B232B, 0.10f},
+};
+
+constexpr Theme dark = {
+    .ground = {0x14181D},
+    .dots = {0x2A323B},
+    .object = {0xE6EBF0},
+    .object_outline = {0xFFFFFF},
+    .panel = {0x1D232A},
+    .panel_line = {0x2D3640},
+    .well = {0x14181D},
+    .text = {0xE8EDF2},
+    .second_text = {0x9AA7B4},
+    .quiet = {0x6B7885},
+    .hull = {0x3BBF80, 0.30f},
+    .hull_outline = {0x1F9A60},
+    .hull_text = {0x0E5433},
+    .heat = {{0xB0480A}, {0xCC6A24}, {0xDF8C48}, {0xEBAE78}, {0xF1CBA6}, {0xF3E0CD}, {0xBFE3D0}},
+    .clockwise = {0xF0697B, 0.20f},
+    .clockwise_line = {0xF0697B},
+    .counter = {0x5B93FF, 0.20f},
+    .counter_line = {0x5B93FF},
+    .robot = {0x0B0E11},
+    .robot_ring = {0xFFFFFF},
+    .robot_track = {0x0B0E11},
+    .robot_text = {0xFFFFFF},
+    .chord = {0x6A7683},
+    .candidate = {0x8794A1},
+    .accent = {0x9C90FF},
+    .on_accent = {0x14181D},
+    .amber = {0xF2B04A},
+    .amber_ground = {0x33291A},
+    .shadow = {0x000000, 0.35f},
+};
+
+struct FaceSpec {
+  bool semibold;
+  float size;
+};
+constexpr FaceSpec faces[face_count] = {{true, 12},  {false, 13}, {true, 13},
+                                        {false, 15}, {true, 15},  {true, 20}};
+
+ImFont* loaded[face_count];
+
+const FaceSpec& spec(Face face) { return faces[static_cast<int>(face)]; }
+
+// At least the characters of assets/fonts/subset.py; what a font has not takes no room.
+constexpr ImWchar characters[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2212, 0x2265, 0};
+
+}  // namespace
+
+ImU32 Colour::packed() const {
+  return (rgb >> 16 & 0xFF) << IM_COL32_R_SHIFT | (rgb >> 8 & 0xFF) << IM_COL32_G_SHIFT |
+         (rgb & 0xFF) << IM_COL32_B_SHIFT |
+         static_cast<ImU32>(opacity * 255 + 0.5f) << IM_COL32_A_SHIFT;
+}
+
+ImVec4 Colour::vec() const {
+  return {static_cast<float>(rgb >> 16 & 0xFF) / 255, static_cast<float>(rgb >> 8 & 0xFF) / 255,
+          static_cast<float>(rgb & 0xFF) / 255, opacity};
+}
+
+Colour heat_colour(const Theme& theme, double share) {
+  std::size_t band = 0;
+  while (band < std::size(heat_levels) && share >= heat_levels[band]) ++band;
+  if (share > heat_levels[std::size(heat_levels) - 1]) ++band;
+  return theme.heat[band];
+}
+
+const Theme& theme(const AppState& state) { return state.screen.dark ? dark : light; }
+
+void load_fonts(double ratio) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+#if IMGUI_VERSION_NUM >= 19200
+  // From this version on Dear ImGui rasterises characters by itself, for the framebuffer's scale.
+  static_cast<void>(ratio);
+  if (!atlas.Fonts.empty()) return;
+  const float density = 1;
+#else
+  const float density = static_cast<float>(ratio);
+#endif
+  atlas.Clear();
+  for (int i = 0; i < face_count; ++i) {
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.OversampleH = density > 1.5f ? 1 : 2;
+    const FontData data = faces[i].semibold ? semibold_font() : regular_font();
+    // The atlas only reads what it does not own.
+    loaded[i] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(data.bytes), data.size,
+                                           faces[i].size * density, &config, characters);
+#if IMGUI_VERSION_NUM < 19200
+    loaded[i]->Scale = 1 / density;
+#endif
+  }
+}
+
+void push_face(Face face) {
+#if IMGUI_VERSION_NUM >= 19200
+  ImGui::PushFont(font(face), size(face));
+#else
+  ImGui::PushFont(font(face));
+#endif
+}
+
+void pop_face() { ImGui::PopFont(); }
+
+ImFont* font(Face face) { return loaded[static_cast<int>(face)]; }
+float size(Face face) { return spec(face).size; }
+
+ImVec2 text_size(Face face, std::string_view text, float wrap_width) {
+  return font(face)->CalcTextSizeA(size(face), 1e9f, wrap_width, text.data(),
+                                   text.data() + text.size());
+}
+
+void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
+               float wrap_width) {
+  list.AddText(font(face), size(face), at, colour.packed(), text.data(), text.data() + text.size(),
+               wrap_width);
+}
+
+void apply_style(const AppState& state, double control_height) {
+  const Theme& t = theme(state);
+  ImGuiStyle& s = ImGui::GetStyle();
+  s = ImGuiStyle();
+  s.WindowPadding = {20, 20};
+  s.WindowRounding = s.PopupRounding = 10;
+  s.WindowBorderSize = s.PopupBorderSize = 1;
+  s.FrameRounding = 7;
+  s.FrameBorderSize = 0;
+  s.FramePadding = {12, (static_cast<float>(control_height) - size(Face::text)) / 2};
+  s.ItemSpacing = {8, 7};
+  s.ItemInnerSpacing = {8, 4};
+  s.ScrollbarSize = 10;
+  s.ScrollbarRounding = 5;
+  s.GrabRounding = 5;
+  s.WindowMinSize = {8, 8};
+  s.Colors[ImGuiCol_Text] = t.text.vec();
+  s.Colors[ImGuiCol_TextDisabled] = t.second_text.vec();
+  s.Colors[ImGuiCol_WindowBg] = t.panel.vec();
+  s.Colors[ImGuiCol_ChildBg] = t.panel.at(0).vec();
+  s.Colors[ImGuiCol_PopupBg] = t.panel.vec();
+  s.Colors[ImGuiCol_Border] = t.panel_line.vec();
+  s.Colors[ImGuiCol_BorderShadow] = t.panel.at(0).vec();
+  s.Colors[ImGuiCol_FrameBg] = t.well.vec();
+  s.Colors[ImGuiCol_FrameBgHovered] = t.panel_line.vec();
+  s.Colors[ImGuiCol_FrameBgActive] = t.panel_line.vec();
+  s.Colors[ImGuiCol_Button] = t.well.vec();
+  s.Colors[ImGuiCol_ButtonHovered] = t.panel_line.vec();
+  s.Colors[ImGuiCol_ButtonActive] = t.panel_line.vec();
+  s.Colors[ImGuiCol_Header] = t.accent.at(0.14f).vec();
+  s.Colors[ImGuiCol_HeaderHovered] = t.accent.at(0.10f).vec();
+  s.Colors[ImGuiCol_HeaderActive] = t.accent.at(0.20f).vec();
+  s.Colors[ImGuiCol_ScrollbarBg] = t.panel.at(0).vec();
+  s.Colors[ImGuiCol_ScrollbarGrab] = t.panel_line.vec();
+  s.Colors[ImGuiCol_ScrollbarGrabHovered] = t.quiet.vec();
+  s.Colors[ImGuiCol_ScrollbarGrabActive] = t.quiet.vec();
+  s.Colors[ImGuiCol_TextSelectedBg] = t.accent.at(0.30f).vec();
+  s.Colors[ImGuiCol_Separator] = t.panel_line.vec();
+}
+
+void sharpen(ImDrawList& list, const AppState& state) {
+  list._FringeScale = static_cast<float>(1 / state.screen.ratio);
+}
+
+}  // namespace evenlift::view

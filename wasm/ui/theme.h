@@ -1,0 +1,67 @@
+// Colours by role, light and dark, and the faces of type.
+#pragma once
+
+#include <imgui.h>
+
+#include <string_view>
+
+#include "state/state.h"
+
+namespace evenlift::view {
+
+// A colour that knows how to be thinner: 0xRRGGBB and an opacity in [0, 1].
+struct Colour {
+  unsigned rgb = 0;
+  float opacity = 1;
+  constexpr Colour at(float share) const { return {rgb, opacity * share}; }
+  ImU32 packed() const;
+  ImVec4 vec() const;
+};
+
+struct Theme {
+  Colour ground, dots;
+  Colour object, object_outline;
+  Colour panel, panel_line, well;   // well: what a control is sunk into
+  Colour text, second_text, quiet;  // quiet: lines and icons that are off
+  Colour hull, hull_outline, hull_text;
+  Colour heat[7];  // from where least tips to where nothing does
+  Colour clockwise, clockwise_line, counter, counter_line;
+  Colour robot, robot_ring, robot_track, robot_text;
+  Colour chord, candidate;
+  Colour accent, on_accent;
+  Colour amber, amber_ground;
+  Colour shadow;
+};
+
+const Theme& theme(const AppState& state);
+
+// Of the heat map, where a push of `share` of the weight tips; infinity: where none does.
+Colour heat_colour(const Theme& theme, double share);
+
+// Sizes in CSS pixels: label 13, text 15, verdict 20; strong ones are semibold.
+enum class Face { tiny, label, strong_label, text, strong, verdict };
+inline constexpr int face_count = 6;
+
+// Rasterises the faces for a device-pixel ratio; call before a frame, and upload the font texture
+// afterwards (Dear ImGui from 1.92 on does both by itself).
+void load_fonts(double ratio);
+
+// For widgets: everything until pop_face() is written in this face.
+void push_face(Face face);
+void pop_face();
+
+// For drawing.
+ImFont* font(Face face);
+float size(Face face);
+ImVec2 text_size(Face face, std::string_view text, float wrap_width = 0);
+void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
+               float wrap_width = 0);
+
+// Dear ImGui's own widgets in the theme's colours and measures.
+void apply_style(const AppState& state, double control_height);
+
+// Thin lines keep the sharpness of the screen: anti-aliasing as wide as one device pixel, not one
+// CSS pixel.
+void sharpen(ImDrawList& list, const AppState& state);
+
+}  // namespace evenlift::view

@@ -1,0 +1,21 @@
+// What every panel gets: the state to read, the commands to add to.
+#pragma once
+
+#include "state/command.h"
+#include "state/layout.h"
+#include "state/state.h"
+#include "ui/theme.h"
+
+namespace evenlift::view {
+
+struct Ui {
+  const AppState& state;
+  const Theme& theme;
+  const Layout& layout;
+  Commands& commands;
+
+  void push(Command command) const { commands.push_back(std::move(command)); }
+  float control() const { return static_cast<float>(layout.control); }
+};
+
+}  // namespace evenlift::view

@@ -1,0 +1,195 @@
+// The window that compares the methods, on the polygon on the screen or over many, as chapter 5 of the thesis does: computed
+// by workers, shown as charts.
+import { runExperiment } from "./crew.js";
+import { ensureStyles, openWindow, problemLine } from "../kit/dialogs.js";
+import { button, download, el, number } from "../kit/elements.js";
+import { showResults } from "./experiment_results.js";
+import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources.js";
+
+// What experiments weigh and how many teams they place: the same as in `evenlift experiment`.
+const manyPolygons = { weight: 100, mostTeams: 1000 };
+
+let kept;  // the last results, with what they are of: closing the window does not lose them
+
+const count = (n, word) => `${number(n)} ${word}${n === 1 ? "" : "s"}`;
+
+export async function show(page, { start = false, source = "this" } = {}) {
+  const view = new ExperimentWindow(page, source);
+  await Promise.all([ensureStyles("experiment.css"), ensureStyles("charts.css")]);
+  const root = await openWindow({
+    name: "experiment",
+    title: "Compare methods",
+    body: [el("div", { class: "scroll" }, view.form, view.problem, view.running, view.said, view.results), view.footer],
+    focus: view.start,
+    closed: () => view.close(),
+  });
+  if (root) view.connect(root, start);
+}
+
+// The same for the polygon on the screen, at once.
+export const curves = (page) => show(page, { start: true });
+
+class ExperimentWindow {
+  #polygon;  // the one on the screen: its text in the thesis's format, and the settings that matter
+  #files = [];
+  #stop;  // of the run that is under way
+  #charts = [];  // what ends their following the width
+
+  constructor({ program }, source) {
+    this.#polygon = { text: program.text("page_text"), minRatio: program.number("page_min_ratio"), weight: program.number("page_weight") };
+    this.problem = problemLine();
+    this.start = button("Compare", { class: "button primary", onclick: () => this.#run() });
+    this.cancel = button("Cancel", { onclick: () => this.#stop?.abort(new DOMException("cancelled", "AbortError")) });
+    this.bar = el("progress", { "aria-label": "How much is measured", max: "1", value: "0" });
+    this.now = el("p", { class: "second" });
+    this.said = el("p", { class: "second said", role: "status" });
+    this.running = el("div", { class: "running", hidden: true }, el("div", { class: "row" }, this.bar, this.cancel), this.now);
+    this.results = el("div", { class: "results" });
+    this.footer = el("footer", {});
+    this.form = this.#makeForm();
+    this.form.querySelector(`[value=${source}]`).checked = true;
+    this.#chosenChanged();
+  }
+
+  #makeForm() {
+    this.file = el("input", { type: "file", multiple: true, class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,.wkt,.json,.geojson,.svg,text/plain,application/geo+json,image/svg+xml" });
+    this.file.addEventListener("change", () => {
+      this.#take([...this.file.files]);
+      this.file.value = "";  // the same files may be chosen again
+    });
+    const choice = (value, text) => el("label", { class: "radio" }, el("input", { type: "radio", name: "polygons", value, onchange: () => this.#chosenChanged() }), text);
+    this.own = el("span", {}, "My files");
+    this.choose = button("Choose files …", { onclick: () => this.file.click() }, "file");
+    this.samples = el("input", { class: "field", type: "number", min: "1", max: "100000", step: "1", value: "200", inputmode: "numeric" });
+    this.ratio = el("input", { class: "field", type: "number", min: "0", max: "1", step: "any", value: "0.8", inputmode: "decimal" });
+    this.ratioLabel = el("label", {}, "Minimum load ratio ", this.ratio);
+    // So many make clear curves; a person may ask for more.
+    this.most = el("input", { class: "field", type: "number", min: "1", max: "10000", step: "1", value: "30", inputmode: "numeric" });
+    this.mostLabel = el("label", {}, "Most teams ", this.most);
+    this.ownSettings = el("p", { class: "second" }, `With its own centre of mass, minimum load ratio ${this.#polygon.minRatio} and weight ${this.#polygon.weight} kg.`);
+    return el("form", { class: "experiment", onsubmit: (event) => {
+      event.preventDefault();
+      this.#run();
+    } },
+      el("p", {}, "Loads, coverage and form closure by every method, with every number of teams: on this polygon, or averaged over many, as in chapter 5 of the thesis. It is computed here; nothing is sent anywhere."),
+      el("fieldset", {}, el("legend", {}, "Polygons"), choice("this", "This polygon"), choice("samples", "All samples, some with their centre of mass moved"),
+        choice("thesis", "A set like the thesis’s"), choice("files", this.own), this.choose, this.file),
+      el("fieldset", {}, el("legend", {}, "Settings"),
+        el("label", {}, "Random placements of each polygon ", this.samples), this.ratioLabel, this.mostLabel, this.ownSettings, this.start));
+  }
+
+  get #chosen() {
+    return this.form.querySelector("[name=polygons]:checked").value;
+  }
+
+  #chosenChanged() {
+    const one = this.#chosen === "this";
+    this.ratioLabel.hidden = one;
+    this.mostLabel.hidden = !one;
+    this.ownSettings.hidden = !one;
+  }
+
+  connect(root, start) {
+    for (const type of ["dragover", "drop"]) {
+      root.addEventListener(type, (event) => {
+        if (!event.dataTransfer?.types.includes("Files")) return;
+        event.preventDefault();
+        event.stopPropagation();  // the page would open them
+        if (type === "drop") this.#take([...event.dataTransfer.files]);
+      });
+    }
+    if (start) this.#run();
+    else if (kept && (!kept.of || this.#isOn(kept.of))) this.#show();
+  }
+
+  // Whether results of one polygon are of the one that is on the screen.
+  #isOn({ text, minRatio, weight }) {
+    return text === this.#polygon.text && minRatio === this.#polygon.minRatio && weight === this.#polygon.weight;
+  }
+
+  close() {
+    this.#stop?.abort(new DOMException("closed", "AbortError"));
+    this.#forgetCharts();
+  }
+
+  #take(files) {
+    if (files.length === 0 || this.#stop) return;
+    this.#files = files;
+    this.own.textContent = `My files (${number(files.length)})`;
+    this.form.querySelector("[value=files]").checked = true;
+    this.#chosenChanged();
+    this.problem.say("");
+  }
+
+  // What is to be measured, how, and the line that says so above the results.
+  async #plan() {
+    const random = this.samples.valueAsNumber;
+    if (this.#chosen === "this") {
+      const { minRatio, weight } = this.#polygon;
+      return {
+        tasks: thisPolygon(this.#polygon), what: "methods", of: this.#polygon,
+        settings: { minRatio, samples: random, weight, mostTeams: this.most.valueAsNumber },
+        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} kg, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most.`,
+      };
+    }
+    const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();
+    const names = { samples: "All samples", thesis: "A set like the thesis’s", files: "My files" };
+    const minRatio = this.ratio.valueAsNumber;
+    return {
+      tasks, what: "polygons", settings: { ...manyPolygons, minRatio, samples: random },
+      caption: `${names[this.#chosen]}: ${count(tasks.length, "polygon")}, at a minimum load ratio of ${minRatio} and a weight of 100 kg.`,
+    };
+  }
+
+  async #run() {
+    if (this.#stop) return;
+    const stop = new AbortController();
+    this.#stop = stop;
+    this.problem.say("");
+    this.said.textContent = "";
+    this.#toggle(true);
+    this.now.textContent = "Getting ready …";
+    this.bar.removeAttribute("value");
+    try {
+      const { tasks, what, settings, caption, of } = await this.#plan();
+      const outputs = await runExperiment(tasks, {
+        settings, onePolygon: of !== undefined, signal: stop.signal,
+        progress: (done, title) => {
+          this.bar.value = done / tasks.length;
+          this.now.textContent = `${number(done)} of ${number(tasks.length)} ${what}: ${title}`;
+        },
+      });
+      kept = { outputs, caption, of };
+      await this.#show();
+      this.said.textContent = of ? "Done." : `Done: ${count(tasks.length, "polygon")}.`;
+    } catch (error) {
+      if (error.name === "AbortError") this.said.textContent = "Cancelled; nothing of this comparison is kept.";
+      else this.problem.say(error.message.charAt(0).toUpperCase() + error.message.slice(1));
+    } finally {
+      this.#stop = undefined;
+      this.#toggle(false);
+    }
+  }
+
+  #toggle(running) {
+    const focused = this.form.contains(document.activeElement) || this.running.contains(document.activeElement);
+    this.running.hidden = !running;
+    for (const control of this.form.querySelectorAll("input, button")) control.disabled = running;
+    if (focused) (running ? this.cancel : this.start).focus({ preventScroll: true });
+  }
+
+  #forgetCharts() {
+    for (const end of this.#charts) end();
+    this.#charts = [];
+  }
+
+  async #show() {
+    const { outputs, caption, of } = kept;
+    this.#forgetCharts();
+    const save = (name, text, file, title) => button(name, { onclick: () => download(new Blob([text], { type: "text/csv" }), `evenlift-${file}.csv`), title }, "save");
+    this.footer.replaceChildren(save("Measurements (CSV)", outputs.measurements, "measurements", "Save every measurement"),
+      ...(of ? [] : [save("Averages (CSV)", outputs.aggregates, "averages", "Save what the charts show")]));
+    this.#charts = await showResults(this.results, outputs, outputs.figures.length > 0 ? caption
+      : "No chord through the centre of mass has this load ratio: the algorithm can place no team here, so nothing was measured.");
+  }
+}

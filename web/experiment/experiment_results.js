@@ -1,0 +1,46 @@
+// What an experiment found, as charts and tables (evenlift/experiment/outputs.h).
+import { el, number } from "../kit/elements.js";
+import { figureTable } from "./figure_table.js";
+
+const wide = (label, content) => el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": label }, content);
+
+// What was left out, and why.
+function refused({ refused: all }) {
+  if (all.length === 0) return [];
+  return [el("div", { class: "problem", role: "status" }, `${number(all.length)} polygon${all.length === 1 ? "" : "s"} could not be read and ${all.length === 1 ? "was" : "were"} left out:`,
+    el("ul", {}, ...all.map(({ polygon, problem }) => el("li", {}, `${polygon}: ${problem}`))))];
+}
+
+function figure(made, place) {
+  return el("figure", {},
+    el("h3", {}, `${made.title} (${made.unit})`), place, el("figcaption", {}, made.sentence),
+    el("details", {}, el("summary", {}, "Numbers"), wide(`Numbers: ${made.title}`, figureTable(made))));
+}
+
+function claims({ claims: { sets, rows } }) {
+  if (rows.length === 0) return [];
+  const head = (name) => el("th", { scope: "col" }, name);
+  return [el("details", { class: "claims" }, el("summary", {}, "Against the thesis: what its chapter 5 states, and these polygons"),
+    wide("Against the thesis", el("table", {},
+      el("thead", {}, el("tr", {}, ...["Section", "What", "The thesis", ...(sets.length > 1 ? sets : ["Here"])].map(head))),
+      el("tbody", {}, ...rows.map(({ section, what, thesis, ours }) => el("tr", {},
+        el("td", {}, section), el("th", { scope: "row" }, what), el("td", {}, thesis), ...ours.map((cell) => el("td", {}, cell))))))))];
+}
+
+// Fills an element with the results, under a line that says of what they are. Gives what ends the charts' following of
+// its width.
+export async function showResults(into, outputs, caption) {
+  const places = outputs.figures.map(({ id }) => el("div", { class: "plot", "data-figure": id }));
+  into.replaceChildren(el("p", { class: "second" }, caption), ...refused(outputs),
+    el("div", { class: "figures" }, ...outputs.figures.map((made, at) => figure(made, places[at]))), ...claims(outputs));
+  const charts = await import("./charts.js");
+  if (charts.missing) {
+    into.prepend(el("p", { class: "problem" }, "The charts are missing: this page was built without what draws them. Their numbers are below."));
+    return [];
+  }
+  return outputs.figures.flatMap((made, at) => {
+    if (!places[at].isConnected) return [];
+    places[at].before(charts.legend([made]));
+    return [charts.follow(places[at], made)];
+  });
+}

@@ -1,0 +1,50 @@
+// What the methods can be compared on: the polygon on the screen, the sets of the project, files of one's own. Each gives
+// tasks for the workers (crew.js).
+import { fetchJson } from "../kit/fetched.js";
+import { svgToText } from "../kit/svg_import.js";
+
+const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
+const methods = ["area", "circle", "distance", "distributed", "random"];
+
+const nameOf = (file) => file.name.replace(/\.[^.]*$/, "") || file.name;
+
+async function textOf(file) {
+  if (file.size > mostBytes) throw new Error("it has more than the 64 MiB that evenlift reads");
+  const text = await file.text().catch(() => {
+    throw new Error("it cannot be read");
+  });
+  if (text.includes("\0")) throw new Error("it is not a text");
+  return /^\s*</.test(text) ? svgToText(text) : text;
+}
+
+const cannotBeFetched = (what) => (error) => {
+  throw new Error(`${what} cannot be fetched: ${error.message}`);
+};
+
+// The polygon on the screen, method by method, so that the progress can be seen.
+export function thisPolygon({ text }) {
+  return methods.map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
+}
+
+// All files of assets/polygons, under the names of the gallery.
+export async function samples() {
+  const [gallery, texts] = await Promise.all([fetchJson("samples.json"), fetchJson("polygons.json")]).catch(cannotBeFetched("The samples"));
+  const titles = new Map(gallery.map(({ name, title }) => [name, title]));
+  const titleOf = (name) => titles.get(name) ?? `${titles.get(name.replace(/-moved$/, "")) ?? name}, centre of mass moved`;
+  return Object.entries(texts).map(([name, text]) => ({ set: "polygons", name, title: titleOf(name), read: async () => text }));
+}
+
+// All files of assets/thesis-like.
+export async function thesisLike() {
+  const all = await fetchJson("thesis-like.json").catch(cannotBeFetched("The set"));
+  return all.map(({ name, title, text }) => ({ set: "thesis-like", name, title, read: async () => text }));
+}
+
+// Two files of one name would be one polygon.
+export function ownFiles(files) {
+  if (files.length === 0) throw new Error("Choose files first, or drop them here");
+  const names = files.map(nameOf);
+  const twice = names.find((name, at) => names.indexOf(name) !== at);
+  if (twice !== undefined) throw new Error(`Two files have the name “${twice}”`);
+  return files.map((file, at) => ({ set: "files", name: names[at], title: names[at], read: () => textOf(file) }));
+}

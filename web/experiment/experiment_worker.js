@@ -1,0 +1,23 @@
+// A worker that measures polygons for the window of experiments (web/experiment.js), so that the page stays smooth.
+import createModule from "./experiment_core.js";
+import { Program } from "../page/program.js";
+
+const started = createModule().then((module) => new Program(module));
+
+const tasks = {
+  begin: (program, { minRatio, samples, weight, mostTeams }) => program.text("experiment_begin", minRatio, samples, weight, mostTeams),
+  measure: (program, { set, name, text, method }) => program.text("experiment_measure", set, name, text, method),
+  refuse: (program, { set, name, problem }) => program.text("experiment_refuse", set, name, problem),
+  results(program, { parts, onePolygon }) {
+    for (const part of parts) if (!program.number("experiment_add", part)) throw new Error("a part cannot be read");
+    return JSON.parse(program.text("experiment_results", onePolygon ? 1 : 0));
+  },
+};
+
+addEventListener("message", async ({ data: { id, task, ...given } }) => {
+  try {
+    postMessage({ id, answer: tasks[task](await started, given) });
+  } catch (error) {
+    postMessage({ id, problem: error.message });
+  }
+});

@@ -1,9 +1,0 @@
-// The page's own windows and what comes in from outside: loaded when first asked for, and all at once, as one file.
-export { ensureStyles } from "./dialogs.js";
-export { curves, show as experiment } from "./experiment.js";
-export { show as samples } from "./gallery.js";
-export { beginFromAddress } from "./lesson_source.js";
-export { show as lessons } from "./lessons.js";
-export { show as open, take } from "./open.js";
-export { show as save } from "./save.js";
-export { show as table } from "./table.js";

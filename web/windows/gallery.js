@@ -1,0 +1,146 @@
+// The gallery of samples.
+import { openWindow, problemLine } from "../kit/dialogs.js";
+import { button, el, svgEl } from "../kit/elements.js";
+import { show as showExperiment } from "../experiment/experiment.js";
+import { fetchJson } from "../kit/fetched.js";
+
+// The points of a text in the thesis's format, and its centre of mass; else the centroid.
+function read(text) {
+  const points = [];
+  let centre;
+  for (const [, com, x, y] of text.matchAll(/(CoM:)?\(([^,]+),([^)]+)\)/g)) {
+    if (com) centre = [Number(x), Number(y)];
+    else points.push([Number(x), Number(y)]);
+  }
+  return { points, centre: centre ?? centroid(points) };
+}
+
+function centroid(points) {
+  let area = 0, sx = 0, sy = 0;
+  points.forEach(([x1, y1], i) => {
+    const [x2, y2] = points[(i + 1) % points.length];
+    const cross = x1 * y2 - x2 * y1;
+    area += cross;
+    sx += (x1 + x2) * cross;
+    sy += (y1 + y2) * cross;
+  });
+  return [sx / (3 * area), sy / (3 * area)];
+}
+
+const width = 96;
+const height = 64;
+const round = (value) => Math.round(value * 10) / 10;
+
+function thumbnail(text) {
+  const { points, centre } = read(text);
+  const all = [...points, centre];
+  const low = [0, 1].map((axis) => Math.min(...all.map((p) => p[axis])));
+  const high = [0, 1].map((axis) => Math.max(...all.map((p) => p[axis])));
+  const scale = Math.min((width - 8) / (high[0] - low[0]), (height - 8) / (high[1] - low[1]));
+  const place = ([x, y]) => [round(width / 2 + (x - (low[0] + high[0]) / 2) * scale), round(height / 2 - (y - (low[1] + high[1]) / 2) * scale)];
+  const [cx, cy] = place(centre);
+  return svgEl("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
+    svgEl("polygon", { points: points.map(place).join(" ") }), svgEl("circle", { cx, cy, r: 3 }));
+}
+
+export async function show(page) {
+  const filter = el("input", { type: "search", class: "field", placeholder: "Filter", "aria-label": "Filter the samples", autocomplete: "off", spellcheck: "false" });
+  const list = el("div", { class: "scroll groups" });
+  const count = el("p", { class: "for-readers", role: "status" });
+  // A keyboard that comes up by itself would hide half of a phone's gallery.
+  const typing = matchMedia("(pointer: fine)").matches;
+  const footer = el("footer", {}, button("Compare methods over many polygons …", { onclick: () => {
+    root.close();
+    showExperiment(page, { source: "samples" });
+  } }));
+  const root = await openWindow({ name: "samples", title: "Samples", tools: [filter], body: [list, count, footer], focus: typing ? filter : undefined });
+  if (!root) return;
+
+  const load = async () => {
+    list.replaceChildren(el("p", { class: "second", role: "status" }, "Loading …"));
+    let samples;
+    try {
+      samples = await fetchJson("samples.json");  // [{group, title, text}]
+    } catch (error) {
+      const line = problemLine();
+      list.replaceChildren(line, button("Try again", { onclick: load }));
+      line.say(`The samples cannot be fetched: ${error.message}`);
+      return;
+    }
+    fill(list, samples, (text) => {
+      const problem = page.program.text("page_open_sample", text);
+      root.close();
+      if (problem) page.notice(`This sample cannot be opened: ${problem}.`, true);
+    });
+    connect(root, filter, list, count);
+    if (!typing && root.contains(document.activeElement)) list.querySelector("button")?.focus();
+  };
+  await load();
+}
+
+function fill(list, samples, choose) {
+  const groups = new Map();
+  for (const sample of samples) {
+    const group = sample.group || "To begin with";
+    if (!groups.has(group)) groups.set(group, []);
+    groups.get(group).push(sample);
+  }
+  list.replaceChildren(...[...groups].map(([group, members]) => el("section", {}, el("h3", {}, group),
+    el("ul", {}, ...members.map(({ title, text }) => el("li", { "data-words": `${title} ${group}`.toLowerCase() },
+      el("button", { type: "button", class: "sample", tabindex: "-1", onclick: () => choose(text) }, thumbnail(text), el("span", {}, title))))))),
+    el("p", { class: "second nothing", hidden: true }, "No sample has that name."));
+}
+
+function connect(root, filter, list, count) {
+  const shown = () => [...list.querySelectorAll("li:not([hidden]) > button")];
+  // Of all samples Tab reaches one; arrows lead to the others.
+  const reach = (sample) => {
+    for (const other of list.querySelectorAll(".sample[tabindex='0']")) other.tabIndex = -1;
+    if (sample) sample.tabIndex = 0;
+  };
+  const narrow = () => {
+    const words = filter.value.toLowerCase().split(/\s+/);
+    for (const item of list.querySelectorAll("li")) item.hidden = !words.every((word) => item.dataset.words.includes(word));
+    for (const section of list.querySelectorAll("section")) section.hidden = !section.querySelector("li:not([hidden])");
+    const found = shown();
+    list.querySelector(".nothing").hidden = found.length > 0;
+    list.scrollTop = 0;
+    if (filter.value) count.textContent = `${found.length} samples`;
+    reach(found[0]);
+  };
+  filter.addEventListener("input", narrow);
+  filter.addEventListener("keydown", (event) => {
+    if (event.key === "ArrowDown") focus(shown()[0]);
+    else if (event.key === "Enter") shown()[0]?.click();
+    else return;
+    event.preventDefault();
+  });
+  const focus = (sample) => {
+    if (!sample) return;
+    reach(sample);
+    sample.focus();
+  };
+  list.addEventListener("focusin", (event) => event.target.matches(".sample") && reach(event.target));
+  list.addEventListener("keydown", (event) => {
+    const all = shown();
+    const at = all.indexOf(document.activeElement);
+    if (at < 0) return;
+    if (event.key === "ArrowUp" && !nextRow(all, at, -1)) filter.focus();
+    else if (event.key.startsWith("Arrow")) focus({ ArrowLeft: all[at - 1], ArrowRight: all[at + 1], ArrowUp: nextRow(all, at, -1), ArrowDown: nextRow(all, at, 1) }[event.key]);
+    else if (event.key === "Home") focus(all[0]);
+    else if (event.key === "End") focus(all.at(-1));
+    else return;
+    event.preventDefault();
+  });
+  narrow();
+}
+
+// The sample of the row above or below that is nearest.
+function nextRow(all, at, direction) {
+  const here = all[at].getBoundingClientRect();
+  const others = all.map((sample) => ({ sample, box: sample.getBoundingClientRect() }))
+    .filter(({ box }) => direction * (box.top - here.top) > 1);
+  const row = Math.min(...others.map(({ box }) => direction * box.top));
+  const distance = ({ box }) => Math.abs(box.left - here.left);
+  return others.filter(({ box }) => direction * box.top < row + 1).sort((a, b) => distance(a) - distance(b))[0]?.sample;
+}

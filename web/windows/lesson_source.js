@@ -1,0 +1,81 @@
+// Where lessons come from: the page's own, texts, and files beside the page that an address names. Functions that open
+// one give why it was refused, or nothing.
+import { lowered } from "../kit/elements.js";
+import { ask, fetchJson } from "../kit/fetched.js";
+import { unreadable } from "../page/lesson_text.js";
+
+const mostBytes = 65536;  // core/include/evenlift/lesson.h
+const patience = 15000;  // ms
+
+// A ready-made one, of lessons.json.
+export function openReadyMade(page, { name, text, polygon }, join = false) {
+  return open(page, name, text, polygon, join);
+}
+
+// A lesson's text; the sample that it names is looked up. `name` is what an address calls it, if one can.
+export async function openLessonText(page, text, name = "", join = false) {
+  const problem = unreadable(text);
+  if (problem) return problem;
+  const sample = page.program.text("page_lesson_polygon", text);
+  if (!sample) return open(page, name, text, "", join);
+  let samples;
+  try {
+    samples = await fetchJson("polygons.json");
+  } catch (error) {
+    return `Its polygon cannot be fetched: ${error.message}`;
+  }
+  if (!Object.hasOwn(samples, sample)) return `It is about the sample “${sample}”, and there is none of that name`;
+  return open(page, name, text, samples[sample], join);
+}
+
+function open(page, name, text, polygon, join) {
+  const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0);
+  if (!problem) page.nameLesson(name);
+  return problem;
+}
+
+// What `?lesson=` names: a ready-made lesson, or a text file in the page's folder or below. No other addresses: whoever
+// writes a link must not choose what its reader's browser asks for elsewhere.
+const readyMade = /^[a-z0-9-]+$/;
+const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
+
+export async function openNamedLesson(page, name, join) {
+  if (readyMade.test(name)) {
+    const lesson = (await fetchJson("lessons.json")).find((l) => l.name === name);
+    return lesson ? openReadyMade(page, lesson, join) : "there is no ready-made lesson of that name";
+  }
+  if (!besideThePage.test(name) || name.length > 200) return "an address can name a ready-made lesson, or a .txt file in the page's own folder or below";
+  const text = await read(await ask(new URL(name, location.href), { redirect: "error", signal: AbortSignal.timeout(patience) }));
+  return text === undefined ? "A lesson has at most 65,536 bytes" : openLessonText(page, text, name, join);
+}
+
+// The text of an answer; none if it is longer than a lesson may be, and then no more of it is read.
+async function read(answer) {
+  const reader = answer.body.getReader();
+  const decoder = new TextDecoder();
+  let text = "";
+  for (let bytes = 0;;) {
+    const { done, value } = await reader.read();
+    if (done) return text + decoder.decode();
+    bytes += value.length;
+    if (bytes > mostBytes) {
+      reader.cancel();
+      return undefined;
+    }
+    text += decoder.decode(value, { stream: true });
+  }
+}
+
+// The lesson and the challenge that the address asks for, once its link is open.
+export async function beginFromAddress(page, { lesson, challenge, join }) {
+  if (lesson) {
+    const problem = await openNamedLesson(page, lesson, join).catch((error) => error.message);
+    if (problem) {
+      page.nameLesson("");
+      page.notice(`The lesson “${lesson.slice(0, 60)}” cannot be opened: ${lowered(problem)}.`, true);
+    }
+  }
+  if (!challenge) return;
+  if (page.program.number("page_lesson_is_open")) page.program.call("page_predict");
+  else page.program.call("page_begin_lesson", 1);
+}

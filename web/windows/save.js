@@ -1,0 +1,102 @@
+// Share and save: the link, its QR code, and files.
+import { openWindow, problemLine } from "../kit/dialogs.js";
+import { button, download, el, icon, rasterise } from "../kit/elements.js";
+import { showQr } from "./qr.js";
+import { forgetAside, textsAside } from "../page/recovery.js";
+
+// A row for each robot; numbers read back to the same double.
+function csv({ teams }) {
+  const exact = (value) => (Object.is(value, -0) ? "-0" : String(value));
+  const rows = teams.flatMap(({ ends, ratio, loads }, team) => ends.map(([x, y], end) =>
+    [2 * team + end + 1, team + 1, `r${end + 1}`, x, y, loads[end], loads[end] / (loads[0] + loads[1]), ratio].map(exact)));
+  return [["robot", "team", "end", "x", "y", "load", "share_of_team", "load_ratio"], ...rows].map((row) => `${row.join(",")}\n`).join("");
+}
+
+// What can be saved: under which name, for what, and how it is made.
+const files = [
+  ["Polygon", [
+    ["Text", "As in the thesis", "polygon.txt", "text/plain", (p) => p.text("page_text")],
+    ["WKT", "The outline alone", "polygon.wkt", "text/plain", (p) => p.text("page_wkt")],
+    ["GeoJSON", "With centre of mass", "polygon.geojson", "application/geo+json", (p) => p.text("page_geojson")],
+  ]],
+  ["Picture", [
+    ["SVG", "Sharp at any size", "picture.svg", "image/svg+xml", (p) => p.text("page_svg")],
+    ["PNG", "Twice the pixels", "picture.png", "image/png", (p) => rasterise(p.text("page_svg"), 2)],
+  ]],
+  ["Result", [
+    ["JSON", "All that is computed", "result.json", "application/json", (p) => p.text("page_state")],
+    ["CSV", "A row per robot", "robots.csv", "text/csv", (p) => csv(JSON.parse(p.text("page_state")))],
+  ]],
+];
+
+export async function show(page) {
+  const link = page.program.text("page_link");
+  const address = link && page.address(link);
+  const challenge = link && page.address(link, true);
+  const problem = problemLine();
+  const root = await openWindow({
+    name: "save",
+    title: "Share and save",
+    body: [el("div", { class: "scroll" }, ...share(page, address, problem), ...challengeLink(page, challenge, problem), problem, ...files.map((group) => choices(page, group, problem)), ...aside())],
+  });
+  if (!root) return;
+  root.querySelector(".primary, .choice").focus();
+  if (!link) problem.say(`There is no link: ${page.program.text("page_link_problem")}. A file holds it`);
+}
+
+// What stopped the page when it was opened.
+function aside() {
+  const texts = textsAside();
+  if (!texts.length) return [];
+  const section = el("section", {}, el("h3", {}, "Set aside"), el("p", { class: "second" }, "The page stopped when this was opened, the newest first."),
+    el("div", { class: "choices" }, ...texts.map((text, i) => el("button", { type: "button", class: "choice", onclick: () => download(new Blob([text], { type: "text/plain" }), `evenlift-aside-${i + 1}.txt`) },
+      el("span", {}, el("b", {}, `Text ${i + 1}`), " ", el("small", {}, `${text.length.toLocaleString("en")} characters`)))),
+    button("Forget", { onclick: () => {
+      forgetAside();
+      section.remove();
+    } })));
+  return [section];
+}
+
+function share(page, address, problem) {
+  if (!address) return [];
+  const said = el("p", { class: "second", role: "status" }, page.lengthOf(address));
+  const field = el("input", { id: "link", class: "field", readonly: true, value: address, "aria-label": "Link", onfocus: () => field.select() });
+  const copy = button("Copy", { class: "button primary" }, "copy");
+  copy.addEventListener("click", async () => {
+    const done = await page.copy(address);
+    if (!done) {
+      problem.say("The browser did not let the page copy. Copy it from the field");
+      return field.focus();
+    }
+    copy.replaceChildren(icon("done"), "Copied");
+    said.textContent = `The link is copied. ${page.lengthOf(address)}`;
+    setTimeout(() => copy.replaceChildren(icon("copy"), "Copy"), 2500);
+  });
+  const qr = button("QR code", { onclick: async () => problem.say(await showQr(page, address)) }, "qr");
+  return [el("h3", {}, "Link"), el("div", { class: "row" }, field, copy, qr), said];
+}
+
+function challengeLink(page, address, problem) {
+  if (!address) return [];
+  const said = el("p", { class: "second", role: "status" }, "Opens the lesson of this polygon, and asks for a guess before it shows a choice.");
+  const copy = button("Challenge link", { onclick: async () => {
+    if (await page.copy(address)) said.textContent = "The challenge link is copied.";
+    else problem.say("The browser did not let the page copy. The challenge is the link with ?challenge=1 before its #");
+  } }, "copy");
+  return [el("div", { class: "row challenge" }, said, copy)];
+}
+
+function choices(page, [group, members], problem) {
+  return el("section", {}, el("h3", {}, group), el("div", { class: "choices" }, ...members.map(([name, about, file, type, make]) => {
+    const save = async () => {
+      try {
+        download(new Blob([await make(page.program)], { type }), `evenlift-${file}`);
+        problem.say("");
+      } catch (error) {
+        problem.say(`The file cannot be made: ${error.message}`);
+      }
+    };
+    return el("button", { type: "button", class: "choice", onclick: save }, icon("save"), el("span", {}, el("b", {}, name), " ", el("small", {}, about)));
+  })));
+}

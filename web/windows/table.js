@@ -1,0 +1,251 @@
+// The coordinates as a table beside the canvas: what is typed there moves the drawing, and the other way round.
+import { openWindow, problemLine } from "../kit/dialogs.js";
+import { button, el } from "../kit/elements.js";
+import { show as openText } from "./open.js";
+import { underWay } from "../page/under_way.js";
+
+const name = "table";
+const most = 500;  // rows at once; a longer table has pages
+
+export async function show(page) {
+  const open = document.getElementById(name);
+  if (open?.open) return open.close();  // the key that opens it closes it
+  const table = new Table(page);
+  const root = await openWindow({
+    name,
+    title: "Coordinates",
+    modal: false,
+    tools: [table.whole],
+    body: [table.refusal, table.problem, table.scroll, el("footer", {}, table.pager, table.centre.row)],
+    closed: () => table.disconnect(),
+  });
+  if (root) table.connect(root);
+}
+
+class Table {
+  #page;
+  #rows = [];  // of the page that is shown
+  #from = 0;  // its first vertex
+  #selected = -1;
+  #leave = new AbortController();
+  #due;  // what brings it up to date soon
+
+  constructor(page) {
+    this.#page = page;
+    this.refusal = problemLine({ class: "refusal", role: "status" });
+    this.problem = problemLine();
+    this.body = el("tbody");
+    this.scroll = el("div", { class: "scroll" }, el("table", {}, el("thead", {},
+      el("tr", {}, ...["Vertex", "x", "y"].map((head) => el("th", { scope: "col" }, head)), el("td", {}))), this.body));
+    this.whole = button("Edit as text", { class: "button bare", onclick: () => openText(page, { edited: this.#text() }) });
+    this.centre = this.#centreRow();
+    this.pager = this.#pagerRow();
+  }
+
+  connect(root) {
+    const { signal } = this.#leave;
+    const soon = () => this.#soon();
+    document.addEventListener("evenlift-change", soon, { signal });
+    // What is selected and under the pointer is known once the canvas has drawn.
+    const canvas = document.getElementById("canvas");
+    for (const type of ["pointermove", "pointerup", "pointerleave", "keyup"]) canvas.addEventListener(type, soon, { signal });
+    root.addEventListener("keydown", (event) => this.#key(event, root));
+    root.addEventListener("change", (event) => this.#commit(event.target));
+    root.addEventListener("focusin", ({ target }) => {
+      const vertex = this.#vertexOf(target);
+      if (target.matches("input")) target.select();
+      if (vertex < 0 || vertex === this.#selected) return;
+      this.#selected = vertex;
+      this.#program.call("page_select_vertex", vertex);
+      soon();
+    });
+    this.#selected = this.#program.number("page_selected_vertex");
+    if (this.#selected >= 0) this.#from = this.#pageOf(this.#selected);
+    this.#refresh();
+    // A keyboard that comes up by itself would hide half of a phone's table.
+    if (matchMedia("(pointer: fine)").matches) this.#focus(Math.max(this.#selected, 0) - this.#from, 0);
+  }
+
+  disconnect() {
+    this.#leave.abort();
+  }
+
+  get #program() {
+    return this.#page.program;
+  }
+
+  #text() {
+    const lines = (text) => text.trim().split("\n").map((line) => `(${line.replace(" ", ",")})\n`);
+    const count = this.#program.number("page_vertex_count");
+    const centre = this.#program.number("page_centre_is_given") ? `CoM:${lines(this.#program.text("page_centre"))[0]}` : "";
+    return centre + lines(this.#program.text("page_vertices", 0, count)).join("");
+  }
+
+  // --- Rows -----------------------------------------------------------------------------------------------------------
+
+  #inputs(what) {
+    return ["x", "y"].map((axis) => el("input", { class: "field", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "aria-label": `${what}, ${axis}` }));
+  }
+
+  #row(vertex) {
+    const inputs = this.#inputs(`Vertex ${vertex + 1}`);
+    const act = (label, picture, run) => button("", { class: "button bare", "aria-label": `${label} ${vertex + 1}`, title: label, onclick: run }, picture);
+    const insert = act("Insert a vertex after", "plus", () => {
+      this.#program.call("page_insert_vertex", vertex);
+      this.#refresh();
+      this.#go(vertex + 1);
+    });
+    const remove = act("Delete vertex", "close", () => {
+      this.#program.call("page_remove_vertex", vertex);
+      this.#refresh();
+      this.#go(Math.min(vertex, this.#program.number("page_vertex_count") - 1), 3);
+    });
+    const row = el("tr", {}, el("th", { scope: "row" }, String(vertex + 1)), ...inputs.map((input) => el("td", {}, input)), el("td", { class: "acts" }, insert, remove));
+    return { row, inputs, remove, vertex };
+  }
+
+  #centreRow() {
+    const inputs = this.#inputs("Centre of mass");
+    const release = button("Back to centroid", { onclick: () => {
+      this.#program.call("page_release_centre");
+      inputs[0].focus();
+    } });
+    return { row: el("div", { class: "row centre", role: "group", "aria-label": "Centre of mass" }, el("span", { class: "name" }, "Centre of mass"), release, ...inputs), inputs, release, vertex: -1 };
+  }
+
+  #pagerRow() {
+    const turn = (by) => {
+      this.#from += by * most;
+      this.#refresh();
+      this.scroll.scrollTop = 0;
+    };
+    this.back = button("Previous", { onclick: () => turn(-1) });
+    this.next = button("Next", { onclick: () => turn(1) });
+    this.range = el("span", { class: "second", role: "status" });
+    return el("div", { class: "row pager" }, this.back, this.range, this.next);
+  }
+
+  #pageOf(vertex) {
+    return vertex - (vertex % most);
+  }
+
+  #soon() {
+    this.#due ??= underWay(new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))).then(() => {
+      this.#due = undefined;
+      if (!this.#leave.signal.aborted) this.#refresh();
+    }));
+  }
+
+  // Brings all that differs up to date.
+  #refresh() {
+    const program = this.#program;
+    const count = program.number("page_vertex_count");
+    const selected = program.number("page_selected_vertex");
+    const moved = selected !== this.#selected;
+    this.#selected = selected;
+    if (moved && selected >= 0) this.#from = this.#pageOf(selected);
+    this.#from = Math.min(this.#from, this.#pageOf(count - 1));
+    const shown = Math.min(most, count - this.#from);
+    if (this.#rows.length !== shown || this.#rows[0]?.vertex !== this.#from) {
+      const kept = this.#rows.filter(({ vertex }) => vertex >= this.#from && vertex < this.#from + shown);
+      this.#rows = Array.from({ length: shown }, (_, i) => (kept[0]?.vertex === this.#from && kept[i]) || this.#row(this.#from + i));
+      this.body.replaceChildren(...this.#rows.map(({ row }) => row));
+    }
+    const hovered = program.number("page_hovered_vertex");
+    program.text("page_vertices", this.#from, shown).trimEnd().split("\n").forEach((line, i) => {
+      const { row, inputs, remove, vertex } = this.#rows[i];
+      write(inputs, line);
+      row.className = vertex === selected ? "selected" : vertex === hovered ? "hovered" : "";
+      remove.disabled = count <= 3;
+    });
+    write(this.centre.inputs, program.text("page_centre").trimEnd());
+    this.centre.release.disabled = !program.number("page_centre_is_given");
+    this.refusal.say(program.text("page_refusal"));
+    this.pager.hidden = count <= most;
+    this.back.disabled = this.#from === 0;
+    this.next.disabled = this.#from + shown >= count;
+    this.range.textContent = `${this.#from + 1}–${this.#from + shown} of ${count}`;
+    if (moved && selected >= 0 && document.activeElement === document.getElementById("canvas")) this.#rows[selected - this.#from].row.scrollIntoView({ block: "nearest" });
+  }
+
+  // --- Keys and edits -------------------------------------------------------------------------------------------------
+
+  // The vertex whose row this is in; -1 for the centre of mass, -2 for neither.
+  #vertexOf(element) {
+    if (this.centre.inputs.includes(element)) return -1;
+    return this.#rows.find(({ row }) => row.contains(element))?.vertex ?? -2;
+  }
+
+  #commit(input) {
+    const vertex = this.#vertexOf(input);
+    if (vertex < -1) return;
+    const { inputs } = vertex < 0 ? this.centre : this.#rows[vertex - this.#from];
+    const axis = inputs.indexOf(input);
+    if (input.value === input.dataset.is) return this.#accept(input);
+    const problem = this.#program.text("page_set_coordinate", vertex, axis, input.value);
+    if (problem) {
+      input.setAttribute("aria-invalid", "true");
+      this.problem.say(`${input.getAttribute("aria-label")}: ${problem}`);
+      return;
+    }
+    this.#accept(input);
+    input.dataset.is = "";  // to be written as the program writes it
+    this.#refresh();
+  }
+
+  #accept(input) {
+    input.removeAttribute("aria-invalid");
+    if (!this.body.querySelector("[aria-invalid]") && !this.centre.inputs.some((other) => other.hasAttribute("aria-invalid"))) this.problem.say("");
+  }
+
+  #key(event, root) {
+    const { target: input, key } = event;
+    const typed = input.matches("input") && input.value !== input.dataset.is;
+    if (key === "Escape") {
+      if (typed) {
+        input.value = input.dataset.is;
+        this.#accept(input);
+      } else {
+        root.close();
+      }
+    } else if ((event.ctrlKey || event.metaKey) && /^[zy]$/i.test(key)) {
+      if (typed) return;  // the field's own undo
+      this.#program.number("page_key", key, 1, event.shiftKey ? 1 : 0);
+    } else if (/^(Enter|ArrowUp|ArrowDown)$/.test(key) && input.matches("input")) {
+      const up = key === "ArrowUp" || event.shiftKey;
+      if (typed) this.#commit(input);
+      const vertex = this.#vertexOf(input);
+      if (vertex >= 0 && !input.hasAttribute("aria-invalid")) this.#focus(vertex - this.#from + (up ? -1 : 1), this.#rows[vertex - this.#from].inputs.indexOf(input));
+    } else {
+      return;
+    }
+    event.preventDefault();
+  }
+
+  #go(vertex, column = 0) {
+    this.#from = this.#pageOf(vertex);
+    this.#refresh();
+    this.#focus(vertex - this.#from, column);
+  }
+
+  // Columns: x, y, insert, delete.
+  #focus(index, column) {
+    const row = this.#rows[index]?.row;
+    const cell = row?.querySelectorAll("input, button")[column];
+    (cell?.disabled ? row.querySelector("input") : cell)?.focus();
+    row?.scrollIntoView({ block: "nearest" });
+  }
+}
+
+// Writes `x y` into two fields, but not over what somebody is typing.
+function write(inputs, line) {
+  line.split(" ").forEach((value, axis) => {
+    const input = inputs[axis];
+    if (input.dataset.is === value) return;
+    if (input.value === (input.dataset.is || input.value)) {
+      input.value = value;
+      input.removeAttribute("aria-invalid");
+    }
+    input.dataset.is = value;
+  });
+}
