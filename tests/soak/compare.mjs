@@ -3,13 +3,15 @@
 import { run } from "./run.mjs";
 
 const batch = 1000;
-const mostBatchesAtATime = 50;
+const mostBatchesAtATime = 10;
+// For a batch that hangs: a hundred times what it takes on an idle machine.
+const secondsForABatch = 120;
 const mostDifferences = 20;
 
-const ask = (program, first, count, ...more) => run([...program, `${first}`, `${count}`, ...more]);
+const ask = (program, first, count, ...more) => run([...program, `${first}`, `${count}`, ...more], { seconds: secondsForABatch * Math.ceil(count / batch) });
 
-// The first document of the batch that the two do not agree on.
-async function findDocument({ native, webAssembly, first, count }) {
+// The first document of the batch that the two do not agree on; `ended` says how they ended when all were asked for.
+async function findDocument({ native, webAssembly, first, count, ended }) {
   const [a, b] = await Promise.all([ask(native, first, count, "each"), ask(webAssembly, first, count, "each")]);
   for (let i = 0; i < count; ++i) {
     if (a.lines[i] !== undefined && a.lines[i] === b.lines[i]) continue;
@@ -18,18 +20,19 @@ async function findDocument({ native, webAssembly, first, count }) {
     if (b.lines[i] === undefined && b.status !== 0) return { number, problem: `the WebAssembly program ended with ${b.ending}` };
     return { number, problem: "native and WebAssembly differ" };
   }
-  return { number: first, problem: `a batch of ${count} differs, but none of its documents by itself` };
+  return { number: first, problem: `a batch of ${count} differs, but none of its documents by itself (${ended})` };
 }
 
 // Compares `count` documents from `first` on: on how many the programs agree, and where they differ.
 export async function compareBatches({ native, webAssembly, first, count, most = mostDifferences }) {
   const [a, b] = await Promise.all([ask(native, first, count), ask(webAssembly, first, count)]);
+  const ended = `native: ${a.ending}, WebAssembly: ${b.ending}`;
   const different = [];
   let cases = 0;
   for (let i = 0; i * batch < count && different.length < most; ++i) {
     const here = Math.min(batch, count - i * batch);
     if (a.lines[i] !== undefined && a.lines[i] === b.lines[i]) cases += here;
-    else different.push(await findDocument({ native, webAssembly, first: first + i * batch, count: here }));
+    else different.push(await findDocument({ native, webAssembly, first: first + i * batch, count: here, ended }));
   }
   return { cases, different };
 }
