@@ -62,7 +62,7 @@ const fuzz = (name) => async (seconds, seed) => {
       `-seed=${(seed % 0xffffffff) + 1}`,
       `-max_len=${fuzzers[name].longest}`,
       `-artifact_prefix=${found}/${name}-`,
-      "-timeout=20",
+      "-timeout=120",  // far more than an input of this length takes, on a busy machine too
       "-rss_limit_mb=2048",
       "-print_final_stats=1",
       corpus,
