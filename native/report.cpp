@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "evenlift/numbers.h"
+#include "evenlift/output/markup.h"
 #include "evenlift/output/words.h"
 
 namespace evenlift::native {
@@ -30,29 +31,6 @@ std::string text_of(const unsigned char (&bytes)[n]) {
 }
 
 bool have_charts() { return sizeof script_bytes > 1; }
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string count(std::size_t n, const std::string& of) {
   return std::to_string(n) + " " + of + (n == 1 ? "" : "s");

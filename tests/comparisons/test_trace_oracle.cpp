@@ -6,6 +6,7 @@
 #include "evenlift/trace.h"
 #include "kit/catch.h"
 #include "oracle/exact.h"
+#include "shapes/problem_document.h"
 #include "oracle/oracle.h"
 #include "shapes/small_polygons.h"
 
@@ -21,22 +22,8 @@ oracle::Point point(const Vec2& v) { return {v.x(), v.y()}; }
 ExactVec exact(const Vec2& v) { return oracle::exact(point(v)); }
 double rounded(const Exact& v) { return static_cast<double>(v); }
 
-Document document(const oracle::Problem& problem) {
-  Document d;
-  for (const oracle::Point& p : problem.vertices) d.vertices.push_back({p[0], p[1]});
-  if (problem.centre_of_mass)
-    d.centre_of_mass = Vec2{(*problem.centre_of_mass)[0], (*problem.centre_of_mass)[1]};
-  d.settings.teams = static_cast<std::uint32_t>(problem.teams);
-  d.settings.min_ratio = problem.min_ratio;
-  d.settings.weight = problem.weight;
-  d.settings.metric = problem.metric == oracle::Metric::area     ? Metric::area
-                      : problem.metric == oracle::Metric::circle ? Metric::circle
-                                                                 : Metric::distance;
-  return d;
-}
-
 std::optional<Trace> trace_of(const Case& c) {
-  const Result<Placement> placement = place(document(c.problem));
+  const Result<Placement> placement = place(evenlift::testing::document_of(c.problem));
   REQUIRE(placement.ok());
   const Result<Trace> trace = make_trace(*placement);
   if (!trace) return std::nullopt;  // too small to be shown

@@ -10,20 +10,15 @@
 #include "evenlift/generate.h"
 #include "evenlift/predicates.h"
 #include "kit/catch.h"
+#include "kit/polygons.h"
 #include "shapes/small_polygons.h"
 
 using namespace evenlift;
+using evenlift::testing::polygon;
+using evenlift::testing::square;
+using evenlift::testing::u_shape;
 
 namespace {
-
-Polygon polygon(Points vertices) {
-  auto p = Polygon::create(std::move(vertices));
-  REQUIRE(p.ok());
-  return *std::move(p);
-}
-
-const Points square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-const Points u_shape{{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
 
 template <class Visit>
 void for_each_case(std::uint64_t number, Visit visit) {

@@ -7,22 +7,13 @@
 
 #include "grasp/wrench_margin.h"
 #include "kit/catch.h"
+#include "kit/polygons.h"
 #include "polygon/half_planes.h"
 
 using namespace evenlift;
-
-namespace {
-
-Polygon polygon(Points vertices) {
-  auto p = Polygon::create(std::move(vertices));
-  REQUIRE(p.ok());
-  return *std::move(p);
-}
-
-const Points square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-const Points u_shape{{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
-
-}  // namespace
+using evenlift::testing::polygon;
+using evenlift::testing::square;
+using evenlift::testing::u_shape;
 
 TEST_CASE("a robot touches one edge inside it, two at a reflex vertex, none at a convex one",
           "[closure]") {

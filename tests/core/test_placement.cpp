@@ -8,6 +8,7 @@
 #include "kit/catch.h"
 #include "kit/check_placement.h"
 #include "kit/corpus.h"
+#include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
 using namespace evenlift;
@@ -74,12 +75,7 @@ TEST_CASE("thousands of small polygons are placed by the rules", "[placement]") 
   int with_area = 0, closed = 0, second_order = 0;
   for (std::uint64_t number = 0; number < 4000; ++number) {
     const small_polygons::Case c = small_polygons::make_case(number);
-    Document d;
-    for (const auto& p : c.problem.vertices) d.vertices.emplace_back(p[0], p[1]);
-    if (c.problem.centre_of_mass)
-      d.centre_of_mass = Vec2((*c.problem.centre_of_mass)[0], (*c.problem.centre_of_mass)[1]);
-    d.settings.min_ratio = c.problem.min_ratio;
-    d.settings.teams = static_cast<std::uint32_t>(c.problem.teams);
+    Document d = evenlift::testing::document_of(c.problem);
     d.settings.metric = all_metrics[number % std::size(all_metrics)];
     d.settings.seed = number;
     const auto placement = place(d);

@@ -8,19 +8,15 @@
 #include "evenlift/generate.h"
 #include "evenlift/hull.h"
 #include "kit/catch.h"
+#include "kit/polygons.h"
 #include "kit/check_placement.h"
 
 using namespace evenlift;
+using evenlift::testing::polygon;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Polygon polygon(Points vertices) {
-  auto p = Polygon::create(std::move(vertices));
-  REQUIRE(p.ok());
-  return *std::move(p);
-}
 
 }  // namespace
 

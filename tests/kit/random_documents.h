@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string>
 
@@ -15,15 +15,11 @@
 namespace evenlift::testing {
 
 inline std::uint64_t bits_of(double value) {
-  std::uint64_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
+  return std::bit_cast<std::uint64_t>(value);
 }
 
 inline double double_of(std::uint64_t bits) {
-  double value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
+  return std::bit_cast<double>(bits);
 }
 
 inline bool same_bits(const Vec2& a, const Vec2& b) {

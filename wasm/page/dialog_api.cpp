@@ -22,19 +22,13 @@
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
+#include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/browser.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 namespace {
-
-// Keeps a text alive for JavaScript to read.
-const char* hand_over(std::string text) {
-  static std::string kept;
-  kept = std::move(text);
-  return kept.c_str();
-}
 
 void carry_out(Commands commands) {
   App& a = app();

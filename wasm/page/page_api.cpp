@@ -1,3 +1,4 @@
+#include "page/hand_over.h"
 #include "page/page_api.h"
 
 #include <emscripten/emscripten.h>
@@ -21,13 +22,6 @@
 
 namespace evenlift::view {
 namespace {
-
-// Keeps a text alive for JavaScript to read.
-const char* hand_over(std::string text) {
-  static std::string kept;
-  kept = std::move(text);
-  return kept.c_str();
-}
 
 const char* no_error() { return ""; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evenlift/output/markup.h"
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "output/svg/label_places.h"

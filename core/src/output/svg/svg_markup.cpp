@@ -1,5 +1,6 @@
 #include "output/svg/svg_markup.h"
 
+#include "evenlift/output/markup.h"
 #include "output/words/ascii_number.h"
 
 namespace evenlift::svg {
@@ -30,26 +31,6 @@ std::string path(const Points& points, bool closed) {
 std::string text(const Vec2& at, double size, std::string_view words, std::string_view attributes) {
   return "<text" + attribute("x", at.x()) + attribute("y", at.y()) + attribute("font-size", size) +
          std::string(attributes) + ">" + escaped(words) + "</text>\n";
-}
-
-std::string escaped(std::string_view words) {
-  std::string out;
-  for (const char c : words) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
 }
 
 double text_width(std::string_view words, double size, double average) {

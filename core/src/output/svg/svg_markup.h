@@ -23,9 +23,6 @@ std::string path(const Points& points, bool closed);  // the attribute d
 std::string text(const Vec2& at, double size, std::string_view words,
                  std::string_view attributes = "");
 
-// What stands between tags, escaped.
-std::string escaped(std::string_view words);
-
 // An estimate on the generous side: the font is the reader's, and there are no metrics here.
 // `average` is the width of a character in units of the size.
 double text_width(std::string_view words, double size, double average = 0.56);

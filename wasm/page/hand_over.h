@@ -1,0 +1,16 @@
+// How a text is given to JavaScript.
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace evenlift::view {
+
+// Keeps the text alive for JavaScript to read, until the next one is handed over.
+inline const char* hand_over(std::string text) {
+  static std::string kept;
+  kept = std::move(text);
+  return kept.c_str();
+}
+
+}  // namespace evenlift::view
