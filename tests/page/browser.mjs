@@ -1,10 +1,10 @@
 // A browser with the built page in it, for the tests beside this file.
 //   EVENLIFT_PAGE     the page's folder, build/page if not given
-//   EVENLIFT_BROWSER  Chromium or Chrome, /usr/bin/chromium if not given
+//   EVENLIFT_BROWSER  Chromium or Chrome; if not given, /usr/bin/chromium-headless-shell or /usr/bin/chromium
 //   EVENLIFT_PROGRAM  the native program, build/bin/evenlift if not given
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
@@ -14,9 +14,18 @@ export const root = fileURLToPath(new URL("../..", import.meta.url));
 export const pageFolder = process.env.EVENLIFT_PAGE || path.join(root, "build/page");
 const program = process.env.EVENLIFT_PROGRAM || path.join(root, "build/bin/evenlift");
 
-// The WebGL of a machine without graphics, and nothing that asks the network.
-const options = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
-  "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+// Headless Chromium without the rest of the browser opens a page three times as fast.
+const executable = process.env.EVENLIFT_BROWSER ||
+  ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((file) => existsSync(file));
+
+// The WebGL of a machine without graphics: Mesa's where it is installed, which draws twice as fast, or Chromium's own.
+const graphics = existsSync("/usr/share/glvnd/egl_vendor.d/50_mesa.json")
+  ? ["--use-angle=gl-egl", "--ignore-gpu-blocklist"]
+  : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+// Nothing asks the network.
+const options = [...graphics, "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync"];
 
 // How long a test waits for what must come: for as long as a very busy machine may need.
 export const patience = 300000;
@@ -43,7 +52,7 @@ export function gallery() {
 export async function startBrowser(extraOptions = []) {
   const server = await serve(pageFolder, 0);
   const browser = await chromium.launch({
-    executablePath: process.env.EVENLIFT_BROWSER || "/usr/bin/chromium",
+    executablePath: executable,
     args: [...options, ...extraOptions],
   });
   async function close() {

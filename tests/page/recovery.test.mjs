@@ -14,13 +14,14 @@ after(() => browser.close());
 
 // --- The documented limits -------------------------------------------------------------------------------------------
 
-// A star of n vertices, as text; made in the page, which is where it is needed.
-function loadStar(page, n) {
+// A smooth outline of n vertices; made in the page, which is where it is needed. A more symmetric one has many teams that
+// are nearly as good as each other: then the placement, not the picture, would take most of the time.
+function loadOutline(page, n) {
   return page.evaluate((count) => {
     const lines = [];
     for (let i = 0; i < count; ++i) {
       const a = (2 * Math.PI * i) / count;
-      const r = 4e5 + 5e4 * Math.sin(9 * a);
+      const r = 4e5 + 5e4 * Math.sin(2 * a);
       lines.push(`(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`);
     }
     evenlift.load(lines.join("\n"));
@@ -35,7 +36,7 @@ for (const [n, ratio] of [[200000, 1], [200000, 1.25], [200000, 1.5], [200000, 2
     const before = await state(page);
     await idle(page);
     const frames = await page.evaluate(() => evenlift.frames);
-    await loadStar(page, n);
+    await loadOutline(page, n);
     await idle(page);
     assert.ok((await page.evaluate(() => evenlift.frames)) > frames, "it is drawn");
     assert.equal(await vertices(page), n);
@@ -71,8 +72,10 @@ test("one vertex more than is allowed is refused in a sentence", async () => {
 
 // --- What fails while the page runs ----------------------------------------------------------------------------------
 
-// Faults that a test can switch on: a browser that gives no more memory, and one whose WebGL throws.
+// Faults that a test can switch on: a browser that gives no more memory, and one whose WebGL throws, at once or for so
+// many starts from the next one on.
 function faults() {
+  const doomed = location.protocol.startsWith("http") && localStorage.getItem("test.starts") > 0;
   const { grow } = WebAssembly.Memory.prototype;
   WebAssembly.Memory.prototype.grow = function (pages) {
     if (globalThis.noMemory) throw new RangeError("no more memory, says the test");
@@ -80,11 +83,10 @@ function faults() {
   };
   const { drawElements } = WebGL2RenderingContext.prototype;
   WebGL2RenderingContext.prototype.drawElements = function (...args) {
-    if (globalThis.noPicture || localStorage.getItem("test.starts") > 0) throw new Error("no picture, says the test");
+    if (globalThis.noPicture || doomed) throw new Error("no picture, says the test");
     return drawElements.apply(this, args);
   };
-  // Each start uses one of these up.
-  addEventListener("pagehide", () => localStorage.setItem("test.starts", Math.max(0, Number(localStorage.getItem("test.starts")) - 1)));
+  if (doomed) localStorage.setItem("test.starts", localStorage.getItem("test.starts") - 1);
 }
 
 const faulty = (options = {}) => browser.open({ script: faults, quiet: false, ...options });
@@ -183,7 +185,7 @@ test("a start that failed is not repeated with the same document, which is kept"
   await published(page);
   const kept = await link(page);
   await idle(page);
-  await page.evaluate(() => localStorage.setItem("test.starts", "2"));  // this one and the next
+  await page.evaluate(() => localStorage.setItem("test.starts", "1"));
   await startsAnew(page, () => page.goto(browser.server.url + "?plain"));
   assert.match(await noticed(page), /^The page stopped when the last polygon was opened, so it is not opened again\. It is kept: Save has it as a file\.$/);
   assert.deepEqual(await state(page), first);
@@ -207,7 +209,7 @@ test("a link that stopped a start is not opened again; the work of this browser 
   await load(other, asset("anchor"));
   const bad = await link(other);
   await other.done();
-  await page.evaluate(() => localStorage.setItem("test.starts", "2"));
+  await page.evaluate(() => localStorage.setItem("test.starts", "1"));
   await startsAnew(page, () => page.goto(`${browser.server.url}?plain#${bad}`));
   assert.match(await noticed(page), /^The page stopped when this link was opened, so it is not opened again\./);
   assert.deepEqual(await state(page), mine);

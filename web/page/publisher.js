@@ -1,6 +1,6 @@
 import { readAddress, withLesson } from "./address.js";
 import { lasting, ofThisTab, read, write } from "./storage.js";
-import { begin, end } from "./work.js";
+import { begin, end, isAwaited, whenAwaited } from "./work.js";
 
 // Brings what the browser keeps up to date with the document: address bar and storage a few times a second at most
 // (browsers refuse more), the summary for screen readers when there is a pause.
@@ -29,6 +29,10 @@ export class Publisher {
     this.#embed = embed;
     addEventListener("pagehide", () => this.#leave());
     document.addEventListener("visibilitychange", () => document.hidden && this.#leave());
+    whenAwaited(() => {
+      if (this.#writeTimer) this.#writeSoon();
+      if (this.#speakTimer) this.#speakSoon();
+    });
   }
 
   // From here on changes are published; what was opened at the start is not yet one.
@@ -71,15 +75,25 @@ export class Publisher {
     this.#drawn = false;
     if (!this.#writeTimer) {
       begin();
-      this.#writeTimer = setTimeout(() => this.#write(), Math.max(0, this.#lastWrite + betweenWrites - performance.now()));
+      this.#writeSoon();
     }
     if (!this.#speakTimer) begin();
+    this.#speakSoon();
+  }
+
+  #writeSoon() {
+    clearTimeout(this.#writeTimer);
+    const wait = isAwaited() ? 0 : Math.max(0, this.#lastWrite + betweenWrites - performance.now());
+    this.#writeTimer = setTimeout(() => this.#write(), wait);
+  }
+
+  #speakSoon() {
     clearTimeout(this.#speakTimer);
     this.#speakTimer = setTimeout(() => {
       this.#speakTimer = 0;
       this.#speak();
       end();
-    }, beforeSpeaking);
+    }, isAwaited() ? 0 : beforeSpeaking);
   }
 
   // What this browser keeps besides the document: `name=value` lines of the program's own.

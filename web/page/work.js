@@ -3,6 +3,17 @@
 let open = 0;
 let waiting = [];
 
+// What waits for a pause, so as not to be done too often, need not: whoever waits for idle() has made the pause.
+let awaiting = 0;
+const hurries = [];
+
+export const isAwaited = () => awaiting > 0;
+
+// `hurry` is called when somebody begins to wait.
+export function whenAwaited(hurry) {
+  hurries.push(hurry);
+}
+
 export function begin() {
   ++open;
 }
@@ -32,10 +43,13 @@ function motions() {
 }
 
 export async function idle() {
+  ++awaiting;
+  for (const hurry of hurries) hurry();
   do {
     await nextPicture();
     while (open > 0) await new Promise((done) => waiting.push(done));
     await motions();
     await nextPicture();
   } while (open > 0);
+  --awaiting;
 }
