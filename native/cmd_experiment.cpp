@@ -27,8 +27,8 @@ std::string counted(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-ExperimentSettings settings_of(const Options& options) {
-  ExperimentSettings settings;
+experiment::ExperimentSettings settings_of(const Options& options) {
+  experiment::ExperimentSettings settings;
   if (options.samples) settings.samples = whole_option_32("--samples", *options.samples);
   if (options.max_teams) settings.most_teams = whole_option_32("--max-teams", *options.max_teams);
   if (options.min_ratio) {
@@ -36,7 +36,7 @@ ExperimentSettings settings_of(const Options& options) {
     setting_option(Setting::min_ratio, *options.min_ratio, document);
     settings.min_ratio = document.settings.min_ratio;
   }
-  if (const std::optional<InputError> error = check_settings(settings))
+  if (const std::optional<InputError> error = experiment::check_settings(settings))
     throw SettingOptions{}.failure("", *error);
   return settings;
 }
@@ -54,36 +54,37 @@ unsigned jobs_of(const Options& options) {
   return jobs;
 }
 
-Shard shard_of(const Options& options) {
+experiment::Shard shard_of(const Options& options) {
   if (!options.shard) return {};
   const std::size_t slash = options.shard->find('/');
   const auto i = read_whole(options.shard->substr(0, slash));
   const auto n =
       slash == std::string::npos ? std::nullopt : read_whole(options.shard->substr(slash + 1));
-  if (!i || !n || *i < 1 || *i > *n || *n > max_shards)
+  if (!i || !n || *i < 1 || *i > *n || *n > experiment::max_shards)
     throw Failure{bad_input_status, "--shard",
-                  "expected I/N, with I from 1 to N and N up to " + std::to_string(max_shards) +
-                      ", not \"" + *options.shard + "\""};
+                  "expected I/N, with I from 1 to N and N up to " +
+                      std::to_string(experiment::max_shards) + ", not \"" + *options.shard + "\""};
   return {static_cast<std::uint32_t>(*i), static_cast<std::uint32_t>(*n)};
 }
 
 // All files of a finished experiment. The same parts, the same bytes.
-std::string write_results(std::vector<Part> parts, const ExperimentFolder& folder) {
-  const ExperimentSettings settings = parts.empty() ? ExperimentSettings{} : parts.front().settings;
-  const std::string times = times_csv(parts);
-  std::vector<PolygonResult> results;
+std::string write_results(std::vector<experiment::Part> parts, const ExperimentFolder& folder) {
+  const experiment::ExperimentSettings settings =
+      parts.empty() ? experiment::ExperimentSettings{} : parts.front().settings;
+  const std::string times = experiment::times_csv(parts);
+  std::vector<experiment::PolygonResult> results;
   std::size_t rows = 0;
-  for (Part& part : parts) {
+  for (experiment::Part& part : parts) {
     rows += part.result.measurements.size();
     results.push_back(std::move(part.result));
   }
-  const std::vector<ResultSet> sets = group_by_set(std::move(results));
-  const Outputs outputs = make_outputs(sets);
+  const std::vector<experiment::ResultSet> sets = experiment::group_by_set(std::move(results));
+  const experiment::Outputs outputs = experiment::make_outputs(sets);
   write_file(folder.file("measurements.csv"), outputs.measurements_csv);
   write_file(folder.file("aggregates.csv"), outputs.aggregates_csv);
   write_file(folder.file("polygons.csv"), outputs.polygons_csv);
   write_file(folder.file("times.csv"), times);
-  write_file(folder.file("thesis.md"), claims_markdown(outputs.claims));
+  write_file(folder.file("thesis.md"), experiment::claims_markdown(outputs.claims));
   write_file(folder.file("report.html"),
              report_html(sets, outputs.figures, outputs.claims, settings));
   return counted(parts.size(), "polygon") + ", " + counted(rows, "measurement") + ": " +
@@ -101,8 +102,8 @@ void report_refused(const std::vector<Failure>& refused, std::size_t polygons) {
 void run(const Options& options) {
   if (options.paths.empty())
     throw Failure{bad_input_status, "PATH", "missing; `evenlift experiment --help` tells more"};
-  const ExperimentSettings settings = settings_of(options);
-  const Shard shard = shard_of(options);
+  const experiment::ExperimentSettings settings = settings_of(options);
+  const experiment::Shard shard = shard_of(options);
   const unsigned jobs = jobs_of(options);
   const std::vector<PolygonFile> files = find_polygon_files(options.paths);
   const ExperimentFolder folder = ExperimentFolder::create(*options.out);
@@ -111,7 +112,7 @@ void run(const Options& options) {
   if (outcome.resumed > 0)
     said = std::to_string(outcome.resumed) + " of " + std::to_string(outcome.polygons) +
            " polygons had been measured before\n";
-  if (shard == Shard{}) {
+  if (shard == experiment::Shard{}) {
     said += write_results(collect({folder}), folder);
   } else {
     said += "shard " + std::to_string(shard.i) + " of " + std::to_string(shard.n) + ": " +
@@ -133,9 +134,9 @@ void merge(const Options& options) {
   std::vector<ExperimentFolder> folders;
   for (const std::string& path : options.paths) folders.push_back(ExperimentFolder::open(path));
   if (folders.empty()) folders.push_back(ExperimentFolder::open(*options.out));
-  const std::vector<Part> parts = collect(folders);
+  const std::vector<experiment::Part> parts = collect(folders);
   std::vector<Failure> refused;
-  for (const Part& part : parts)
+  for (const experiment::Part& part : parts)
     if (!part.result.problem.empty())
       refused.push_back({other_status, part.result.polygon, part.result.problem});
   write_output(write_results(parts, ExperimentFolder::create(*options.out)));

@@ -73,8 +73,8 @@ std::string candidate_table(const Placement& placement) {
 std::string facts(const Placement& placement) {
   const Settings& settings = placement.settings;
   std::vector<std::pair<std::string, std::string>> lines = {
-      {"Method", std::string(name(settings.metric))}};
-  if (settings.metric == Metric::random) lines.emplace_back("Seed", std::to_string(settings.seed));
+      {"Method", std::string(name(settings.method))}};
+  if (settings.method == Method::random) lines.emplace_back("Seed", std::to_string(settings.seed));
   lines.emplace_back("Minimum load ratio", plain(settings.min_ratio));
   lines.emplace_back("Centre of mass", point_in_words(placement.centre_of_mass,
                                                       coordinate_decimals(placement.vertices)));

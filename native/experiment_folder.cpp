@@ -28,7 +28,7 @@ std::string file_name(const std::string& polygon) {
     }
   }
   constexpr std::size_t longest = 180;
-  if (out.size() > longest) out = out.substr(0, longest) + "%" + fingerprint(polygon);
+  if (out.size() > longest) out = out.substr(0, longest) + "%" + experiment::fingerprint(polygon);
   return out + ".csv";
 }
 
@@ -39,7 +39,7 @@ std::string part_path(const std::string& folder, const std::string& set,
   return parts(folder) + "/polygon-" + file_name(set + "/" + polygon);
 }
 
-std::string shard_name(const Shard& shard) {
+std::string shard_name(const experiment::Shard& shard) {
   return "shard-" + std::to_string(shard.i) + "-of-" + std::to_string(shard.n) + ".csv";
 }
 
@@ -77,48 +77,51 @@ ExperimentFolder ExperimentFolder::open(const std::string& path) {
   return ExperimentFolder(path);
 }
 
-std::optional<Part> ExperimentFolder::find(const ShardList::Entry& entry,
-                                           const ExperimentSettings& settings) const {
+std::optional<experiment::Part> ExperimentFolder::find(
+    const experiment::ShardList::Entry& entry,
+    const experiment::ExperimentSettings& settings) const {
   const std::optional<std::string> text = read_file(part_path(path_, entry.set, entry.polygon));
-  std::optional<Part> part = text ? read_part(*text) : std::nullopt;
+  std::optional<experiment::Part> part = text ? experiment::read_part(*text) : std::nullopt;
   if (!part || part->result.set != entry.set || part->result.polygon != entry.polygon ||
       part->fingerprint != entry.fingerprint || part->settings != settings)
     return std::nullopt;
   return part;
 }
 
-void ExperimentFolder::keep(const Part& part) const {
-  write_file(part_path(path_, part.result.set, part.result.polygon), write_part(part));
+void ExperimentFolder::keep(const experiment::Part& part) const {
+  write_file(part_path(path_, part.result.set, part.result.polygon), experiment::write_part(part));
 }
 
-void ExperimentFolder::finish(const ShardList& list) const {
+void ExperimentFolder::finish(const experiment::ShardList& list) const {
   for (const fs::path& path : shard_files(path_)) {
-    const std::optional<ShardList> other = read_shard_list(read_file(path.string()).value_or(""));
+    const std::optional<experiment::ShardList> other =
+        experiment::read_shard_list(read_file(path.string()).value_or(""));
     std::error_code ignored;
     if (!other || other->shard.n != list.shard.n) fs::remove(path, ignored);
   }
-  write_file(parts(path_) + "/" + shard_name(list.shard), write_shard_list(list));
+  write_file(parts(path_) + "/" + shard_name(list.shard), experiment::write_shard_list(list));
 }
 
-std::vector<ShardList> ExperimentFolder::finished() const {
-  std::vector<ShardList> lists;
+std::vector<experiment::ShardList> ExperimentFolder::finished() const {
+  std::vector<experiment::ShardList> lists;
   for (const fs::path& path : shard_files(path_)) {
-    std::optional<ShardList> list = read_shard_list(read_file(path.string()).value_or(""));
+    std::optional<experiment::ShardList> list =
+        experiment::read_shard_list(read_file(path.string()).value_or(""));
     if (!list) refuse(path.string(), "this is no list of a finished shard");
     lists.push_back(*std::move(list));
   }
   return lists;
 }
 
-std::vector<Part> collect(const std::vector<ExperimentFolder>& folders) {
+std::vector<experiment::Part> collect(const std::vector<ExperimentFolder>& folders) {
   struct Found {
     const ExperimentFolder* folder;
-    ShardList list;
+    experiment::ShardList list;
   };
   std::map<std::uint32_t, Found> shards;  // by i
   for (const ExperimentFolder& folder : folders)
-    for (ShardList& list : folder.finished()) {
-      const Shard shard = list.shard;
+    for (experiment::ShardList& list : folder.finished()) {
+      const experiment::Shard shard = list.shard;
       if (!shards.empty() && (shard.n != shards.begin()->second.list.shard.n ||
                               list.settings != shards.begin()->second.list.settings))
         refuse(folder.path(), "its shards do not belong to those of " +
@@ -129,14 +132,14 @@ std::vector<Part> collect(const std::vector<ExperimentFolder>& folders) {
   if (shards.empty()) refuse(folders.front().path(), "no shard is finished here");
 
   const std::uint32_t n = shards.begin()->second.list.shard.n;
-  std::map<std::pair<std::string, std::string>, Part> all;  // by set and polygon
+  std::map<std::pair<std::string, std::string>, experiment::Part> all;  // by set and polygon
   for (std::uint32_t i = 1; i <= n; ++i) {
     const auto shard = shards.find(i);
     if (shard == shards.end())
       refuse("shard " + std::to_string(i) + "/" + std::to_string(n), "missing or not finished");
     const auto& [folder, list] = shard->second;
-    for (const ShardList::Entry& entry : list.entries) {
-      std::optional<Part> part = folder->find(entry, list.settings);
+    for (const experiment::ShardList::Entry& entry : list.entries) {
+      std::optional<experiment::Part> part = folder->find(entry, list.settings);
       if (!part)
         refuse(folder->path(), "the measurements of " + entry.polygon +
                                    " are missing or damaged; run its shard again");
@@ -144,7 +147,7 @@ std::vector<Part> collect(const std::vector<ExperimentFolder>& folders) {
         refuse(folder->path(), entry.polygon + " was measured in another shard, too");
     }
   }
-  std::vector<Part> sorted;
+  std::vector<experiment::Part> sorted;
   for (auto& [polygon, part] : all) sorted.push_back(std::move(part));
   return sorted;
 }

@@ -22,14 +22,15 @@ class ExperimentFolder {
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
   // The part of a polygon, if it is there, whole, and of this fingerprint and these settings.
-  std::optional<Part> find(const ShardList::Entry& entry, const ExperimentSettings& settings) const;
+  std::optional<experiment::Part> find(const experiment::ShardList::Entry& entry,
+                                       const experiment::ExperimentSettings& settings) const;
   // Whole or not at all. Safe for several threads and programs at once.
-  void keep(const Part& part) const;
+  void keep(const experiment::Part& part) const;
 
   // Notes that a shard is done. What was noted of another division of the work no longer counts.
-  void finish(const ShardList& list) const;
+  void finish(const experiment::ShardList& list) const;
   // What was noted. Throws Failure if a list cannot be read.
-  std::vector<ShardList> finished() const;
+  std::vector<experiment::ShardList> finished() const;
 
  private:
   explicit ExperimentFolder(std::string path) : path_(std::move(path)) {}
@@ -38,6 +39,6 @@ class ExperimentFolder {
 
 // All parts of a finished run, by set and polygon, from one folder or from those of its shards.
 // Throws Failure if a shard is missing or not finished, or shards do not belong together.
-std::vector<Part> collect(const std::vector<ExperimentFolder>& folders);
+std::vector<experiment::Part> collect(const std::vector<ExperimentFolder>& folders);
 
 }  // namespace evenlift::native

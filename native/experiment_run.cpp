@@ -24,13 +24,14 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Part measured(const PolygonFile& file, const Subject& subject, const ExperimentSettings& settings) {
-  Part part;
+experiment::Part measured(const PolygonFile& file, const experiment::Subject& subject,
+                          const experiment::ExperimentSettings& settings) {
+  experiment::Part part;
   part.settings = settings;
-  part.result = describe(file.set, file.name, subject);
-  for (const Metric method : all_metrics) {
+  part.result = experiment::describe(file.set, file.name, subject);
+  for (const Method method : all_methods) {
     const Clock::time_point start = Clock::now();
-    for (Measurement& m : measure(subject, method, settings))
+    for (experiment::Measurement& m : experiment::measure(subject, method, settings))
       part.result.measurements.push_back(std::move(m));
     part.times.emplace_back(evenlift::name(method), seconds_since(start));
   }
@@ -39,16 +40,16 @@ Part measured(const PolygonFile& file, const Subject& subject, const ExperimentS
 
 // What became of one file.
 struct Work {
-  ShardList::Entry entry;
+  experiment::ShardList::Entry entry;
   bool resumed = false;
   std::optional<Failure> refused;
 };
 
-Work refuse(const PolygonFile& file, const Failure& failure, const ExperimentSettings& settings,
-            const ExperimentFolder& folder) {
-  Part part;
+Work refuse(const PolygonFile& file, const Failure& failure,
+            const experiment::ExperimentSettings& settings, const ExperimentFolder& folder) {
+  experiment::Part part;
   part.settings = settings;
-  part.fingerprint = refused_fingerprint;
+  part.fingerprint = experiment::refused_fingerprint;
   part.result.set = file.set;
   part.result.polygon = file.name;
   // Without the path, which is another on the next machine.
@@ -59,18 +60,19 @@ Work refuse(const PolygonFile& file, const Failure& failure, const ExperimentSet
   return {{file.set, file.name, part.fingerprint}, false, failure};
 }
 
-Work work_on(const PolygonFile& file, const ExperimentSettings& settings,
+Work work_on(const PolygonFile& file, const experiment::ExperimentSettings& settings,
              const ExperimentFolder& folder) {
   try {
     const Input input = read_input(file.path);
-    const std::string id = fingerprint(input.document, settings);
-    const ShardList::Entry entry{file.set, file.name, id};
+    const std::string id = experiment::fingerprint(input.document, settings);
+    const experiment::ShardList::Entry entry{file.set, file.name, id};
     if (folder.find(entry, settings)) return {entry, true, {}};
     const Clock::time_point start = Clock::now();
-    const Result<Subject> subject = prepare(input.document, settings.min_ratio);
+    const Result<experiment::Subject> subject =
+        experiment::prepare(input.document, settings.min_ratio);
     const double seconds = seconds_since(start);
     if (!subject) return refuse(file, bad_input(file.path, subject.error()), settings, folder);
-    Part part = measured(file, *subject, settings);
+    experiment::Part part = measured(file, *subject, settings);
     part.fingerprint = id;
     part.times.insert(part.times.begin(), {"candidates", seconds});
     folder.keep(part);
@@ -128,8 +130,8 @@ void in_threads(std::size_t count, unsigned jobs, Task task) {
 
 }  // namespace
 
-RunOutcome run_experiment(const std::vector<PolygonFile>& all, const Shard& shard,
-                          const ExperimentSettings& settings, unsigned jobs,
+RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
+                          const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder) {
   std::vector<PolygonFile> files;
   for (std::size_t i = shard.i - 1; i < all.size(); i += shard.n) files.push_back(all[i]);
@@ -145,7 +147,7 @@ RunOutcome run_experiment(const std::vector<PolygonFile>& all, const Shard& shar
     });
   }
   RunOutcome outcome;
-  ShardList list{shard, settings, {}};
+  experiment::ShardList list{shard, settings, {}};
   outcome.polygons = files.size();
   for (const Work& work : works) {
     list.entries.push_back(work.entry);

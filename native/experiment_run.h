@@ -18,8 +18,8 @@ struct RunOutcome {
 // Measures the shard's part of the files, every n-th: first what is largest, in `jobs` threads (in
 // WebAssembly one after another). What the folder holds already of the same polygon and settings is
 // not measured again. Ends with the shard's list. Throws Failure if the folder cannot be written.
-RunOutcome run_experiment(const std::vector<PolygonFile>& files, const Shard& shard,
-                          const ExperimentSettings& settings, unsigned jobs,
+RunOutcome run_experiment(const std::vector<PolygonFile>& files, const experiment::Shard& shard,
+                          const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder);
 
 }  // namespace evenlift::native

@@ -47,7 +47,7 @@ void SettingOptions::declare(CommandLine& line) {
 
 void SettingOptions::apply(Document& document) const {
   for (const auto& [setting, typed] :
-       {std::pair(Setting::teams, &teams), std::pair(Setting::metric, &metric),
+       {std::pair(Setting::teams, &teams), std::pair(Setting::method, &metric),
         std::pair(Setting::min_ratio, &min_ratio), std::pair(Setting::com, &com),
         std::pair(Setting::weight, &weight), std::pair(Setting::seed, &seed)})
     if (*typed) setting_option(setting, **typed, document);

@@ -36,9 +36,9 @@ std::string count(std::size_t n, const std::string& of) {
   return std::to_string(n) + " " + of + (n == 1 ? "" : "s");
 }
 
-std::string summary(const std::vector<PolygonResult>& results) {
+std::string summary(const std::vector<experiment::PolygonResult>& results) {
   std::size_t measured = 0, convex = 0, without = 0, rows = 0;
-  for (const PolygonResult& r : results) {
+  for (const experiment::PolygonResult& r : results) {
     if (!r.problem.empty()) continue;
     ++measured;
     convex += r.convex;
@@ -54,9 +54,10 @@ std::string summary(const std::vector<PolygonResult>& results) {
 }
 
 // What was measured: of several sets a line each.
-std::string summaries(const std::vector<ResultSet>& sets, const ExperimentSettings& settings) {
+std::string summaries(const std::vector<experiment::ResultSet>& sets,
+                      const experiment::ExperimentSettings& settings) {
   std::string text;
-  for (const ResultSet& set : sets)
+  for (const experiment::ResultSet& set : sets)
     text += (sets.size() > 1 ? "<strong>" + escaped(set.name) + "</strong>: " : std::string()) +
             summary(set.results) + (sets.size() > 1 ? "<br>" : " ");
   return text + "Minimum load ratio " + shortest(settings.min_ratio) + ", object of " +
@@ -64,10 +65,10 @@ std::string summaries(const std::vector<ResultSet>& sets, const ExperimentSettin
          " averaged.";
 }
 
-std::string problems(const std::vector<ResultSet>& sets) {
+std::string problems(const std::vector<experiment::ResultSet>& sets) {
   std::string items;
-  for (const ResultSet& set : sets)
-    for (const PolygonResult& r : set.results)
+  for (const experiment::ResultSet& set : sets)
+    for (const experiment::PolygonResult& r : set.results)
       if (!r.problem.empty())
         items += "<li>" + escaped(r.polygon) + ": " + escaped(r.problem) + "</li>";
   if (items.empty()) return "";
@@ -75,18 +76,20 @@ std::string problems(const std::vector<ResultSet>& sets) {
          "</ul></div>";
 }
 
-std::uint32_t most_robots(const std::vector<Figure>& figures, const std::string& set) {
+std::uint32_t most_robots(const std::vector<experiment::Figure>& figures, const std::string& set) {
   std::uint32_t most = 0;
-  for (const Figure& figure : figures)
+  for (const experiment::Figure& figure : figures)
     if (figure.set == set)
-      for (const FigureSeries& series : figure.series)
-        for (const FigurePoint& point : series.points) most = std::max(most, point.robots);
+      for (const experiment::FigureSeries& series : figure.series)
+        for (const experiment::FigurePoint& point : series.points)
+          most = std::max(most, point.robots);
   return most;
 }
 
-std::string shown(const std::vector<ResultSet>& sets, const std::vector<Figure>& figures) {
+std::string shown(const std::vector<experiment::ResultSet>& sets,
+                  const std::vector<experiment::Figure>& figures) {
   std::string ends;
-  for (const ResultSet& set : sets)
+  for (const experiment::ResultSet& set : sets)
     if (const std::uint32_t most = most_robots(figures, set.name); most > 0)
       ends += (ends.empty() ? "" : ", ") +
               (sets.size() > 1 ? "of " + escaped(set.name) + " " : std::string()) + "at " +
@@ -96,25 +99,25 @@ std::string shown(const std::vector<ResultSet>& sets, const std::vector<Figure>&
          ", which at least a fifth of the polygons take; the files go on.";
 }
 
-std::string value_text(const Figure& figure, double value) {
+std::string value_text(const experiment::Figure& figure, double value) {
   return figure.unit == "%" ? fixed(100 * value, 1) : fixed(value, 2);
 }
 
 // A row for each number of robots, a column for each method.
-std::string data_table(const Figure& figure) {
+std::string data_table(const experiment::Figure& figure) {
   std::set<std::uint32_t> robots;
   std::string head = "<th scope=\"col\">robots</th>";
-  for (const FigureSeries& series : figure.series) {
+  for (const experiment::FigureSeries& series : figure.series) {
     head += "<th scope=\"col\">" + std::string(name(series.method)) + "</th>";
-    for (const FigurePoint& point : series.points) robots.insert(point.robots);
+    for (const experiment::FigurePoint& point : series.points) robots.insert(point.robots);
   }
   std::string body;
   for (const std::uint32_t r : robots) {
     body += "<tr><th scope=\"row\">" + std::to_string(r) + "</th>";
-    for (const FigureSeries& series : figure.series) {
+    for (const experiment::FigureSeries& series : figure.series) {
       const auto at = std::lower_bound(
           series.points.begin(), series.points.end(), r,
-          [](const FigurePoint& p, std::uint32_t value) { return p.robots < value; });
+          [](const experiment::FigurePoint& p, std::uint32_t value) { return p.robots < value; });
       const bool there = at != series.points.end() && at->robots == r;
       body += "<td>" + (there ? value_text(figure, at->value) : "") + "</td>";
     }
@@ -125,7 +128,7 @@ std::string data_table(const Figure& figure) {
          "</tr></thead><tbody>\n" + body + "</tbody></table></div>";
 }
 
-std::string figure_html(const Figure& figure, bool named) {
+std::string figure_html(const experiment::Figure& figure, bool named) {
   return "<figure data-figure=\"" + figure.id + "\" data-set=\"" + escaped(figure.set) + "\"><h3>" +
          (named ? escaped(figure.set) + ": " : std::string()) + escaped(figure.title) +
          " <span>(figure " + figure.id + ", " + figure.unit +
@@ -134,37 +137,39 @@ std::string figure_html(const Figure& figure, bool named) {
          data_table(figure) + "</details></figure>\n";
 }
 
-std::string figures_html(const std::vector<Figure>& figures, bool named,
+std::string figures_html(const std::vector<experiment::Figure>& figures, bool named,
                          std::initializer_list<std::string_view> ids) {
   std::string html = "<div class=\"figures\">\n";
-  for (const Figure& figure : figures)
+  for (const experiment::Figure& figure : figures)
     if (std::find(ids.begin(), ids.end(), figure.id) != ids.end())
       html += figure_html(figure, named);
   return html + "</div>";
 }
 
-std::string claim_heads(const std::vector<SetClaims>& sets) {
+std::string claim_heads(const std::vector<experiment::SetClaims>& sets) {
   std::string html;
-  for (const SetClaims& set : sets) html += "<th scope=\"col\">" + escaped(set.set) + "</th>";
+  for (const experiment::SetClaims& set : sets)
+    html += "<th scope=\"col\">" + escaped(set.set) + "</th>";
   return html;
 }
 
-std::string claim_rows(const std::vector<SetClaims>& sets) {
+std::string claim_rows(const std::vector<experiment::SetClaims>& sets) {
   std::string html;
   for (std::size_t i = 0; !sets.empty() && i < sets.front().claims.size(); ++i) {
-    const Claim& c = sets.front().claims[i];
+    const experiment::Claim& c = sets.front().claims[i];
     html += "<tr><td>" + escaped(c.section) + "</td><th scope=\"row\">" + escaped(c.what) +
             "</th><td>" + escaped(c.thesis) + "</td>";
-    for (const SetClaims& set : sets) html += "<td>" + escaped(set.claims[i].ours) + "</td>";
+    for (const experiment::SetClaims& set : sets)
+      html += "<td>" + escaped(set.claims[i].ours) + "</td>";
     html += "</tr>\n";
   }
   return html;
 }
 
-std::string polygon_rows(const std::vector<ResultSet>& sets) {
+std::string polygon_rows(const std::vector<experiment::ResultSet>& sets) {
   std::string html;
-  for (const ResultSet& set : sets)
-    for (const PolygonResult& r : set.results)
+  for (const experiment::ResultSet& set : sets)
+    for (const experiment::PolygonResult& r : set.results)
       if (r.problem.empty())
         html += "<tr><th scope=\"row\">" + escaped(set.name) + "</th><th scope=\"row\">" +
                 escaped(r.polygon) + "</th><td>" + std::to_string(r.vertices) + "</td><td>" +
@@ -203,13 +208,15 @@ std::string filled(const std::string& form, const std::vector<Blank>& blanks) {
 
 }  // namespace
 
-std::string report_html(const std::vector<ResultSet>& sets, const std::vector<Figure>& figures,
-                        const std::vector<SetClaims>& claims, const ExperimentSettings& settings) {
+std::string report_html(const std::vector<experiment::ResultSet>& sets,
+                        const std::vector<experiment::Figure>& figures,
+                        const std::vector<experiment::SetClaims>& claims,
+                        const experiment::ExperimentSettings& settings) {
   std::size_t measured = 0;
-  for (const ResultSet& set : sets)
+  for (const experiment::ResultSet& set : sets)
     measured += static_cast<std::size_t>(
         std::count_if(set.results.begin(), set.results.end(),
-                      [](const PolygonResult& r) { return r.problem.empty(); }));
+                      [](const experiment::PolygonResult& r) { return r.problem.empty(); }));
   const bool named = sets.size() > 1;
   const std::string no_charts =
       have_charts()
@@ -229,7 +236,7 @@ std::string report_html(const std::vector<ResultSet>& sets, const std::vector<Fi
                  {"@POLYGON_COUNT@", count(measured, "polygon")},
                  {"@POLYGONS@", polygon_rows(sets)},
                  {"@VERSION@", EVENLIFT_VERSION},
-                 {"@DATA@", inside_script(figures_json(figures))},
+                 {"@DATA@", inside_script(experiment::figures_json(figures))},
                  {"@SCRIPT@", have_charts() ? text_of(script_bytes) : ""}});
 }
 

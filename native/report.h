@@ -12,7 +12,9 @@ namespace evenlift::native {
 
 // The same bytes for the same data. Where the program was built without what draws charts, the
 // report says so and has their numbers as tables.
-std::string report_html(const std::vector<ResultSet>& sets, const std::vector<Figure>& figures,
-                        const std::vector<SetClaims>& claims, const ExperimentSettings& settings);
+std::string report_html(const std::vector<experiment::ResultSet>& sets,
+                        const std::vector<experiment::Figure>& figures,
+                        const std::vector<experiment::SetClaims>& claims,
+                        const experiment::ExperimentSettings& settings);
 
 }  // namespace evenlift::native

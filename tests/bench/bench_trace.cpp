@@ -31,8 +31,8 @@ void look(benchmark::State& state, Family family, StepKind kind) {
   std::size_t size = 0;
   for (auto _ : state) {
     const StepDetail detail = look_at(trace, k);
-    size = objects(trace, detail).size() + caption(trace, detail).size() +
-           formula(trace, detail).size() + done(trace, k).cuts;
+    size = figures(trace, detail).size() + caption(trace, detail).size() +
+           formula(trace, detail).size() + progress_at(trace, k).cuts;
     benchmark::DoNotOptimize(size);
   }
 }

@@ -186,7 +186,7 @@ class Comparison {
 
   void hull(Differences& d, const std::vector<Point>& exact, double tolerance) const {
     std::vector<Point> mine;
-    for (const evenlift::Vec2& v : core_.hull) mine.push_back(point(v));
+    for (const evenlift::Vec2& v : core_.lifting_base) mine.push_back(point(v));
     d.same("a hull", mine.empty(), exact.empty());
     for (const Point& p : mine)
       d.near("hull corner outside the oracle's", outside(p, exact, size_), 0, tolerance);
@@ -335,7 +335,7 @@ Finding compare_distributed(const Case& c) {
   Finding finding;
   const oracle::DistributedTeams exact = oracle::distributed(c.problem);
   evenlift::Document d = document_of(c.problem);
-  d.settings.metric = evenlift::Metric::distributed;
+  d.settings.method = evenlift::Method::distributed;
   const auto placed = evenlift::place(d);
   if (!placed) {
     finding.differences = refusal_of(placed.error());

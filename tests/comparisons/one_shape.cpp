@@ -84,9 +84,9 @@ class Shape {
     const auto relative = [](double best) { return room * tau * best; };
     if (!taken.empty()) {
       const std::vector<double> score =
-          scores(polygon_, centre(), candidates(), taken, placement_.settings.metric);
+          scores(polygon_, centre(), candidates(), taken, placement_.settings.method);
       const double floor =
-          1e-12 * (placement_.settings.metric == Metric::distance ? size() : size() * size());
+          1e-12 * (placement_.settings.method == Method::distance ? size() : size() * size());
       keep_best(
           left, [&](std::uint32_t i) { return score[i]; },
           [&](double best) { return room * std::max(tau * std::fabs(best), floor); });
@@ -278,7 +278,7 @@ std::string text(const evenlift::Document& document, const Motion& motion) {
   if (document.centre_of_mass)
     s << "CoM:(" << document.centre_of_mass->x() << "," << document.centre_of_mass->y() << ")\n";
   for (const Vec2& v : document.vertices) s << "(" << v.x() << "," << v.y() << ")\n";
-  s << name(document.settings.metric) << ", minimum load ratio " << document.settings.min_ratio;
+  s << name(document.settings.method) << ", minimum load ratio " << document.settings.min_ratio;
   return s.str();
 }
 

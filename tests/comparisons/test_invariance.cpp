@@ -81,7 +81,7 @@ std::string text(const Document& document) {
   if (document.centre_of_mass)
     s << "CoM:(" << document.centre_of_mass->x() << "," << document.centre_of_mass->y() << ")\n";
   for (const Vec2& v : document.vertices) s << "(" << v.x() << "," << v.y() << ")\n";
-  s << name(document.settings.metric) << ", teams " << document.settings.teams.value_or(0)
+  s << name(document.settings.method) << ", teams " << document.settings.teams.value_or(0)
     << ", minimum load ratio " << document.settings.min_ratio;
   return s.str();
 }
@@ -236,18 +236,18 @@ class Comparison {
   // By area and bounds: a corner that is straight but for rounding may come and go.
   void hulls() {
     if (exact_) {
-      bool equal = a_.hull.size() == b_.hull.size();
-      for (std::size_t i = 0; equal && i < a_.hull.size(); ++i)
-        equal = change_(a_.hull[i]) == b_.hull[i];
+      bool equal = a_.lifting_base.size() == b_.lifting_base.size();
+      for (std::size_t i = 0; equal && i < a_.lifting_base.size(); ++i)
+        equal = change_(a_.lifting_base[i]) == b_.lifting_base[i];
       if (!equal) out_ << "the hull has changed\n";
       return;
     }
-    number("a hull", a_.hull.empty(), b_.hull.empty());
-    number("a hull with an area", a_.hull.size() > 2, b_.hull.size() > 2);
-    for (const Vec2& p : a_.hull) {
+    number("a hull", a_.lifting_base.empty(), b_.lifting_base.empty());
+    number("a hull with an area", a_.lifting_base.size() > 2, b_.lifting_base.size() > 2);
+    for (const Vec2& p : a_.lifting_base) {
       double beyond = 0;
-      for (std::size_t i = 0; b_.hull.size() > 2 && i < b_.hull.size(); ++i) {
-        const Vec2 &u = b_.hull[i], &v = b_.hull[(i + 1) % b_.hull.size()];
+      for (std::size_t i = 0; b_.lifting_base.size() > 2 && i < b_.lifting_base.size(); ++i) {
+        const Vec2 &u = b_.lifting_base[i], &v = b_.lifting_base[(i + 1) % b_.lifting_base.size()];
         beyond = std::max(beyond, -cross(v - u, change_(p) - u) / (v - u).norm());
       }
       if (beyond > near_) out_ << "a corner of the hull is now " << beyond << " outside\n";
@@ -279,7 +279,7 @@ void for_each_case(Visit visit) {
   for (std::uint64_t number = 0; number < number_of_cases; ++number) {
     const small_polygons::Case c = small_polygons::make_case(number);
     Document d = document(c);
-    d.settings.metric = all_metrics[number / 9 % std::size(all_metrics)];
+    d.settings.method = all_methods[number / 9 % std::size(all_methods)];
     d.settings.seed = number;
     visit(d, number);
   }
@@ -335,7 +335,7 @@ Document renumbered(Document d, std::size_t start, bool reversed) {
 TEST_CASE("the order in which vertices are listed changes nothing", "[invariance]") {
   for_each_case([&](Document d, std::uint64_t number) {
     // Random teams are drawn along the perimeter from the first vertex on.
-    if (d.settings.metric == Metric::random) d.settings.metric = Metric::area;
+    if (d.settings.method == Method::random) d.settings.method = Method::area;
     const Placement before = placed(d);
     for (const bool reversed : {false, true}) {
       const Placement after = placed(renumbered(d, 1 + number % (d.vertices.size() - 1), reversed));
@@ -355,8 +355,8 @@ TEST_CASE("the order in which vertices are listed changes nothing", "[invariance
       }
       // Where two edges end at a point that is equally far along a ray, either may give its
       // position.
-      if (d.settings.metric != Metric::distributed && comparison.same() &&
-          before.hull != after.hull)
+      if (d.settings.method != Method::distributed && comparison.same() &&
+          before.lifting_base != after.lifting_base)
         bits << "hull ";
       report(comparison, d, reversed ? "reversed" : "rotated");
       if (!bits.str().empty()) {
@@ -408,7 +408,7 @@ bool is_one_sided(const Placement& placement) {
     points.push_back(candidate.chord.r2.position - centre);
   }
   const std::size_t ends = points.size();
-  if (placement.settings.metric == Metric::distance)
+  if (placement.settings.method == Method::distance)
     for (const Vec2& v : placement.vertices) points.push_back(v - centre);
   for (std::size_t i = 0; i < ends; ++i) {
     for (std::size_t j = i + 1; j < points.size(); ++j) {
@@ -455,9 +455,9 @@ std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t te
     return left;
   }
   const std::vector<double> score = scores(*polygon, placement.centre_of_mass, placement.candidates,
-                                           selected, placement.settings.metric);
+                                           selected, placement.settings.method);
   const double size = polygon->diagonal();
-  const double floor = 1e-12 * (placement.settings.metric == Metric::distance ? size : size * size);
+  const double floor = 1e-12 * (placement.settings.method == Method::distance ? size : size * size);
   keep([&](std::size_t i) { return score[i]; },
        [&](double best) { return 1.01 * std::max(tolerance * std::fabs(best), floor); });
   keep(ratio, absolute);
@@ -490,8 +490,8 @@ void compare_teams(const Placement& before, const Placement& after,
 void turn_or_mirror(const Change& change, const char* what) {
   int same_teams = 0, compared = 0;
   for_each_case([&](Document d, std::uint64_t number) {
-    if (d.settings.metric == Metric::distributed || (d.settings.metric == Metric::random))
-      d.settings.metric = all_metrics[number % 3];
+    if (d.settings.method == Method::distributed || (d.settings.method == Method::random))
+      d.settings.method = all_methods[number % 3];
     const Document after_document = changed(d, change);
     const Placement before = placed(d), after = placed(after_document);
     Comparison comparison(before, after, change, false);
@@ -532,7 +532,7 @@ TEST_CASE("random teams turn with the object", "[invariance]") {
   const Change change{.xx = 0, .xy = -1, .yx = 1, .yy = 0};
   for_each_case([&](Document d, std::uint64_t number) {
     if (number % 4) return;
-    d.settings.metric = Metric::random;
+    d.settings.method = Method::random;
     const Placement before = placed(d), after = placed(changed(d, change));
     Comparison comparison(before, after, change, false);
     comparison.teams_and_verdicts();
@@ -551,7 +551,7 @@ TEST_CASE("distributed teams of a convex object are mirrored with it", "[invaria
     const auto centre = check_centre_of_mass(*polygon, d.centre_of_mass);
     const std::vector<bool> radial = radial_edges(*polygon, *centre);
     if (std::find(radial.begin(), radial.end(), true) != radial.end()) return;
-    d.settings.metric = Metric::distributed;
+    d.settings.method = Method::distributed;
     const Placement before = placed(d);
     Placement after = placed(changed(d, change));
     // Counted upward from the right, now from the left.

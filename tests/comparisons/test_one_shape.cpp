@@ -19,7 +19,7 @@ using one_shape::Motion;
 
 namespace {
 
-constexpr Metric metrics[] = {Metric::area, Metric::circle, Metric::distance};
+constexpr Method metrics[] = {Method::area, Method::circle, Method::distance};
 constexpr std::uint32_t most_teams = 6;
 
 int failures = 0;
@@ -58,8 +58,8 @@ TEST_CASE("every sample has one answer, however it lies", "[one_shape]") {
   Rng rng(8);
   for (const std::string& name : corpus::polygon_names()) {
     Document document = corpus::polygon(name);
-    for (const Metric metric : metrics) {
-      document.settings.metric = metric;
+    for (const Method method : metrics) {
+      document.settings.method = method;
       for (int i = 0; i < 4; ++i)
         expect_one_answer(document, one_shape::any_motion(document, rng), name);
     }
@@ -77,7 +77,7 @@ TEST_CASE("generated polygons of every family have one answer, however they lie"
     const small_polygons::Case c = small_polygons::make_plain_case(number);
     Document document = testing::document_of(c.problem);
     if (!one_shape::is_clear_of_refusal(document)) continue;
-    document.settings.metric = metrics[number / std::size(small_polygons::families) % 3];
+    document.settings.method = metrics[number / std::size(small_polygons::families) % 3];
     expect_one_answer(document, one_shape::any_motion(document, rng),
                       c.name + " " + std::to_string(number));
     ++compared;

@@ -6,8 +6,8 @@
 #include "evenlift/trace.h"
 #include "kit/catch.h"
 #include "oracle/exact.h"
-#include "shapes/problem_document.h"
 #include "oracle/oracle.h"
+#include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
 using namespace evenlift;

@@ -19,7 +19,7 @@ Placement placed(const Document& document) {
 Document distributed_square() {
   Document square;
   square.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  square.settings.metric = Metric::distributed;
+  square.settings.method = Method::distributed;
   return square;
 }
 
@@ -43,13 +43,13 @@ TEST_CASE("robots needed for a capacity are the fewest that stay within it, by e
           "[capacity]") {
   int possible = 0;
   for (const char* name : {"puzzle-piece", "thesis-sample", "kidney-table", "horseshoe", "comb"}) {
-    for (const Metric metric : all_metrics) {
+    for (const Method method : all_methods) {
       for (const double capacity : {60.0, 26.0, 12.5, 7.0, 5.0}) {
         Document document = corpus::polygon(name);
-        document.settings.metric = metric;
+        document.settings.method = method;
         const CapacityPlan plan = plan_capacity(placed(document), capacity);
         const CapacityPlan expected = plan_by_trying(document, capacity, 24);
-        INFO(name << ", " << evenlift::name(metric) << ", " << capacity);
+        INFO(name << ", " << evenlift::name(method) << ", " << capacity);
         if (!expected.possible && expected.tried == 24) continue;  // more teams may do
         CHECK(plan == expected);
         possible += expected.possible ? 1 : 0;
@@ -60,12 +60,12 @@ TEST_CASE("robots needed for a capacity are the fewest that stay within it, by e
 }
 
 TEST_CASE("a plan is the least number of teams also where hundreds are needed", "[capacity]") {
-  for (const Metric metric : all_metrics) {
+  for (const Method method : all_methods) {
     Document document;
     document.vertices = *generate(Family::comb, 300, 1);
-    document.settings.metric = metric;
+    document.settings.method = method;
     const CapacityPlan plan = plan_capacity(placed(document), 0.4);
-    INFO(name(metric));
+    INFO(name(method));
     REQUIRE(plan.possible);
     CHECK(plan.teams >= 125);
     document.settings.teams = plan.teams;
@@ -79,9 +79,9 @@ TEST_CASE("a plan is the least number of teams also where hundreds are needed", 
 }
 
 TEST_CASE("a plan does not depend on how many teams are placed", "[capacity]") {
-  for (const Metric metric : all_metrics) {
+  for (const Method method : all_methods) {
     Document document = corpus::polygon("kidney-table");
-    document.settings.metric = metric;
+    document.settings.method = method;
     document.settings.teams = 1;
     const Placement one = placed(document);
     document.settings.teams = 9;
@@ -104,7 +104,7 @@ TEST_CASE("a capacity that no number of teams keeps is said to be impossible", "
   CHECK_FALSE(few.possible);
   CHECK(few.tried == 3);  // its candidates
   Document at_random = distributed_square();
-  at_random.settings.metric = Metric::random;
+  at_random.settings.method = Method::random;
   for (const Document& document : {distributed_square(), at_random}) {
     const CapacityPlan many = plan_capacity(placed(document), 1e-6);
     CHECK_FALSE(many.possible);

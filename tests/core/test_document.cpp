@@ -4,12 +4,12 @@
 using namespace evenlift;
 
 TEST_CASE("every metric has a name, and only these", "[document]") {
-  for (const Metric metric : all_metrics) {
-    CHECK(!name(metric).empty());
-    CHECK(metric_from_name(name(metric)) == metric);
+  for (const Method method : all_methods) {
+    CHECK(!name(method).empty());
+    CHECK(method_from_name(name(method)) == method);
   }
-  CHECK(name(Metric::area) == "area");
-  CHECK(name(Metric::distributed) == "distributed");
-  CHECK(name(static_cast<Metric>(5)).empty());
-  for (const char* other : {"", "Area", "area ", "are", "max"}) CHECK(!metric_from_name(other));
+  CHECK(name(Method::area) == "area");
+  CHECK(name(Method::distributed) == "distributed");
+  CHECK(name(static_cast<Method>(5)).empty());
+  for (const char* other : {"", "Area", "area ", "are", "max"}) CHECK(!method_from_name(other));
 }

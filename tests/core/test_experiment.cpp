@@ -19,8 +19,8 @@ const std::vector<std::string> some = {"thesis-sample",  "thesis-sample-centroid
                                        "letter-e-moved", "comb",
                                        "horseshoe",      "gear"};
 
-Placement placed(Document document, Metric method, std::uint32_t teams, std::uint64_t seed = 1) {
-  document.settings.metric = method;
+Placement placed(Document document, Method method, std::uint32_t teams, std::uint64_t seed = 1) {
+  document.settings.method = method;
   document.settings.teams = teams;
   document.settings.seed = seed;
   const Result<Placement> placement = place(document);
@@ -35,21 +35,21 @@ std::vector<LiftingPoint> lifting_points(const Placement& placement) {
   return points;
 }
 
-Subject subject_of(const Document& document, double min_ratio = 0.8) {
-  Result<Subject> subject = prepare(document, min_ratio);
+experiment::Subject subject_of(const Document& document, double min_ratio = 0.8) {
+  Result<experiment::Subject> subject = experiment::prepare(document, min_ratio);
   REQUIRE(subject.ok());
   return *std::move(subject);
 }
 
-Part some_part() {
-  Part part;
+experiment::Part some_part() {
+  experiment::Part part;
   part.settings = {0.75, 3, 50, 480};
   const Document document = corpus::polygon("thesis-sample-centroid");
-  part.fingerprint = fingerprint(document, part.settings);
-  const Subject subject = subject_of(document, part.settings.min_ratio);
-  part.result = describe("a set", "a name, with \"quotes\"\nand two lines", subject);
-  for (const Metric method : all_metrics)
-    for (const Measurement& m : measure(subject, method, part.settings))
+  part.fingerprint = experiment::fingerprint(document, part.settings);
+  const experiment::Subject subject = subject_of(document, part.settings.min_ratio);
+  part.result = experiment::describe("a set", "a name, with \"quotes\"\nand two lines", subject);
+  for (const Method method : all_methods)
+    for (const experiment::Measurement& m : experiment::measure(subject, method, part.settings))
       part.result.measurements.push_back(m);
   part.times = {{"candidates", 0.1}, {"area", 1e-7}};
   return part;
@@ -61,15 +61,15 @@ TEST_CASE("every measure is the one that place reports", "[experiment]") {
   for (const std::string& name : some) {
     INFO(name);
     const Document document = corpus::polygon(name);
-    const Subject subject = subject_of(document);
-    for (const Metric method :
-         {Metric::area, Metric::circle, Metric::distance, Metric::distributed}) {
-      const std::vector<Measurement> rows = measure(subject, method, {});
+    const experiment::Subject subject = subject_of(document);
+    for (const Method method :
+         {Method::area, Method::circle, Method::distance, Method::distributed}) {
+      const std::vector<experiment::Measurement> rows = experiment::measure(subject, method, {});
       CHECK(rows.size() == subject.candidates.size());
       // All of the first, then some: placing anew for each number takes its time.
       for (std::uint32_t teams = 1; teams <= rows.size(); teams += teams < 12 ? 1 : 17) {
         INFO(evenlift::name(method) << ", " << teams << " teams");
-        const Measurement& m = rows[teams - 1];
+        const experiment::Measurement& m = rows[teams - 1];
         const Placement p = placed(document, method, teams);
         CHECK(m.method == method);
         CHECK(m.teams == teams);
@@ -83,7 +83,7 @@ TEST_CASE("every measure is the one that place reports", "[experiment]") {
         CHECK((m.form_closure == 1) == p.closure.form_closure);
         CHECK((m.no_area == 1) ==
               !(p.closure.clockwise.has_area || p.closure.counterclockwise.has_area));
-        const bool selected = method != Metric::distributed;
+        const bool selected = method != Method::distributed;
         REQUIRE(m.chosen.has_value() == selected);
         if (selected) CHECK(*m.chosen == p.team_candidates.back());
       }
@@ -95,19 +95,19 @@ TEST_CASE("random measures are averages over the seeds 1, 2, ...", "[experiment]
   for (const std::string& name : some) {
     INFO(name);
     const Document document = corpus::polygon(name);
-    const std::vector<Measurement> rows =
-        measure(subject_of(document), Metric::random, {.samples = 3});
+    const std::vector<experiment::Measurement> rows =
+        experiment::measure(subject_of(document), Method::random, {.samples = 3});
     for (std::uint32_t teams = 1; teams <= rows.size(); teams += teams < 8 ? 1 : 23) {
       INFO(teams << " teams");
       double coverage = 0, spread = 0, share = 0, closed = 0;
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        const Placement p = placed(document, Metric::random, teams, seed);
+        const Placement p = placed(document, Method::random, teams, seed);
         coverage += p.coverage;
         spread += p.loads->spread;
         share += p.loads->max_share;
         closed += p.closure.form_closure;
       }
-      const Measurement& m = rows[teams - 1];
+      const experiment::Measurement& m = rows[teams - 1];
       CHECK(m.teams == teams);
       CHECK(m.samples == 3);
       CHECK(m.coverage == coverage / 3);
@@ -123,10 +123,10 @@ TEST_CASE("closure alone is decided as with all that is said of it", "[experimen
   std::size_t closed = 0, no_area_only = 0, open = 0;
   for (const std::string& name : some) {
     const Document document = corpus::polygon(name);
-    const Subject subject = subject_of(document);
+    const experiment::Subject subject = subject_of(document);
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
       const std::vector<LiftingPoint> points = lifting_points(
-          placed(document, Metric::random, static_cast<std::uint32_t>(1 + seed % 5), seed));
+          placed(document, Method::random, static_cast<std::uint32_t>(1 + seed % 5), seed));
       const Closure all = analyse_closure(subject.polygon, subject.centre, points);
       const bool no_area = !all.clockwise.has_area && !all.counterclockwise.has_area;
       CHECK(in_form_closure(subject.polygon, subject.centre, points) == all.form_closure);
@@ -138,20 +138,23 @@ TEST_CASE("closure alone is decided as with all that is said of it", "[experimen
   CHECK(open > 20);
   // The thesis's test lets through what can still slide: a square held on two sides.
   const Document square = corpus::polygon("square");
-  const Subject subject = subject_of(square);
-  const Chord level = placed(square, Metric::area, 1).candidates[1].chord;
+  const experiment::Subject subject = subject_of(square);
+  const Chord level = placed(square, Method::area, 1).candidates[1].chord;
   const std::vector<LiftingPoint> points{level.r1, level.r2};
   CHECK(no_region_has_area(subject.polygon, subject.centre, points));
   CHECK_FALSE(in_form_closure(subject.polygon, subject.centre, points));
 }
 
 TEST_CASE("a limit on teams measures the same, only less", "[experiment]") {
-  const Subject subject = subject_of(corpus::polygon("comb"));
-  for (const Metric method : all_metrics) {
-    const std::vector<Measurement> all = measure(subject, method, {.samples = 2}),
-                                   few = measure(subject, method, {.samples = 2, .most_teams = 4});
+  const experiment::Subject subject = subject_of(corpus::polygon("comb"));
+  for (const Method method : all_methods) {
+    const std::vector<experiment::Measurement> all = experiment::measure(subject, method,
+                                                                         {.samples = 2}),
+                                               few = experiment::measure(
+                                                   subject, method,
+                                                   {.samples = 2, .most_teams = 4});
     REQUIRE(few.size() == 4);
-    CHECK(few == std::vector<Measurement>(all.begin(), all.begin() + 4));
+    CHECK(few == std::vector<experiment::Measurement>(all.begin(), all.begin() + 4));
   }
 }
 
@@ -161,53 +164,60 @@ TEST_CASE("a polygon of any size has the same measures", "[experiment]") {
   const double scale = 0x1p-38;
   for (Vec2& v : tiny.vertices) v *= scale;
   *tiny.centre_of_mass *= scale;
-  for (const Metric method : all_metrics)
-    CHECK(measure(subject_of(tiny), method, {.samples = 2}).size() ==
-          measure(subject_of(document), method, {.samples = 2}).size());
+  for (const Method method : all_methods)
+    CHECK(experiment::measure(subject_of(tiny), method, {.samples = 2}).size() ==
+          experiment::measure(subject_of(document), method, {.samples = 2}).size());
 }
 
 TEST_CASE("what is not a polygon is refused as place does", "[experiment]") {
   Document document;
   document.vertices = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
   document.centre_of_mass = Vec2(5, 5);
-  const Result<Subject> subject = prepare(document, 0.8);
+  const Result<experiment::Subject> subject = experiment::prepare(document, 0.8);
   REQUIRE_FALSE(subject.ok());
   CHECK(subject.error().message == place(document).error().message);
-  CHECK(check_settings(ExperimentSettings{}) == std::nullopt);
-  CHECK(check_settings(ExperimentSettings{.min_ratio = 1.1})->place.option == "min_ratio");
-  CHECK(check_settings(ExperimentSettings{.samples = 0})->place.option == "samples");
-  CHECK(check_settings(ExperimentSettings{.most_teams = 0})->place.option == "max_teams");
-  CHECK(check_settings(ExperimentSettings{.weight = 0})->place.option == "weight");
+  CHECK(experiment::check_settings(experiment::ExperimentSettings{}) == std::nullopt);
+  CHECK(
+      experiment::check_settings(experiment::ExperimentSettings{.min_ratio = 1.1})->place.option ==
+      "min_ratio");
+  CHECK(experiment::check_settings(experiment::ExperimentSettings{.samples = 0})->place.option ==
+        "samples");
+  CHECK(experiment::check_settings(experiment::ExperimentSettings{.most_teams = 0})->place.option ==
+        "max_teams");
+  CHECK(experiment::check_settings(experiment::ExperimentSettings{.weight = 0})->place.option ==
+        "weight");
 }
 
 TEST_CASE("a part reads back exactly, and only whole", "[experiment]") {
-  const Part part = some_part();
-  const std::string text = write_part(part);
-  REQUIRE(read_part(text).has_value());
-  CHECK(*read_part(text) == part);
+  const experiment::Part part = some_part();
+  const std::string text = experiment::write_part(part);
+  REQUIRE(experiment::read_part(text).has_value());
+  CHECK(*experiment::read_part(text) == part);
   for (std::size_t length = 0; length < text.size(); ++length)
-    if (read_part(text.substr(0, length))) FAIL("cut off after " << length << " bytes");
-  CHECK_FALSE(read_part(text + "more\n").has_value());
+    if (experiment::read_part(text.substr(0, length))) FAIL("cut off after " << length << " bytes");
+  CHECK_FALSE(experiment::read_part(text + "more\n").has_value());
 
-  Part refused;
-  refused.fingerprint = refused_fingerprint;
+  experiment::Part refused;
+  refused.fingerprint = experiment::refused_fingerprint;
   refused.result.polygon = "bad";
   refused.result.problem = "line 3: expected ','";
-  CHECK(*read_part(write_part(refused)) == refused);
+  CHECK(*experiment::read_part(experiment::write_part(refused)) == refused);
 
-  const ShardList list{
-      {2, 3}, part.settings, {{"x", "a, b", "0123"}, {"y, z", "c", refused_fingerprint}}};
-  const std::string listed = write_shard_list(list);
-  CHECK(write_shard_list(*read_shard_list(listed)) == listed);
+  const experiment::ShardList list{
+      {2, 3},
+      part.settings,
+      {{"x", "a, b", "0123"}, {"y, z", "c", experiment::refused_fingerprint}}};
+  const std::string listed = experiment::write_shard_list(list);
+  CHECK(experiment::write_shard_list(*experiment::read_shard_list(listed)) == listed);
   for (std::size_t length = 0; length < listed.size(); ++length)
-    CHECK_FALSE(read_shard_list(listed.substr(0, length)).has_value());
+    CHECK_FALSE(experiment::read_shard_list(listed.substr(0, length)).has_value());
 }
 
 TEST_CASE("a part is read as it was written only, not in other ways to write its numbers",
           "[experiment]") {
-  const Part part = some_part();
-  const std::string text = write_part(part);
-  REQUIRE(read_part(text).has_value());
+  const experiment::Part part = some_part();
+  const std::string text = experiment::write_part(part);
+  REQUIRE(experiment::read_part(text).has_value());
   const std::string head = text.substr(0, text.find('\n'));
   const auto with = [&](const std::string& before, const std::string& after) {
     std::string changed = text;
@@ -217,12 +227,13 @@ TEST_CASE("a part is read as it was written only, not in other ways to write its
   };
   REQUIRE(head.find(",0.75,3,50,") != std::string::npos);
   for (const char* samples : {"3e0", "+3", "3.0", "03", " 3"})
-    CHECK_FALSE(read_part(with(",3,50,", std::string(",") + samples + ",50,")).has_value());
+    CHECK_FALSE(
+        experiment::read_part(with(",3,50,", std::string(",") + samples + ",50,")).has_value());
   for (const char* most : {"5e1", "+50.0", "50 ", "0x32"})
-    CHECK_FALSE(read_part(with(",3,50,", std::string(",3,") + most + ",")).has_value());
+    CHECK_FALSE(experiment::read_part(with(",3,50,", std::string(",3,") + most + ",")).has_value());
   for (const char* ratio : {"0.750", "75e-2", "+0.75", ".75"})
-    CHECK_FALSE(read_part(with(",0.75,", std::string(",") + ratio + ",")).has_value());
-  CHECK_FALSE(read_part(with("\nend\n", "\r\nend\n")).has_value());
+    CHECK_FALSE(experiment::read_part(with(",0.75,", std::string(",") + ratio + ",")).has_value());
+  CHECK_FALSE(experiment::read_part(with("\nend\n", "\r\nend\n")).has_value());
 }
 
 TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
@@ -231,32 +242,33 @@ TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
   moved.centre_of_mass = Vec2(400, 500);
   Document longer = document;
   longer.vertices[1].x() += 1e-9;
-  std::vector<std::string> all = {fingerprint(document, {}),
-                                  fingerprint(moved, {}),
-                                  fingerprint(longer, {}),
-                                  fingerprint(document, {.min_ratio = 0.7}),
-                                  fingerprint(document, {.samples = 100}),
-                                  fingerprint(document, {.most_teams = 5}),
-                                  fingerprint(document, {.weight = 480})};
-  CHECK(fingerprint(document, {}) == all[0]);
+  std::vector<std::string> all = {experiment::fingerprint(document, {}),
+                                  experiment::fingerprint(moved, {}),
+                                  experiment::fingerprint(longer, {}),
+                                  experiment::fingerprint(document, {.min_ratio = 0.7}),
+                                  experiment::fingerprint(document, {.samples = 100}),
+                                  experiment::fingerprint(document, {.most_teams = 5}),
+                                  experiment::fingerprint(document, {.weight = 480})};
+  CHECK(experiment::fingerprint(document, {}) == all[0]);
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
-  CHECK(fingerprint("") == "cbf29ce484222325");  // of FNV-1a's own test vectors
-  CHECK(fingerprint("foobar") == "85944171f73967e8");
+  CHECK(experiment::fingerprint("") == "cbf29ce484222325");  // of FNV-1a's own test vectors
+  CHECK(experiment::fingerprint("foobar") == "85944171f73967e8");
 }
 
 TEST_CASE("comma-separated values read back whatever a name holds", "[experiment]") {
-  const csv::Row row = {"", "a,b", "\"", "x\"\"y", "two\nlines", "\r", "end"};
-  const auto rows = csv::read(csv::line(row) + csv::line({"1"}));
+  const experiment::csv::Row row = {"", "a,b", "\"", "x\"\"y", "two\nlines", "\r", "end"};
+  const auto rows =
+      experiment::csv::read(experiment::csv::line(row) + experiment::csv::line({"1"}));
   REQUIRE(rows.has_value());
-  CHECK(*rows == std::vector<csv::Row>{row, {"1"}});
+  CHECK(*rows == std::vector<experiment::csv::Row>{row, {"1"}});
   for (const char* bad : {"a", "a,b", "\"a\n", "\"a\"b\n", "\"a\"\"\n", "a,"})
-    CHECK_FALSE(csv::read(bad).has_value());
+    CHECK_FALSE(experiment::csv::read(bad).has_value());
 }
 
 TEST_CASE("mean and deviation of a sample", "[experiment]") {
-  const Statistics s = statistics({2, 4, 4, 4, 5, 5, 7, 9});
+  const experiment::Statistics s = experiment::statistics({2, 4, 4, 4, 5, 5, 7, 9});
   CHECK(s.mean == 5);
   CHECK(*s.deviation == Approx(2.13809));
-  CHECK_FALSE(statistics({3}).deviation.has_value());
+  CHECK_FALSE(experiment::statistics({3}).deviation.has_value());
 }

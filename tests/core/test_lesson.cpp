@@ -115,7 +115,7 @@ TEST_CASE("a lesson is read with its settings, addresses and words", "[lesson]")
   const Result<Document> document = lesson_document(lesson, sample);
   REQUIRE(document.ok());
   CHECK_FALSE(document->settings.teams);
-  CHECK(document->settings.metric == Metric::circle);
+  CHECK(document->settings.method == Method::circle);
   CHECK(document->settings.min_ratio == 0.5);
   CHECK(document->settings.weight == 7.0);
   CHECK(document->settings.seed == ~std::uint64_t{0});
@@ -124,14 +124,14 @@ TEST_CASE("a lesson is read with its settings, addresses and words", "[lesson]")
 
 TEST_CASE("a lesson's own settings go before those of its link", "[lesson]") {
   Document document = corpus::polygon("hexagon");
-  document.settings.metric = Metric::distance;
+  document.settings.method = Method::distance;
   document.settings.teams = 2;
   const std::string link = *encode_link(document);
   const Lesson lesson = lesson_of("title: T\nlink: " + link + "\nteams: 1\n[end]\nWords.");
   const Result<Document> opened = lesson_document(lesson, {});
   REQUIRE(opened.ok());
   CHECK(opened->vertices == document.vertices);
-  CHECK(opened->settings.metric == Metric::distance);
+  CHECK(opened->settings.method == Method::distance);
   CHECK(opened->settings.teams == 1u);
   CHECK_FALSE(lesson_document(lesson_of("title: T\nlink: 1.xyz\n[end]\nWords."), {}).ok());
 }

@@ -26,11 +26,11 @@ Document document(Points vertices, std::optional<Vec2> centre = {}) {
   return d;
 }
 
-void check_samples(Metric metric) {
+void check_samples(Method method) {
   int placed = 0;
   for (const std::string& name : corpus::polygon_names()) {
     Document d = corpus::polygon(name);
-    d.settings.metric = metric;
+    d.settings.method = method;
     for (const double min_ratio : {0.5, 0.8, 1.0}) {
       for (const std::uint32_t teams : {1u, 3u, 10u}) {
         d.settings.min_ratio = min_ratio;
@@ -56,19 +56,19 @@ InputError refusal(const Document& d) {
 }  // namespace
 
 TEST_CASE("every sample polygon is placed by the rules: area", "[placement]") {
-  check_samples(Metric::area);
+  check_samples(Method::area);
 }
 TEST_CASE("every sample polygon is placed by the rules: circle", "[placement]") {
-  check_samples(Metric::circle);
+  check_samples(Method::circle);
 }
 TEST_CASE("every sample polygon is placed by the rules: distance", "[placement]") {
-  check_samples(Metric::distance);
+  check_samples(Method::distance);
 }
 TEST_CASE("every sample polygon is placed by the rules: distributed", "[placement]") {
-  check_samples(Metric::distributed);
+  check_samples(Method::distributed);
 }
 TEST_CASE("every sample polygon is placed by the rules: random", "[placement]") {
-  check_samples(Metric::random);
+  check_samples(Method::random);
 }
 
 TEST_CASE("thousands of small polygons are placed by the rules", "[placement]") {
@@ -76,15 +76,15 @@ TEST_CASE("thousands of small polygons are placed by the rules", "[placement]") 
   for (std::uint64_t number = 0; number < 4000; ++number) {
     const small_polygons::Case c = small_polygons::make_case(number);
     Document d = evenlift::testing::document_of(c.problem);
-    d.settings.metric = all_metrics[number % std::size(all_metrics)];
+    d.settings.method = all_methods[number % std::size(all_methods)];
     d.settings.seed = number;
     const auto placement = place(d);
-    INFO("case " << number << ", " << c.name << ", " << name(d.settings.metric));
+    INFO("case " << number << ", " << c.name << ", " << name(d.settings.method));
     REQUIRE(placement.ok());
     if (const std::string wrong = check::check_placement(*placement); !wrong.empty()) {
       CHECK(wrong == "");
     }
-    with_area += placement->hull.size() > 2;
+    with_area += placement->lifting_base.size() > 2;
     closed += placement->closure.form_closure;
     second_order += placement->closure.second_order;
   }
@@ -123,7 +123,7 @@ TEST_CASE("a square is covered by teams on its diagonals and held by those at it
   CHECK(placement->team_candidates == std::vector<std::int64_t>{0, 2, 1, 3});
   CHECK(placement->candidates[0].kind == CandidateKind::bisecting);
   CHECK(placement->candidates[1].kind == CandidateKind::midpoint);
-  CHECK(placement->hull == Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  CHECK(placement->lifting_base == Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   CHECK(placement->coverage == 1);
   CHECK(placement->teams[0].loads == std::array{12.5, 12.5});
   CHECK_FALSE(placement->closure.translation_free);
@@ -138,8 +138,8 @@ TEST_CASE("with max every candidate bears a part", "[placement]") {
   REQUIRE(placement.ok());
   CHECK(placement->requested_teams == 9);
   CHECK(placement->teams.size() == 9);
-  for (const Metric metric : {Metric::distributed, Metric::random}) {
-    d.settings.metric = metric;
+  for (const Method method : {Method::distributed, Method::random}) {
+    d.settings.method = method;
     const InputError error = refusal(d);
     CHECK(error.code == ErrorCode::bad_setting);
     CHECK(error.place.option == "teams");

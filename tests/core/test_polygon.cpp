@@ -81,7 +81,7 @@ TEST_CASE("placing, planning and measuring refuse too small an object with the s
   document.vertices = square_of(1e-200);
   const std::string message = Polygon::create(document.vertices).error().message;
   CHECK(place(document).error().message == message);
-  CHECK(prepare(document, 0.8).error().message == message);
+  CHECK(experiment::prepare(document, 0.8).error().message == message);
 }
 
 TEST_CASE("the thinnest polygons have a diagonal, an area above 0 and a centroid of doubles",
@@ -130,12 +130,12 @@ TEST_CASE("whatever of the thinnest polygons can be placed has finite results", 
     Document document;
     document.vertices = {{-1, -width}, {1, -width * rng.uniform()}, {1, width}, {-1, width}};
     document.centre_of_mass = Vec2(rng.uniform() - 0.5, 0);
-    document.settings.metric = all_metrics[static_cast<std::size_t>(i) % std::size(all_metrics)];
+    document.settings.method = all_methods[static_cast<std::size_t>(i) % std::size(all_methods)];
     document.settings.min_ratio = 0;
     const Result<Placement> placement = place(document);
     if (!placement) continue;
     ++placed;
-    INFO("half width " << width << ", " << name(document.settings.metric));
+    INFO("half width " << width << ", " << name(document.settings.method));
     CHECK((placement->coverage >= 0 && placement->coverage <= 1));
     for (const Team& team : placement->teams)
       for (const double load : team.loads) CHECK((load > 0 && load < 100));

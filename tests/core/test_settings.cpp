@@ -14,7 +14,7 @@ using namespace evenlift;
 
 namespace {
 
-constexpr Setting all_settings[] = {Setting::teams,    Setting::metric, Setting::min_ratio,
+constexpr Setting all_settings[] = {Setting::teams,    Setting::method, Setting::min_ratio,
                                     Setting::com,      Setting::weight, Setting::seed,
                                     Setting::overlays, Setting::step,   Setting::capacity};
 
@@ -28,8 +28,8 @@ constexpr Text good[] = {
     {Setting::teams, "1048576"},
     {Setting::teams, "007"},
     {Setting::teams, "max"},
-    {Setting::metric, "area"},
-    {Setting::metric, "random"},
+    {Setting::method, "area"},
+    {Setting::method, "random"},
     {Setting::min_ratio, "0"},
     {Setting::min_ratio, "1"},
     {Setting::min_ratio, "+.5"},
@@ -64,9 +64,9 @@ constexpr Text bad[] = {
     {Setting::teams, "1048577"},
     {Setting::teams, "4294967297"},
     {Setting::teams, "99999999999999999999"},
-    {Setting::metric, ""},
-    {Setting::metric, "Area"},
-    {Setting::metric, "area "},
+    {Setting::method, ""},
+    {Setting::method, "Area"},
+    {Setting::method, "area "},
     {Setting::min_ratio, ""},
     {Setting::min_ratio, "-0.1"},
     {Setting::min_ratio, "1.0000000000000002"},
@@ -120,7 +120,7 @@ Document unusual() {
   document.vertices = {{0, 0}, {1, 0}, {0, 1}};
   document.centre_of_mass = Vec2(0.25, 0.25);
   document.settings.teams = 17;
-  document.settings.metric = Metric::circle;
+  document.settings.method = Method::circle;
   document.settings.min_ratio = 0.125;
   document.settings.weight = 12;
   document.settings.seed = 99;
@@ -240,7 +240,7 @@ TEST_CASE("a script's settings change together or say which is wrong", "[setting
   REQUIRE(changed.ok());
   CHECK_FALSE(changed->document.settings.teams);
   CHECK(changed->document.settings.min_ratio == 0.25);
-  CHECK(changed->document.settings.metric == Metric::distance);
+  CHECK(changed->document.settings.method == Method::distance);
   CHECK(changed->document.centre_of_mass == Vec2(12.5, -0.3));
   CHECK(changed->document.settings.step == 4u);
   CHECK(changed->capacity == 7.0);
@@ -280,7 +280,7 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
   };
   check([](Settings& s) { s.teams = 0; }, Setting::teams);
   check([](Settings& s) { s.teams = max_teams + 1; }, Setting::teams);
-  check([](Settings& s) { s.metric = static_cast<Metric>(5); }, Setting::metric);
+  check([](Settings& s) { s.method = static_cast<Method>(5); }, Setting::method);
   for (const double ratio : {-0.1, 1.1, infinity, std::nan("")})
     check([&](Settings& s) { s.min_ratio = ratio; }, Setting::min_ratio);
   for (const double weight : {0.0, -1.0, infinity, std::nan("")})

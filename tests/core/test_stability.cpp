@@ -8,8 +8,8 @@
 #include "evenlift/generate.h"
 #include "evenlift/hull.h"
 #include "kit/catch.h"
-#include "kit/polygons.h"
 #include "kit/check_placement.h"
+#include "kit/polygons.h"
 
 using namespace evenlift;
 using evenlift::testing::polygon;
@@ -62,8 +62,8 @@ TEST_CASE("coverage agrees with a sum over horizontal slabs", "[stability]") {
       }
       Placement placement;
       placement.vertices = p.vertices();
-      placement.hull = convex_hull(chosen, 1e-9 * p.diagonal());
-      const double given = coverage(p, placement.hull);
+      placement.lifting_base = convex_hull(chosen, 1e-9 * p.diagonal());
+      const double given = coverage(p, placement.lifting_base);
       const double slabs = check::Checker(placement).coverage_by_slabs();
       partial += given > 0.01 && given < 0.99;
       CHECK(given == Approx(slabs).margin(1e-11));

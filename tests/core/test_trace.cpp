@@ -20,8 +20,8 @@ using namespace evenlift;
 
 namespace {
 
-Placement placed(Document document, Metric metric = Metric::area, std::uint32_t teams = 3) {
-  document.settings.metric = metric;
+Placement placed(Document document, Method method = Method::area, std::uint32_t teams = 3) {
+  document.settings.method = method;
   document.settings.teams = teams;
   Result<Placement> placement = place(document);
   REQUIRE(placement.ok());
@@ -35,49 +35,49 @@ Trace traced(const Placement& placement) {
 }
 
 // What playing from the beginning adds up to.
-Done played(const Trace& trace, std::uint32_t last) {
-  Done done;
+Progress played(const Trace& trace, std::uint32_t last) {
+  Progress progress;
   for (std::uint32_t k = 0; k <= last; ++k) {
     switch (trace.step(k).kind) {
       case StepKind::ray:
-        ++done.rays;
+        ++progress.rays;
         break;
       case StepKind::slopes:
-        done.slopes = true;
+        progress.slopes = true;
         break;
       case StepKind::sections:
-        ++done.sections;
+        ++progress.sections;
         break;
       case StepKind::outcome:
       case StepKind::opposite:
-        ++done.sources;
+        ++progress.sources;
         break;
       case StepKind::duplicates:
-        done.merged = true;
+        progress.merged = true;
         break;
       case StepKind::team:
-        ++done.teams;
+        ++progress.teams;
         break;
       case StepKind::base:
-        ++done.base_teams;
+        ++progress.base_teams;
         break;
       case StepKind::share:
-        ++done.shares;
+        ++progress.shares;
         break;
       case StepKind::coverage:
-        done.coverage = true;
+        progress.coverage = true;
         break;
       case StepKind::cut:
-        ++done.cuts;
+        ++progress.cuts;
         break;
       case StepKind::closure:
-        done.closure = true;
+        progress.closure = true;
         break;
       default:
         break;
     }
   }
-  return done;
+  return progress;
 }
 
 // A text for people is whole: no number that is none, no place left open, nothing the font lacks.
@@ -116,13 +116,13 @@ std::vector<std::uint32_t> some_steps(const Trace& trace, std::uint32_t most) {
 
 TEST_CASE("the trace ends in the state that place reports", "[trace]") {
   for (const std::string& name : corpus::polygon_names()) {
-    for (const Metric metric : all_metrics) {
-      INFO(name << ' ' << evenlift::name(metric));
-      const Placement placement = placed(corpus::polygon(name), metric);
+    for (const Method method : all_methods) {
+      INFO(name << ' ' << evenlift::name(method));
+      const Placement placement = placed(corpus::polygon(name), method);
       const Trace trace = traced(placement);
-      const Done end = done(trace, trace.size() - 1);
+      const Progress end = progress_at(trace, trace.size() - 1);
       CHECK(end.teams == placement.teams.size());
-      CHECK(lifting_base(trace, end.base_teams) == placement.hull);
+      CHECK(lifting_base(trace, end.base_teams) == placement.lifting_base);
       CHECK(end.shares == placement.teams.size());
       CHECK(end.cuts == trace.contacts.size());
       if (!placement.teams.empty()) CHECK(end.closure);
@@ -180,9 +180,9 @@ TEST_CASE("every source with a candidate leads to the one that stands for it", "
 
 TEST_CASE("every step is found again from its kind and item", "[trace]") {
   for (const std::string& name : corpus::polygon_names()) {
-    for (const Metric metric : all_metrics) {
-      const Trace trace = traced(placed(corpus::polygon(name), metric));
-      INFO(name << ' ' << evenlift::name(metric));
+    for (const Method method : all_methods) {
+      const Trace trace = traced(placed(corpus::polygon(name), method));
+      INFO(name << ' ' << evenlift::name(method));
       std::uint32_t steps = 0;
       for (std::uint32_t kind = 0; kind < step_kind_count; ++kind)
         steps += trace.count(static_cast<StepKind>(kind));
@@ -192,10 +192,10 @@ TEST_CASE("every step is found again from its kind and item", "[trace]") {
         if (trace.find(step.kind, step.item) != k || nearest_step(trace, step) != k) FAIL(k);
         if (step_kind_from_name(evenlift::name(step.kind)) != step.kind) FAIL(k);
         const StepDetail detail = look_at(trace, k);
-        for (const Object& object : objects(trace, detail)) {
-          if (object.points.empty() || !std::isfinite(object.value)) FAIL(k);
-          for (const Vec2& p : object.points)
-            if (!p.allFinite()) FAIL(k << " " << evenlift::name(object.mark));
+        for (const Figure& figure : figures(trace, detail)) {
+          if (figure.points.empty() || !std::isfinite(figure.value)) FAIL(k);
+          for (const Vec2& p : figure.points)
+            if (!p.allFinite()) FAIL(k << " " << evenlift::name(figure.kind));
         }
         for (const Number& number : numbers(trace, detail))
           if (!std::isfinite(number.value)) FAIL(k << " " << number.name);
@@ -207,17 +207,18 @@ TEST_CASE("every step is found again from its kind and item", "[trace]") {
 TEST_CASE("what is known at a step does not depend on the way to it", "[trace]") {
   for (const char* name :
        {"thesis-sample-centroid", "square", "horseshoe", "thesis-sample", "u-channel"}) {
-    for (const Metric metric : all_metrics) {
-      INFO(name << ' ' << evenlift::name(metric));
-      const Trace trace = traced(placed(corpus::polygon(name), metric, 4));
-      for (std::uint32_t k = 0; k < trace.size(); ++k) REQUIRE(done(trace, k) == played(trace, k));
+    for (const Method method : all_methods) {
+      INFO(name << ' ' << evenlift::name(method));
+      const Trace trace = traced(placed(corpus::polygon(name), method, 4));
+      for (std::uint32_t k = 0; k < trace.size(); ++k)
+        REQUIRE(progress_at(trace, k) == played(trace, k));
       // Forward, backward and from the same place again: the same words and shapes.
       std::vector<std::string> forward;
       const auto picture = [&](std::uint32_t k) {
         const StepDetail detail = look_at(trace, k);
         std::string text = caption(trace, detail) + formula(trace, detail);
-        for (const Object& o : objects(trace, detail)) {
-          text += evenlift::name(o.mark);
+        for (const Figure& o : figures(trace, detail)) {
+          text += evenlift::name(o.kind);
           for (const Vec2& p : o.points) text += shortest(p.x()) + "," + shortest(p.y()) + " ";
           text += shortest(o.value);
         }
@@ -231,10 +232,10 @@ TEST_CASE("what is known at a step does not depend on the way to it", "[trace]")
 
 TEST_CASE("every caption, formula and name of every sample is complete", "[trace][words]") {
   for (const std::string& name : corpus::polygon_names()) {
-    for (const Metric metric : all_metrics) {
-      const Trace trace = traced(placed(corpus::polygon(name), metric));
-      INFO(name << ' ' << evenlift::name(metric));
-      const std::vector<std::string_view> code = pseudo_code(metric);
+    for (const Method method : all_methods) {
+      const Trace trace = traced(placed(corpus::polygon(name), method));
+      INFO(name << ' ' << evenlift::name(method));
+      const std::vector<std::string_view> code = pseudo_code(method);
       for (std::uint32_t k = 0; k < trace.size(); ++k) {
         INFO("step " << k);
         const StepDetail detail = look_at(trace, k);
@@ -247,9 +248,9 @@ TEST_CASE("every caption, formula and name of every sample is complete", "[trace
       for (const std::uint32_t k : some_steps(trace, 40)) {
         INFO("step " << k);
         const StepDetail detail = look_at(trace, k);
-        for (const Object& object : objects(trace, detail)) {
-          const std::string text = object_text(trace, detail, object);
-          if (text.size() < 5) FAIL(evenlift::name(object.mark));
+        for (const Figure& figure : figures(trace, detail)) {
+          const std::string text = figure_text(trace, detail, figure);
+          if (text.size() < 5) FAIL(evenlift::name(figure.kind));
           check_text(text, false);
         }
       }
@@ -281,9 +282,9 @@ TEST_CASE("where there is little or nothing to show the lesson says so", "[trace
     Result<Document> document = read_polygon(hard.text);
     REQUIRE(document.ok());
     document->settings.min_ratio = hard.min_ratio;
-    for (const Metric metric : all_metrics) {
-      INFO(hard.text << evenlift::name(metric));
-      const Trace trace = traced(placed(*document, metric, 4));
+    for (const Method method : all_methods) {
+      INFO(hard.text << evenlift::name(method));
+      const Trace trace = traced(placed(*document, method, 4));
       if (trace.by_candidates()) CHECK(trace.count(hard.has) == 1);
       if (trace.placement.teams.empty()) {
         CHECK(trace.count(StepKind::fewer) == 1);
@@ -295,8 +296,8 @@ TEST_CASE("where there is little or nothing to show the lesson says so", "[trace
         const StepDetail detail = look_at(trace, k);
         check_text(caption(trace, detail), true);
         check_text(formula(trace, detail), false);
-        for (const Object& object : objects(trace, detail))
-          check_text(object_text(trace, detail, object), false);
+        for (const Figure& figure : figures(trace, detail))
+          check_text(figure_text(trace, detail, figure), false);
       }
       for (int i = 0; i < 12; ++i) {
         const double angle = 0.5 * i;
@@ -350,20 +351,20 @@ TEST_CASE("a choice is asked with the answer that the algorithm gives", "[trace]
 
 TEST_CASE("shapes of a gain add up to its score", "[trace]") {
   for (const char* name : {"thesis-sample-centroid", "horseshoe", "stone-slab", "letter-e"}) {
-    for (const Metric metric : {Metric::area, Metric::circle, Metric::distance}) {
-      INFO(name << ' ' << evenlift::name(metric));
-      const Trace trace = traced(placed(corpus::polygon(name), metric));
+    for (const Method method : {Method::area, Method::circle, Method::distance}) {
+      INFO(name << ' ' << evenlift::name(method));
+      const Trace trace = traced(placed(corpus::polygon(name), method));
       const double size = trace.polygon.diagonal();
       const TeamScores scores = look_at_scores(trace, 1);
       for (std::uint32_t c = 0; c < scores.of_candidate.size(); ++c) {
         const Score& score = scores.of_candidate[c];
         REQUIRE(score.exact);
         double sum = 0;
-        for (const Object& o : gain_objects(trace, scores, c)) {
-          if (o.mark == Mark::gain_circle) sum += 3.14159265358979 * o.value * o.value;
-          if (o.mark == Mark::arm_before) sum += o.value;
-          if (o.mark == Mark::arm_after) sum -= o.value;
-          if (o.mark == Mark::gain_part) sum += signed_area(o.points);
+        for (const Figure& o : gain_figures(trace, scores, c)) {
+          if (o.kind == FigureKind::gain_circle) sum += 3.14159265358979 * o.value * o.value;
+          if (o.kind == FigureKind::arm_before) sum += o.value;
+          if (o.kind == FigureKind::arm_after) sum -= o.value;
+          if (o.kind == FigureKind::gain_part) sum += signed_area(o.points);
         }
         CHECK(std::fabs(sum - score.value) <= 1e-9 * size * size);
       }
@@ -372,14 +373,14 @@ TEST_CASE("shapes of a gain add up to its score", "[trace]") {
 }
 
 TEST_CASE("the scores of the trace are those of the selection", "[trace]") {
-  for (const Metric metric : {Metric::area, Metric::circle, Metric::distance}) {
-    const Placement placement = placed(corpus::polygon("letter-s"), metric, 5);
+  for (const Method method : {Method::area, Method::circle, Method::distance}) {
+    const Placement placement = placed(corpus::polygon("letter-s"), method, 5);
     const Trace trace = traced(placement);
     std::vector<std::uint32_t> taken;
     for (std::uint32_t team = 0; team < placement.teams.size(); ++team) {
       if (team > 0) {
         const std::vector<double> known =
-            scores(trace.polygon, trace.centre, placement.candidates, taken, metric);
+            scores(trace.polygon, trace.centre, placement.candidates, taken, method);
         const TeamScores mine = look_at_scores(trace, team);
         for (std::size_t i = 0; i < known.size(); ++i)
           REQUIRE(mine.of_candidate[i].value == known[i]);
@@ -394,7 +395,7 @@ TEST_CASE("where candidates are many, only those that compete are scored exactly
   REQUIRE(comb.ok());
   Document document;
   document.vertices = *comb;
-  const Placement placement = placed(document, Metric::area, 4);
+  const Placement placement = placed(document, Method::area, 4);
   REQUIRE(placement.candidates.size() * document.vertices.size() > exact_score_budget);
   const Trace trace = traced(placement);
   std::size_t bounds = 0;
@@ -414,9 +415,9 @@ TEST_CASE("where candidates are many, only those that compete are scored exactly
 TEST_CASE("why not this one has an answer for every candidate and chord", "[trace][words]") {
   for (const char* name :
        {"thesis-sample-centroid", "thesis-sample", "square", "horseshoe", "u-channel", "cross"}) {
-    for (const Metric metric : all_metrics) {
-      INFO(name << ' ' << evenlift::name(metric));
-      const Placement placement = placed(corpus::polygon(name), metric);
+    for (const Method method : all_methods) {
+      INFO(name << ' ' << evenlift::name(method));
+      const Placement placement = placed(corpus::polygon(name), method);
       const Trace trace = traced(placement);
       const std::uint32_t end = trace.size() - 1;
       std::size_t taken = 0;
@@ -470,7 +471,7 @@ TEST_CASE("a chord is picked by a point on it", "[trace]") {
 TEST_CASE("after an edit the lesson keeps its place as well as it can", "[trace]") {
   const Trace big = traced(placed(corpus::polygon("horseshoe")));
   const Trace small = traced(placed(corpus::polygon("square")));
-  const Trace other = traced(placed(corpus::polygon("square"), Metric::random));
+  const Trace other = traced(placed(corpus::polygon("square"), Method::random));
   for (const Trace* to : {&big, &small, &other}) {
     for (const Trace* from : {&big, &small, &other}) {
       for (std::uint32_t k = 0; k < from->size(); ++k) {
@@ -495,12 +496,12 @@ TEST_CASE("what nobody could watch is refused with a sentence", "[trace]") {
 
 TEST_CASE("objects of every size have readable numbers", "[trace][words]") {
   for (const double size : {1e-11, 1e-9, 1e-3, 1.0, 1e5}) {
-    for (const Metric metric : all_metrics) {
+    for (const Method method : all_methods) {
       Document document = corpus::polygon("stone-slab");
       for (Vec2& v : document.vertices) v = v * size;
       document.settings.weight = 1 / size;
-      const Trace trace = traced(placed(document, metric));
-      INFO(size << ' ' << evenlift::name(metric));
+      const Trace trace = traced(placed(document, method));
+      INFO(size << ' ' << evenlift::name(method));
       for (std::uint32_t k = 0; k < trace.size(); ++k) {
         const StepDetail detail = look_at(trace, k);
         const std::string text = caption(trace, detail);

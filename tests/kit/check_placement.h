@@ -49,12 +49,12 @@ class Checker {
   // area(P and H) / area(P) by horizontal slabs between all corners and crossings: in each of them
   // the width of the common part changes linearly, so the width in the middle is enough.
   double coverage_by_slabs() const {
-    if (p_.hull.size() < 3) return 0;
+    if (p_.lifting_base.size() < 3) return 0;
     std::vector<double> ys;
     for (const Vec2& q : p_.vertices) ys.push_back(q.y() - c_.y());
-    for (const Vec2& q : p_.hull) ys.push_back(q.y() - c_.y());
+    for (const Vec2& q : p_.lifting_base) ys.push_back(q.y() - c_.y());
     for (std::size_t i = 0; i < n(); ++i) {
-      for (std::size_t k = 0; k < p_.hull.size(); ++k) {
+      for (std::size_t k = 0; k < p_.lifting_base.size(); ++k) {
         const Vec2 a = v(i) - c_, d = v(i + 1) - v(i), b = h(k) - c_, e = h(k + 1) - h(k);
         const double turn = cross_(d, e);
         if (turn == 0) continue;
@@ -83,7 +83,7 @@ class Checker {
 
   std::size_t n() const { return p_.vertices.size(); }
   const Vec2& v(std::size_t i) const { return p_.vertices[i % n()]; }
-  const Vec2& h(std::size_t i) const { return p_.hull[i % p_.hull.size()]; }
+  const Vec2& h(std::size_t i) const { return p_.lifting_base[i % p_.lifting_base.size()]; }
 
   template <class... Parts>
   void expect(bool holds, const Parts&... parts) {
@@ -95,7 +95,7 @@ class Checker {
   }
 
   bool selects_candidates() const {
-    return p_.settings.metric != Metric::distributed && p_.settings.metric != Metric::random;
+    return p_.settings.method != Method::distributed && p_.settings.method != Method::random;
   }
 
   void check_chord(const Chord& chord, const std::string& name) {
@@ -113,7 +113,7 @@ class Checker {
     // tolerance.
     // C is within tolerance of the line of opposite vertices.
     const bool opposite = at_vertex(chord.r1.position) && at_vertex(chord.r2.position);
-    const double reach = p_.settings.metric == Metric::random || opposite ? near_ : 0;
+    const double reach = p_.settings.method == Method::random || opposite ? near_ : 0;
     expect(miss <= reach + rounding_, name, " misses C by ", miss);
     expect(std::fabs(norm(to1) - chord.arm1) <= rounding_, name, " has a wrong arm1");
     expect(std::fabs(norm(to2) - chord.arm2) <= rounding_, name, " has a wrong arm2");
@@ -259,10 +259,10 @@ class Checker {
   }
 
   void check_hull() {
-    const std::size_t corners = p_.hull.size();
+    const std::size_t corners = p_.lifting_base.size();
     expect(p_.teams.empty() == (corners == 0), "a hull without teams, or none");
     expect(corners != 1, "a hull of one point");
-    for (const Vec2& corner : p_.hull) {
+    for (const Vec2& corner : p_.lifting_base) {
       bool found = false;
       for (const Team& team : p_.teams)
         found = found || team.chord.r1.position == corner || team.chord.r2.position == corner;
@@ -287,7 +287,7 @@ class Checker {
   // Of P and H at a height that is no corner's.
   double common_width(double y) const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t k = 0; k < p_.hull.size(); ++k) {
+    for (std::size_t k = 0; k < p_.lifting_base.size(); ++k) {
       const Vec2 &a = h(k), &b = h(k + 1);
       if ((a.y() < y) == (b.y() < y)) continue;
       const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
@@ -310,7 +310,8 @@ class Checker {
   void check_coverage() {
     const double coverage = p_.coverage;
     expect(coverage >= 0 && coverage <= 1, "coverage is ", coverage);
-    if (p_.hull.size() < 3) return expect(coverage == 0, "coverage without a hull: ", coverage);
+    if (p_.lifting_base.size() < 3)
+      return expect(coverage == 0, "coverage without a hull: ", coverage);
     // Where coordinates are coarse, so are both areas.
     const double room = 1e-9 + 8 * rounding_ * size_ / area_;
     const double slabs = coverage_by_slabs();
@@ -506,8 +507,9 @@ inline Placement in_handy_units(Placement placement) {
     scale(chord.arm1);
     scale(chord.arm2);
   };
-  for (Points* points : {&placement.vertices, &placement.hull, &placement.closure.clockwise.clipped,
-                         &placement.closure.counterclockwise.clipped}) {
+  for (Points* points :
+       {&placement.vertices, &placement.lifting_base, &placement.closure.clockwise.clipped,
+        &placement.closure.counterclockwise.clipped}) {
     std::for_each(points->begin(), points->end(), scale_point);
   }
   scale_point(placement.centre_of_mass);

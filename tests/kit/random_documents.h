@@ -3,8 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -14,13 +14,9 @@
 
 namespace evenlift::testing {
 
-inline std::uint64_t bits_of(double value) {
-  return std::bit_cast<std::uint64_t>(value);
-}
+inline std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-inline double double_of(std::uint64_t bits) {
-  return std::bit_cast<double>(bits);
-}
+inline double double_of(std::uint64_t bits) { return std::bit_cast<double>(bits); }
 
 inline bool same_bits(const Vec2& a, const Vec2& b) {
   return bits_of(a.x()) == bits_of(b.x()) && bits_of(a.y()) == bits_of(b.y());
@@ -114,7 +110,7 @@ inline Settings random_settings(Rng& rng) {
     settings.teams = std::nullopt;
     if (now_and_then()) settings.teams = static_cast<std::uint32_t>(1 + rng.below(max_teams));
   }
-  if (now_and_then()) settings.metric = all_metrics[rng.below(5)];
+  if (now_and_then()) settings.method = all_methods[rng.below(5)];
   if (now_and_then()) settings.min_ratio = static_cast<double>(rng.below(101)) / 100;
   if (now_and_then()) settings.min_ratio = rng.uniform();
   if (now_and_then()) settings.weight = 1 + static_cast<double>(rng.below(1000)) / 8;
@@ -123,7 +119,7 @@ inline Settings random_settings(Rng& rng) {
   if (now_and_then()) {
     settings.overlays.candidates = rng.below(2) == 0;
     settings.overlays.chords = rng.below(2) == 0;
-    settings.overlays.hull = rng.below(2) == 0;
+    settings.overlays.lifting_base = rng.below(2) == 0;
     settings.overlays.clockwise = rng.below(2) == 0;
     settings.overlays.counterclockwise = rng.below(2) == 0;
     settings.overlays.tipping = rng.below(2) == 0;

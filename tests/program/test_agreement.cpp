@@ -18,21 +18,21 @@ namespace {
 
 struct Asked {
   std::uint32_t teams;
-  Metric metric;
+  Method method;
   double min_ratio;
   double weight;
   std::optional<double> capacity;
 };
 
 const Asked asked[] = {
-    {3, Metric::area, 0.8, 100, std::nullopt},      {1, Metric::circle, 0.8, 1234.5, 400.0},
-    {12, Metric::distance, 0.5, 99.97, 6.5},        {4, Metric::distributed, 0.8, 0.0123, 1e-3},
-    {5, Metric::random, 0.8, 100000, std::nullopt}, {9, Metric::area, 1, 480, 20.0},
+    {3, Method::area, 0.8, 100, std::nullopt},      {1, Method::circle, 0.8, 1234.5, 400.0},
+    {12, Method::distance, 0.5, 99.97, 6.5},        {4, Method::distributed, 0.8, 0.0123, 1e-3},
+    {5, Method::random, 0.8, 100000, std::nullopt}, {9, Method::area, 1, 480, 20.0},
 };
 
 std::string options_of(const Asked& a) {
   std::string options = " --teams " + std::to_string(a.teams) + " --metric " +
-                        std::string(name(a.metric)) + " --min-ratio " + shortest(a.min_ratio) +
+                        std::string(name(a.method)) + " --min-ratio " + shortest(a.min_ratio) +
                         " --weight " + shortest(a.weight);
   if (a.capacity) options += " --capacity " + shortest(*a.capacity);
   return options;
@@ -67,7 +67,7 @@ std::string said_of(const std::vector<std::string>& lines, const Asked& a) {
             found.str(4) + " and " + found.str(6) + "\u00A0kg, load ratio " + found.str(2) + ".";
   }
   return text + " " + count_of(teams, "team", "teams") + " of " + std::to_string(a.teams) +
-         " asked for, method " + std::string(name(a.metric)) + ", minimum load ratio " +
+         " asked for, method " + std::string(name(a.method)) + ", minimum load ratio " +
          plain(a.min_ratio) + "." + rows;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("the page's live region says what the program prints, in the same word
       INFO(names[i] << options_of(a));
       Document document = corpus::polygon(names[i]);
       document.settings.teams = a.teams;
-      document.settings.metric = a.metric;
+      document.settings.method = a.method;
       document.settings.min_ratio = a.min_ratio;
       document.settings.weight = a.weight;
       page.app.commands.push_back(OpenDocument{placed(document)});

@@ -16,9 +16,9 @@ inline Document document_of(const oracle::Problem& problem) {
   d.settings.teams = static_cast<std::uint32_t>(problem.teams);
   d.settings.min_ratio = problem.min_ratio;
   d.settings.weight = problem.weight;
-  d.settings.metric = problem.metric == oracle::Metric::area     ? Metric::area
-                      : problem.metric == oracle::Metric::circle ? Metric::circle
-                                                                 : Metric::distance;
+  d.settings.method = problem.metric == oracle::Metric::area     ? Method::area
+                      : problem.metric == oracle::Metric::circle ? Method::circle
+                                                                 : Method::distance;
   return d;
 }
 

@@ -80,7 +80,7 @@ Document generated_document(Rng& rng) {
 
 Settings settings_from(Rng& rng) {
   Settings settings;
-  settings.metric = all_metrics[rng.below(std::size(all_metrics))];
+  settings.method = all_methods[rng.below(std::size(all_methods))];
   settings.teams = static_cast<std::uint32_t>(1 + rng.below(8));
   if (rng.below(20) == 0) settings.teams = std::nullopt;
   const double ratios[] = {0.0, 0.5, 0.8, 0.8, 0.95, 1.0};

@@ -46,13 +46,13 @@ Outcome try_oracle(std::uint64_t number) {
 }
 
 Outcome try_one_shape(std::uint64_t number) {
-  using evenlift::Metric;
+  using evenlift::Method;
   const small_polygons::Case c = small_polygons::make_plain_case(number);
   evenlift::Document document = evenlift::testing::document_of(c.problem);
   if (!one_shape::is_clear_of_refusal(document)) return {.passed_over = true};
   evenlift::Rng rng(number);
-  const Metric metrics[] = {Metric::area, Metric::circle, Metric::distance};
-  document.settings.metric = metrics[rng.below(std::size(metrics))];
+  const Method metrics[] = {Method::area, Method::circle, Method::distance};
+  document.settings.method = metrics[rng.below(std::size(metrics))];
   const one_shape::Motion motion = one_shape::any_motion(document, rng);
   constexpr std::uint32_t teams = 6;
   const std::string differences = one_shape::compare(document, motion, teams).differences;

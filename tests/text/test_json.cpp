@@ -41,9 +41,9 @@ std::vector<std::string> keys(const ordered_json& json) {
 
 TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
   using Names = std::vector<std::string>;
-  for (const Metric metric : all_metrics) {
+  for (const Method method : all_methods) {
     Document document = corpus::polygon("thesis-sample-centroid");
-    document.settings.metric = metric;
+    document.settings.method = method;
     const Placement placement = placed(document);
     const ordered_json plain = ordered_json::parse(placement_json(placement, false));
     CHECK(keys(plain) == Names{"polygon", "centre_of_mass", "metric", "min_ratio", "weight", "seed",
@@ -55,7 +55,7 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
     CHECK(keys(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share"});
     CHECK(keys(full["closure"]) ==
           Names{"form_closure", "margin", "second_order", "free", "clockwise", "counterclockwise"});
-    CHECK(full["metric"] == std::string(name(metric)));
+    CHECK(full["metric"] == std::string(name(method)));
   }
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("the numbers of the JSON read back to the same doubles", "[json]") {
     CHECK(same_bits(json["weight"].get<double>(), 1.0 / 3));
     CHECK(json["seed"].get<std::uint64_t>() == ~std::uint64_t{0});
     CHECK(json["requested_teams"] == 5);
-    CHECK(same_bits(json["hull"], placement.hull));
+    CHECK(same_bits(json["hull"], placement.lifting_base));
     CHECK(same_bits(json["coverage"].get<double>(), placement.coverage));
     REQUIRE(json["candidates"].size() == placement.candidates.size());
     REQUIRE(json["teams"].size() == placement.teams.size());
@@ -114,7 +114,7 @@ TEST_CASE("with no team the loads are null and H is empty", "[json]") {
 TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]") {
   Document document = corpus::polygon("thesis-sample");
   document.settings = {.teams = std::nullopt,
-                       .metric = Metric::circle,
+                       .method = Method::circle,
                        .min_ratio = 0.25,
                        .weight = 1e9,
                        .seed = 7,
@@ -151,9 +151,9 @@ TEST_CASE("known polygons give the expected results", "[expected]") {
     const std::filesystem::path stem = entry.path().stem();
     INFO(entry.path().string());
     Document document = corpus::polygon(stem.stem().string());
-    const std::optional<Metric> metric = metric_from_name(stem.extension().string().substr(1));
-    REQUIRE(metric);
-    document.settings.metric = *metric;
+    const std::optional<Method> method = method_from_name(stem.extension().string().substr(1));
+    REQUIRE(method);
+    document.settings.method = *method;
     const std::string json = placement_json(placed(document), true);
     if (renew) corpus::write_file(entry.path(), json);
     CHECK(json == corpus::read_file(entry.path()));

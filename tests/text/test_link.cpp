@@ -131,8 +131,8 @@ TEST_CASE("settings at their default take no room, others little", "[link][lengt
   CHECK(more([](Settings& s) { s.teams = std::nullopt; }) <= 3);
   CHECK(more([](Settings& s) { s.teams = 8; }) <= 5);
   CHECK(more([](Settings& s) { s.teams = max_teams; }) <= 7);
-  for (const Metric metric : all_metrics) {
-    CHECK(more([&](Settings& s) { s.metric = metric; }) <= 3);
+  for (const Method method : all_methods) {
+    CHECK(more([&](Settings& s) { s.method = method; }) <= 3);
   }
   CHECK(more([](Settings& s) { s.min_ratio = 0; }) <= 4);
   CHECK(more([](Settings& s) { s.min_ratio = 0.95; }) <= 5);
@@ -190,7 +190,7 @@ TEST_CASE("links written before are read for ever", "[link]") {
     } else {
       CHECK(settings["teams"] == "max");
     }
-    CHECK(settings["metric"] == std::string(name(document.settings.metric)));
+    CHECK(settings["metric"] == std::string(name(document.settings.method)));
     CHECK(same(document.settings.min_ratio, settings["min_ratio"]));
     CHECK(same(document.settings.weight, settings["weight"]));
     CHECK(document.settings.seed == settings["seed"].get<std::uint64_t>());
@@ -198,7 +198,7 @@ TEST_CASE("links written before are read for ever", "[link]") {
     const Overlays& overlays = document.settings.overlays;
     if (overlays.candidates) shown.push_back("candidates");
     if (overlays.chords) shown.push_back("chords");
-    if (overlays.hull) shown.push_back("hull");
+    if (overlays.lifting_base) shown.push_back("hull");
     if (overlays.clockwise) shown.push_back("clockwise");
     if (overlays.counterclockwise) shown.push_back("counterclockwise");
     if (overlays.tipping) shown.push_back("tipping");
@@ -302,7 +302,7 @@ TEST_CASE("what no link can carry is refused with its place", "[link][errors]") 
   for (const double bad : {nan, infinity, 0.0, -0.0, -1.0}) {
     check([&](Document& d) { d.settings.weight = bad; }, ErrorCode::bad_setting, "weight");
   }
-  check([](Document& d) { d.settings.metric = static_cast<Metric>(5); }, ErrorCode::bad_setting,
+  check([](Document& d) { d.settings.method = static_cast<Method>(5); }, ErrorCode::bad_setting,
         "metric");
   check([](Document& d) { d.vertices.resize(max_link_vertices + 1, Vec2(1, 2)); },
         ErrorCode::too_many_vertices, "");

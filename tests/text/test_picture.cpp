@@ -20,14 +20,14 @@ TEST_CASE("a picture shows what the overlays ask for, back to front", "[picture]
   };
   const std::vector<Role> usual = roles({});
   CHECK(usual.front() == Role::object);
-  CHECK(number(usual, Role::hull) == 1);
+  CHECK(number(usual, Role::lifting_base) == 1);
   CHECK(number(usual, Role::candidate) == 0);
   CHECK(number(usual, Role::chord) == 3);
   CHECK(number(usual, Role::robot) == 6);
   CHECK(usual.back() == Role::robot);
   const std::vector<Role> bare = roles({.candidates = false,
                                         .chords = false,
-                                        .hull = false,
+                                        .lifting_base = false,
                                         .clockwise = false,
                                         .counterclockwise = false});
   CHECK(bare.size() == 8);  // the object, its centre of mass and six robots

@@ -10,8 +10,8 @@ using namespace evenlift;
 
 namespace {
 
-Placement placed(Document document, Metric metric, std::uint32_t teams) {
-  document.settings.metric = metric;
+Placement placed(Document document, Method method, std::uint32_t teams) {
+  document.settings.method = method;
   document.settings.teams = teams;
   Result<Placement> placement = place(document);
   if (!placement) FAIL(placement.error().message);
@@ -69,7 +69,7 @@ TEST_CASE("a picture of every sample is sound", "[svg]") {
   for (const std::string& name : corpus::polygon_names()) {
     CAPTURE(name);
     for (const std::uint32_t teams : {1u, 3u, 50u}) {
-      const Placement placement = placed(corpus::polygon(name), Metric::area, teams);
+      const Placement placement = placed(corpus::polygon(name), Method::area, teams);
       const std::string svg = placement_svg(placement);
       check_picture(svg);
       CHECK(count(svg, "class=\"chord\"") == placement.teams.size());
@@ -80,9 +80,9 @@ TEST_CASE("a picture of every sample is sound", "[svg]") {
 
 TEST_CASE("with three teams each robot of every sample has its load beside it", "[svg]") {
   for (const std::string& name : corpus::polygon_names())
-    for (const Metric metric : {Metric::area, Metric::distributed, Metric::random}) {
-      CAPTURE(name, evenlift::name(metric));
-      const std::string svg = placement_svg(placed(corpus::polygon(name), metric, 3));
+    for (const Method method : {Method::area, Method::distributed, Method::random}) {
+      CAPTURE(name, evenlift::name(method));
+      const std::string svg = placement_svg(placed(corpus::polygon(name), method, 3));
       CHECK(count(svg, "class=\"load\"") == count(svg, "class=\"robot\""));
     }
 }
@@ -97,15 +97,15 @@ TEST_CASE("pictures of extreme shapes are sound", "[svg]") {
   for (const Points& vertices : shapes) {
     Document document;
     document.vertices = vertices;
-    check_picture(placement_svg(placed(document, Metric::area, 3)));
-    check_picture(placement_svg(placed(document, Metric::distributed, 200)));
+    check_picture(placement_svg(placed(document, Method::area, 3)));
+    check_picture(placement_svg(placed(document, Method::distributed, 200)));
   }
 }
 
 TEST_CASE("labels cover neither each other nor what they name", "[svg]") {
   for (const std::string& name : corpus::polygon_names()) {
     CAPTURE(name);
-    const Placement placement = placed(corpus::polygon(name), Metric::area, 12);
+    const Placement placement = placed(corpus::polygon(name), Method::area, 12);
     labels::Surroundings around{{Vec2(-200, -200), Vec2(1300, 1400)}, placement.vertices, {}, {}};
     std::vector<labels::Request> requests;
     for (const Team& team : placement.teams)

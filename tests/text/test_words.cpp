@@ -16,7 +16,7 @@ Placement three_teams() {
   placement.requested_teams = 3;
   placement.teams.resize(3);
   for (Team& team : placement.teams) team.loads = {15.24, 18.06};
-  placement.hull = {{0, 0}, {1, 0}, {0, 1}};
+  placement.lifting_base = {{0, 0}, {1, 0}, {0, 1}};
   placement.coverage = 0.814;
   placement.loads = LoadSummary{15.24, 100.0 / 6, 18.06, 2.82, 0.54};
   placement.closure.margin = -0.1;
@@ -43,7 +43,7 @@ TEST_CASE("the verdict is a few plain sentences", "[words]") {
   CHECK(plainly(loads_in_words(placement)) == "6 robots carry 16.7 kg each (100 kg in all).");
   CHECK(shortage_in_words(placement) ==
         "There is room for only 3 of 5 teams at this minimum load ratio.");
-  placement.settings.metric = Metric::random;
+  placement.settings.method = Method::random;
   CHECK(shortage_in_words(placement) == "There is room for only 3 of 5 teams.");
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("with no team the reason is given, and what helps", "[words]") {
       verdict(placement) ==
       "No team can be placed. No chord through the centre of mass is this even. Lower the minimum "
       "load ratio, or move the centre of mass.");
-  placement.settings.metric = Metric::distributed;
+  placement.settings.method = Method::distributed;
   CHECK(
       verdict(placement) ==
       "No team can be placed. No line through the centre of mass meets the boundary on both sides "
@@ -72,7 +72,7 @@ TEST_CASE("what part of the object is safe to push on is said in words", "[words
   CHECK(coverage(1 - 1e-12) == "All of the object is safe to push on.");
   CHECK(coverage(0.999) == "More than 99 % of the object is safe to push on.");
   CHECK(coverage(0.004) == "Less than 1 % of the object is safe to push on.");
-  placement.hull.pop_back();
+  placement.lifting_base.pop_back();
   CHECK(coverage(0) == "They stand on one line, so the object can tip.");
 }
 

@@ -372,7 +372,9 @@ TEST_CASE("the whole moves, turns and scales, each drag a step of undo", "[view]
   page.frame();
   const Points before = page.app.state.document.vertices;
   const auto area = [&] {
-    return page.app.state.placement->hull.empty() ? 0 : area_of(page.app.state.document.vertices);
+    return page.app.state.placement->lifting_base.empty()
+               ? 0
+               : area_of(page.app.state.document.vertices);
   };
   const double size = area();
   page.press({"w"});
@@ -421,7 +423,7 @@ TEST_CASE("two methods stand side by side and follow the same polygon", "[view]"
   page.press({"k"});
   page.frame();
   REQUIRE(page.app.state.other);
-  CHECK(page.app.state.other->settings.metric == Metric::circle);
+  CHECK(page.app.state.other->settings.method == Method::circle);
   const Layout places = layout(page.app.state);
   CHECK(places.first.right == places.second.left);
   // A drag in the second picture moves the one polygon.
@@ -484,7 +486,7 @@ TEST_CASE("a capacity is planned for anew only when the plan can change", "[view
   apply(state, commands);
   CHECK(state.plan == plan_capacity(*state.placement, 12));
   for (const auto change :
-       {+[](Settings& s) { s.metric = Metric::circle; }, +[](Settings& s) { s.min_ratio = 0.5; },
+       {+[](Settings& s) { s.method = Method::circle; }, +[](Settings& s) { s.min_ratio = 0.5; },
         +[](Settings& s) { s.weight = 100; }}) {
     state.plan = mark;
     Settings changed = settings(state);
@@ -518,7 +520,7 @@ TEST_CASE("the heat map's bands are the polygon where the tipping force says so"
         area += std::abs(cross(b - a, c - a)) / 2;
         // Well inside of the band no smaller push tips.
         const Vec2 middle = (a + b + c) / 3;
-        const double force = tipping_force(placed->hull, placed->centre_of_mass, 1, middle);
+        const double force = tipping_force(placed->lifting_base, placed->centre_of_mass, 1, middle);
         CHECK(force >= std::min(band.share, 1e9) * (1 - 1e-6));
       }
       CHECK(area <= before);
@@ -628,7 +630,7 @@ TEST_CASE("a lesson is traced once when it is opened, and its steps compute noth
     const Count count;
     const std::string text = "title: One stop\npolygon: l\nteams: 2\n\n[team 2]\nDone.\n";
     CHECK_FALSE(open_script(state, text, l_shape));
-    CHECK(words_of_stop(state) == "Done.");
+    CHECK(words_of_stop(state) == "Progress.");
     CHECK(count.placements() == 1);
     CHECK(count.traces() == 1);
   }
@@ -661,25 +663,25 @@ TEST_CASE("what is shown is changed without computing anything, and is no step o
 TEST_CASE("no way leads to a method beside itself", "[view]") {
   Page page;
   AppState& state = page.app.state;
-  const auto parted = [&] { return !state.compared || *state.compared != settings(state).metric; };
+  const auto parted = [&] { return !state.compared || *state.compared != settings(state).method; };
   page.press({"k"});
-  REQUIRE(state.compared == Metric::circle);
+  REQUIRE(state.compared == Method::circle);
   page.press({"m"});  // takes the method that is compared: the two change sides
-  CHECK(settings(state).metric == Metric::circle);
-  CHECK(state.compared == Metric::area);
+  CHECK(settings(state).method == Method::circle);
+  CHECK(state.compared == Method::area);
   REQUIRE(state.other);
-  CHECK(state.other->settings.metric == Metric::area);
+  CHECK(state.other->settings.method == Method::area);
   page.press({"z", true});
   CHECK(parted());
   const Document edited = changed(state, "metric=distance");
-  Commands commands{Compare{Metric::distance}};
+  Commands commands{Compare{Method::distance}};
   apply(state, commands);
   CHECK_FALSE(try_edit(state, edited));
   CHECK(parted());
-  commands = {Compare{Metric::distance}};
+  commands = {Compare{Method::distance}};
   apply(state, commands);
   CHECK_FALSE(state.compared);
-  commands = {Compare{Metric::area}};
+  commands = {Compare{Method::area}};
   apply(state, commands);
   page.open(document(l_shape));
   CHECK(parted());
@@ -759,7 +761,7 @@ TEST_CASE("bands of a large polygon are the regions where the tipping force says
     CHECK(area_of(bands[i].region) > 0);
     for (const Vec2& corner : bands[i].region) {
       const Vec2 within = corner + (result->centre_of_mass - corner) * 1e-6;
-      const double force = tipping_force(result->hull, result->centre_of_mass, 1, within);
+      const double force = tipping_force(result->lifting_base, result->centre_of_mass, 1, within);
       CHECK(force >= std::min(bands[i].share, 1e9) * (1 - 1e-6));
     }
   }

@@ -18,13 +18,13 @@ namespace {
 
 struct Moment {
   std::string words;
-  Done known;
-  std::size_t marks;
+  Progress known;
+  std::size_t figures;
   bool operator==(const Moment&) const = default;
 };
 
 Moment moment(const AppState& state) {
-  return {summary(state), state.lesson.known, state.lesson.marks.size()};
+  return {summary(state), state.lesson.known, state.lesson.figures.size()};
 }
 
 void go(Page& page, std::uint32_t step) {
@@ -197,7 +197,7 @@ TEST_CASE("a ready-made lesson shows its own stops and words, and can be left fo
   CHECK(timeline(page.app.state).count == 2);
   CHECK(words_of_stop(page.app.state) == "Here it balances.");
   page.press({"ArrowRight"});
-  CHECK(words_of_stop(page.app.state) == "Done.");
+  CHECK(words_of_stop(page.app.state) == "Progress.");
   CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);
   page.frame();
   page.app.commands.push_back(LeaveScript{});

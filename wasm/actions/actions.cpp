@@ -29,9 +29,9 @@ void set_teams(const AppState& s, Commands& out, std::int64_t teams) {
 
 void next_method(const AppState& s, Commands& out) {
   Settings changed = settings(s);
-  const auto* at = std::find(std::begin(all_metrics), std::end(all_metrics), changed.metric);
-  const auto next = static_cast<std::size_t>(at - std::begin(all_metrics)) + 1;
-  changed.metric = all_metrics[next % std::size(all_metrics)];
+  const auto* at = std::find(std::begin(all_methods), std::end(all_methods), changed.method);
+  const auto next = static_cast<std::size_t>(at - std::begin(all_methods)) + 1;
+  changed.method = all_methods[next % std::size(all_methods)];
   out.push_back(SetSettings{changed});
 }
 
@@ -154,13 +154,13 @@ void snap(const AppState& s, Commands& out) {
 
 // The next other method, and after the last one none.
 void next_compared(const AppState& s, Commands& out) {
-  const Metric own = settings(s).metric;
+  const Method own = settings(s).method;
   const auto from = s.compared
-                        ? std::find(std::begin(all_metrics), std::end(all_metrics), *s.compared) + 1
-                        : std::begin(all_metrics);
-  const auto next = std::find_if(from, std::end(all_metrics), [&](Metric m) { return m != own; });
+                        ? std::find(std::begin(all_methods), std::end(all_methods), *s.compared) + 1
+                        : std::begin(all_methods);
+  const auto next = std::find_if(from, std::end(all_methods), [&](Method m) { return m != own; });
   out.push_back(
-      Compare{next == std::end(all_metrics) ? std::nullopt : std::optional<Metric>(*next)});
+      Compare{next == std::end(all_methods) ? std::nullopt : std::optional<Method>(*next)});
 }
 
 // Escape takes away the topmost thing that is in the way.
@@ -242,7 +242,7 @@ const std::vector<Action> table = {
      [](const AppState& s, Commands& out) { change_ratio(s, out, 1); }},
     {ActionId::lower_ratio, Icon::none, "Lower the minimum load ratio", ",", {{","}}, editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, -1); }},
-    {ActionId::toggle_hull, Icon::none, "Show the lifting base", "H", {{"h"}}, always, toggle<&Overlays::hull>},
+    {ActionId::toggle_hull, Icon::none, "Show the lifting base", "H", {{"h"}}, always, toggle<&Overlays::lifting_base>},
     {ActionId::toggle_clockwise, Icon::none, "Show free clockwise turns", "R", {{"r"}}, always, toggle<&Overlays::clockwise>},
     {ActionId::toggle_counterclockwise, Icon::none, "Show free counter-clockwise turns", "L", {{"l"}}, always,
      toggle<&Overlays::counterclockwise>},

@@ -142,8 +142,8 @@ void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
   }
   if (!(under == state.hover)) commands.push_back(SetHover{under});
   if (lesson_is_open(state)) {
-    const auto mark = none ? std::nullopt : mark_at(state, pointer.at);
-    if (mark != state.lesson.hovered) commands.push_back(HoverMark{mark});
+    const auto figure = none ? std::nullopt : figure_at(state, pointer.at);
+    if (figure != state.lesson.hovered) commands.push_back(HoverFigure{figure});
   }
 }
 

@@ -24,16 +24,16 @@ void show(AppState& state, Notice notice) {
 
 // A method beside itself would show nothing: where the document takes the method that is compared,
 // the two change sides.
-void part_methods(AppState& state, Metric former) {
-  const Metric now = state.document.settings.metric;
+void part_methods(AppState& state, Method former) {
+  const Method now = state.document.settings.method;
   if (state.compared != now) return;
-  state.compared = former == now ? std::nullopt : std::optional<Metric>(former);
+  state.compared = former == now ? std::nullopt : std::optional<Method>(former);
 }
 
 // Takes over what place() says of the document.
 void adopt(AppState& state, Result<Placement> placement) {
   ++state.revision;
-  part_methods(state, state.placed.settings.metric);
+  part_methods(state, state.placed.settings.method);
   const std::string before = state.refusal ? sentence(*state.refusal) : std::string();
   if (placement) {
     state.plan_due |= !state.placement || !same_plan(*state.placement, *placement);
@@ -56,7 +56,7 @@ void follow_up(AppState& state) {
   state.other.reset();
   if (state.compared) {
     Document document = state.placed;
-    document.settings.metric = *state.compared;
+    document.settings.method = *state.compared;
     // Methods that do not choose among candidates cannot take all of them.
     const bool all = !document.settings.teams;
     if (all)
@@ -298,12 +298,12 @@ struct Applier {
   }
   void operator()(const AskWhy& c) const { ask_why(state, c.at); }
   void operator()(const Measure& c) const { measure(state, c.candidate); }
-  void operator()(const HoverMark& c) const { state.lesson.hovered = c.mark; }
+  void operator()(const HoverFigure& c) const { state.lesson.hovered = c.figure; }
   void operator()(const LeaveScript&) const { leave_script(state); }
   void operator()(const SetDrawCursor& c) const { state.drawing.cursor = c.at; }
   void operator()(const SetSnap& c) const { state.snap = c.snap; }
   void operator()(const Compare& c) const {
-    state.compared = c.metric == state.document.settings.metric ? std::nullopt : c.metric;
+    state.compared = c.method == state.document.settings.method ? std::nullopt : c.method;
     state.hover = state.held = {};
     follow_up(state);
     ++state.revision;

@@ -85,7 +85,7 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
     case Role::object:
       draw_object(painter, view, shape);
       break;
-    case Role::hull:
+    case Role::lifting_base:
       draw_hull(painter, view, shape);
       break;
     case Role::clockwise:

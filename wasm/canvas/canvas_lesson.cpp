@@ -96,10 +96,10 @@ void draw_arrow(const Painter& painter, const CanvasView& view, const Vec2& from
   painter.list().AddPolyline(barbs, 3, colour.packed(), 0, 3);
 }
 
-void draw_mark(const Painter& painter, const CanvasView& view, const Object& mark) {
+void draw_figure(const Painter& painter, const CanvasView& view, const Figure& figure) {
   const Theme& t = view.theme;
   const LessonState& lesson = view.state.lesson;
-  const Points& p = mark.points;
+  const Points& p = figure.points;
   if (p.empty()) return;
   const auto line = [&](Colour colour, float width) {
     if (p.size() >= 2) painter.line(p[0], p[1], colour, width);
@@ -107,81 +107,81 @@ void draw_mark(const Painter& painter, const CanvasView& view, const Object& mar
   const auto dashes = [&](Colour colour, float width) {
     if (p.size() >= 2) painter.dashes(p[0], p[1], colour, width);
   };
-  switch (mark.mark) {
-    case Mark::object:
+  switch (figure.kind) {
+    case FigureKind::object:
       return painter.outline(p, t.accent, 3);
-    case Mark::triangle:
-      return draw_area(painter, p, (mark.value < 0 ? t.clockwise_line : t.accent).at(0.10f),
+    case FigureKind::triangle:
+      return draw_area(painter, p, (figure.value < 0 ? t.clockwise_line : t.accent).at(0.10f),
                        t.accent.at(0.6f), 1);
-    case Mark::centroid:
-    case Mark::centre:
-    case Mark::vertex:
+    case FigureKind::centroid:
+    case FigureKind::centre:
+    case FigureKind::vertex:
       return draw_ring(painter, p[0], t.accent);
-    case Mark::contact:
+    case FigureKind::contact:
       painter.list().AddCircleFilled(painter.at(p[0]), 5, t.amber.packed(), 20);
       return;
-    case Mark::radial_edge:
+    case FigureKind::radial_edge:
       return line(t.amber, 5);
-    case Mark::ray:
+    case FigureKind::ray:
       return dashes(t.accent, 2);
-    case Mark::chord:
+    case FigureKind::chord:
       return line(t.accent, 2);
-    case Mark::edge:
+    case FigureKind::edge:
       return line(t.text.at(0.55f), 3);
-    case Mark::section:
+    case FigureKind::section:
       return line(t.accent, 7);
-    case Mark::reflected:
+    case FigureKind::reflected:
       return dashes(t.clockwise_line, 3);
-    case Mark::section_end:
+    case FigureKind::section_end:
       return line(t.chord, 2);
-    case Mark::bisecting:
+    case FigureKind::bisecting:
       return dashes(t.hull_outline, 2);
-    case Mark::chosen:
+    case FigureKind::chosen:
       return line(t.hull_outline, 4);
-    case Mark::candidate:
+    case FigureKind::candidate:
       return lesson.trace->placement.candidates.size() <= most_dashed ? dashes(t.chord, 1.6f)
                                                                       : line(t.chord, 1);
-    case Mark::team:
+    case FigureKind::team:
       return line(t.chord, 2.5f);
-    case Mark::robot:
+    case FigureKind::robot:
       return;  // with all the others
-    case Mark::gain_triangle:
+    case FigureKind::gain_triangle:
       return draw_area(painter, p, t.hull.at(0.5f), t.hull_outline, 1.5f);
-    case Mark::gain_part:
+    case FigureKind::gain_part:
       return draw_area(painter, p, t.hull, t.hull_outline, 0);
-    case Mark::gain_circle: {
-      const auto radius = static_cast<float>(mark.value * view.camera.scale);
+    case FigureKind::gain_circle: {
+      const auto radius = static_cast<float>(figure.value * view.camera.scale);
       painter.list().AddCircleFilled(painter.at(p[0]), radius, t.hull.packed(), 64);
       painter.list().AddCircle(painter.at(p[0]), radius, t.hull_outline.packed(), 64, 2);
       return;
     }
-    case Mark::arm_before:
+    case FigureKind::arm_before:
       return dashes(t.quiet, 1.5f);
-    case Mark::arm_after:
+    case FigureKind::arm_after:
       return line(t.hull_outline, 1.5f);
-    case Mark::base_before:
+    case FigureKind::base_before:
       if (p.size() >= 2) painter.outline(p, t.hull_outline.at(0.6f), 2, p.size() > 2);
       return;
-    case Mark::base:
+    case FigureKind::base:
       if (p.size() >= 3) painter.fill_convex(p, t.hull);
       if (p.size() >= 2) painter.outline(p, t.hull_outline, 3, p.size() > 2);
       return;
-    case Mark::normal:
+    case FigureKind::normal:
       return line(t.amber.at(0.8f), 1.5f);
-    case Mark::clockwise:
+    case FigureKind::clockwise:
       return draw_region(painter, p, t.clockwise, t.clockwise_line, true);
-    case Mark::counterclockwise:
+    case FigureKind::counterclockwise:
       return draw_region(painter, p, t.counter, t.counter_line, false);
-    case Mark::translation:
+    case FigureKind::translation:
       if (p.size() >= 2) draw_arrow(painter, view, p[0], p[1], t.amber);
       return;
   }
 }
 
 // A ratio at the middle of its chord's longer arm.
-void draw_value(const Painter& painter, const CanvasView& view, const Object& mark) {
-  const Vec2 middle = mark.points[0] + (mark.points[1] - mark.points[0]) * 0.75;
-  const std::string text = ratio_in_words(mark.value);
+void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const Vec2 middle = figure.points[0] + (figure.points[1] - figure.points[0]) * 0.75;
+  const std::string text = ratio_in_words(figure.value);
   const ImVec2 size = text_size(Face::strong_label, text), at = painter.at(middle);
   const ImVec2 low(at.x - size.x / 2 - 5, at.y - size.y / 2 - 2);
   painter.list().AddRectFilled(low, ImVec2(low.x + size.x + 10, low.y + size.y + 4),
@@ -192,14 +192,14 @@ void draw_value(const Painter& painter, const CanvasView& view, const Object& ma
 
 void draw_values(const Painter& painter, const CanvasView& view) {
   const LessonState& lesson = view.state.lesson;
-  std::vector<const Object*> valued;
-  for (const Object& mark : lesson.marks) {
-    const bool has =
-        mark.mark == Mark::section_end || mark.mark == Mark::chosen || mark.mark == Mark::chord;
-    if (has && mark.points.size() == 2) valued.push_back(&mark);
+  std::vector<const Figure*> valued;
+  for (const Figure& figure : lesson.figures) {
+    const bool has = figure.kind == FigureKind::section_end || figure.kind == FigureKind::chosen ||
+                     figure.kind == FigureKind::chord;
+    if (has && figure.points.size() == 2) valued.push_back(&figure);
   }
   if (valued.size() > most_valued) return;
-  for (const Object* mark : valued) draw_value(painter, view, *mark);
+  for (const Figure* figure : valued) draw_value(painter, view, *figure);
 }
 
 // The choices that a question is about, the one pointed at stronger.
@@ -236,12 +236,13 @@ void draw_lesson(const Painter& painter, const CanvasView& view) {
   draw_candidates(painter, view);
   for (std::uint32_t i = 0; i < lesson.known.teams; ++i)
     draw_chord(painter, placement.teams[i].chord, view.theme.chord, 2);
-  for (const Object& mark : lesson.gained) draw_mark(painter, view, mark);
-  for (const Object& mark : lesson.marks) draw_mark(painter, view, mark);
-  if (lesson.hovered && *lesson.hovered < lesson.marks.size()) {
-    const Object& mark = lesson.marks[*lesson.hovered];
-    if (mark.points.size() == 2) painter.line(mark.points[0], mark.points[1], view.theme.accent, 4);
-    if (mark.points.size() == 1) draw_ring(painter, mark.points[0], view.theme.accent);
+  for (const Figure& figure : lesson.gained) draw_figure(painter, view, figure);
+  for (const Figure& figure : lesson.figures) draw_figure(painter, view, figure);
+  if (lesson.hovered && *lesson.hovered < lesson.figures.size()) {
+    const Figure& figure = lesson.figures[*lesson.hovered];
+    if (figure.points.size() == 2)
+      painter.line(figure.points[0], figure.points[1], view.theme.accent, 4);
+    if (figure.points.size() == 1) draw_ring(painter, figure.points[0], view.theme.accent);
   }
   if (lesson.asked) draw_chord(painter, *lesson.asked, view.theme.amber, 4);
   draw_values(painter, view);

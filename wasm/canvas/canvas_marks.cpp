@@ -163,7 +163,7 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
 // Those that stand there already, with their loads once all are known.
 void draw_robots_of_lesson(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
-  const Done& known = view.state.lesson.known;
+  const Progress& known = view.state.lesson.known;
   if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
   const RobotSize size = robot_size(placement.teams.size());
   if (known.shares > 0 && known.shares == placement.teams.size() && size.labelled)
@@ -203,7 +203,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
 
 void draw_coverage(const Painter& painter, const CanvasView& view) {
   const CoveragePlace& place = view.scene.coverage;
-  if (!settings(view.state).overlays.hull || place.room * view.camera.scale < 24) return;
+  if (!settings(view.state).overlays.lifting_base || place.room * view.camera.scale < 24) return;
   const std::string share = percentage(view.placement->coverage);
   const ImVec2 at = painter.at(place.at), text = text_size(Face::verdict, share);
   draw_text(painter.list(), Face::verdict, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
@@ -251,8 +251,8 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
   if (hover.kind != Pick::Kind::object || hover.other != view.other || placement.teams.empty())
     return;
-  const double force =
-      tipping_force(placement.hull, placement.centre_of_mass, placement.settings.weight, hover.at);
+  const double force = tipping_force(placement.lifting_base, placement.centre_of_mass,
+                                     placement.settings.weight, hover.at);
   const bool safe = std::isinf(force);
   const ImVec2 at = painter.at(hover.at);
   const Colour colour = safe ? view.theme.hull_text : view.theme.amber;
@@ -297,7 +297,7 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
 void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
   const Placement& p = *view.placement;
-  std::string name(evenlift::name(p.settings.metric));
+  std::string name(evenlift::name(p.settings.method));
   name[0] = static_cast<char>(name[0] - 32);
   std::string numbers = "no team";
   if (p.loads) {
@@ -319,8 +319,8 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
 std::string hint_of_lesson(const AppState& state) {
   const LessonState& lesson = state.lesson;
   if (lesson.ask) return "Press the one that you think it is";
-  if (lesson.hovered && *lesson.hovered < lesson.marks.size()) {
-    std::string text = object_text(*lesson.trace, lesson.detail, lesson.marks[*lesson.hovered]);
+  if (lesson.hovered && *lesson.hovered < lesson.figures.size()) {
+    std::string text = figure_text(*lesson.trace, lesson.detail, lesson.figures[*lesson.hovered]);
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
       text[0] = static_cast<char>(text[0] - 32);
     return text;

@@ -21,7 +21,7 @@ constexpr std::size_t most_sides = 1000;
 // Those sides that some vertex lies beyond: the others cut nothing off.
 std::vector<Side> cutting_sides(const Placement& placement) {
   std::vector<Side> sides;
-  const Points& hull = placement.hull;
+  const Points& hull = placement.lifting_base;
   const std::size_t step = (hull.size() + most_sides - 1) / most_sides;
   for (std::size_t i = 0; i < hull.size(); i += step) {
     const Vec2 along = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
@@ -90,7 +90,7 @@ HeatBand band(const Placement& placement, const std::vector<std::uint32_t>& tria
 
 std::vector<HeatBand> heat_bands(const Placement& placement,
                                  const std::vector<std::uint32_t>& triangles) {
-  if (placement.hull.size() < 3) return {};
+  if (placement.lifting_base.size() < 3) return {};
   const std::vector<Side> sides = cutting_sides(placement);
   std::vector<HeatBand> bands{band(placement, triangles, sides, 0)};
   for (const double level : heat_levels) bands.push_back(band(placement, triangles, sides, level));

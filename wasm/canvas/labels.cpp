@@ -42,11 +42,11 @@ double away(const Vec2& a, const Vec2& b, const Vec2& p) {
 
 // How much room there is about p: the distance to what the number must not cover, 0 outside.
 double clearance(const Placement& placement, const Vec2& p) {
-  if (!inside_convex(placement.hull, p) || !inside(placement.vertices, p)) return 0;
+  if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices, p)) return 0;
   double room = length(p - placement.centre_of_mass);
-  for (std::size_t i = 0; i < placement.hull.size(); ++i) {
-    const std::size_t next = i + 1 == placement.hull.size() ? 0 : i + 1;
-    room = std::min(room, away(placement.hull[i], placement.hull[next], p));
+  for (std::size_t i = 0; i < placement.lifting_base.size(); ++i) {
+    const std::size_t next = i + 1 == placement.lifting_base.size() ? 0 : i + 1;
+    room = std::min(room, away(placement.lifting_base[i], placement.lifting_base[next], p));
   }
   for (const Team& team : placement.teams) {
     room = std::min(room, away(team.chord.r1.position, team.chord.r2.position, p));
@@ -88,10 +88,11 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
   // Beyond this there is no room for a number anyway, and looking for it would take long.
-  if (placement.hull.size() < 3 || placement.teams.size() > 40 || placement.vertices.size() > 400)
+  if (placement.lifting_base.size() < 3 || placement.teams.size() > 40 ||
+      placement.vertices.size() > 400)
     return {};
-  Vec2 low = placement.hull[0], high = low;
-  for (const Vec2& p : placement.hull) {
+  Vec2 low = placement.lifting_base[0], high = low;
+  for (const Vec2& p : placement.lifting_base) {
     low = {std::min(low.x(), p.x()), std::min(low.y(), p.y())};
     high = {std::max(high.x(), p.x()), std::max(high.y(), p.y())};
   }

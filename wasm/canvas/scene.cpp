@@ -21,7 +21,7 @@ Points robots_of(const std::vector<Shape>& shapes) {
 
 Points hull_of(const std::vector<Shape>& shapes) {
   const auto hull = std::find_if(shapes.begin(), shapes.end(),
-                                 [](const Shape& s) { return s.role == Role::hull; });
+                                 [](const Shape& s) { return s.role == Role::lifting_base; });
   return hull == shapes.end() ? Points() : hull->points;
 }
 

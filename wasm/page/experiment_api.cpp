@@ -22,14 +22,14 @@ const char* hand_over(std::string text) {
 }
 
 // Results collected so far.
-std::vector<PolygonResult>& collected() {
-  static std::vector<PolygonResult> results;
+std::vector<experiment::PolygonResult>& collected() {
+  static std::vector<experiment::PolygonResult> results;
   return results;
 }
 
 // The settings of the experiment, once experiment_begin has checked them.
-ExperimentSettings& settings() {
-  static ExperimentSettings given;
+experiment::ExperimentSettings& settings() {
+  static experiment::ExperimentSettings given;
   return given;
 }
 
@@ -38,8 +38,9 @@ std::string problem_of(const InputError& error) {
   return place.empty() ? error.message : place + ": " + error.message;
 }
 
-PolygonResult refused(const std::string& set, const std::string& name, const std::string& why) {
-  PolygonResult result;
+experiment::PolygonResult refused(const std::string& set, const std::string& name,
+                                  const std::string& why) {
+  experiment::PolygonResult result;
   result.set = set;
   result.polygon = name;
   result.problem = why;
@@ -47,26 +48,26 @@ PolygonResult refused(const std::string& set, const std::string& name, const std
 }
 
 // A polygon's result, or why there is none; with a method, only of that one.
-PolygonResult measured(const std::string& set, const std::string& name, const char* text,
-                       std::optional<Metric> only) {
+experiment::PolygonResult measured(const std::string& set, const std::string& name,
+                                   const char* text, std::optional<Method> only) {
   const Result<Document> document = read_polygon(text);
   if (!document) return refused(set, name, problem_of(document.error()));
-  const Result<Subject> subject = prepare(*document, settings().min_ratio);
+  const Result<experiment::Subject> subject = experiment::prepare(*document, settings().min_ratio);
   if (!subject) return refused(set, name, problem_of(subject.error()));
-  PolygonResult result = describe(set, name, *subject);
-  for (const Metric method : all_metrics) {
+  experiment::PolygonResult result = experiment::describe(set, name, *subject);
+  for (const Method method : all_methods) {
     if (only && *only != method) continue;
-    for (Measurement& m : measure(*subject, method, settings()))
+    for (experiment::Measurement& m : experiment::measure(*subject, method, settings()))
       result.measurements.push_back(std::move(m));
   }
   return result;
 }
 
-std::string part_of(PolygonResult result) {
-  Part part;
+std::string part_of(experiment::PolygonResult result) {
+  experiment::Part part;
   part.settings = settings();
   part.result = std::move(result);
-  return write_part(part);
+  return experiment::write_part(part);
 }
 
 std::uint32_t whole_or_none(double value, std::uint32_t most) {
@@ -75,20 +76,20 @@ std::uint32_t whole_or_none(double value, std::uint32_t most) {
 
 // The results by set and polygon, each polygon once: what was measured of it method by method is
 // put together.
-std::vector<PolygonResult> take_collected() {
-  std::vector<PolygonResult> parts = std::exchange(collected(), {}), whole;
-  sort_results(parts);
-  for (PolygonResult& part : parts) {
+std::vector<experiment::PolygonResult> take_collected() {
+  std::vector<experiment::PolygonResult> parts = std::exchange(collected(), {}), whole;
+  experiment::sort_results(parts);
+  for (experiment::PolygonResult& part : parts) {
     if (whole.empty() || whole.back().set != part.set || whole.back().polygon != part.polygon) {
       whole.push_back(std::move(part));
       continue;
     }
-    std::vector<Measurement>& rows = whole.back().measurements;
+    std::vector<experiment::Measurement>& rows = whole.back().measurements;
     rows.insert(rows.end(), part.measurements.begin(), part.measurements.end());
   }
-  for (PolygonResult& result : whole)
+  for (experiment::PolygonResult& result : whole)
     std::sort(result.measurements.begin(), result.measurements.end(),
-              [](const Measurement& a, const Measurement& b) {
+              [](const experiment::Measurement& a, const experiment::Measurement& b) {
                 return std::pair(a.method, a.teams) < std::pair(b.method, b.teams);
               });
   return whole;
@@ -103,9 +104,10 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
                                                   double most_teams) {
   using namespace evenlift;
-  const ExperimentSettings given{min_ratio, whole_or_none(samples, max_samples),
-                                 whole_or_none(most_teams, max_experiment_teams), weight};
-  const std::optional<InputError> error = check_settings(given);
+  const experiment::ExperimentSettings given{
+      min_ratio, whole_or_none(samples, experiment::max_samples),
+      whole_or_none(most_teams, experiment::max_experiment_teams), weight};
+  const std::optional<InputError> error = experiment::check_settings(given);
   if (!error) settings() = given;
   return hand_over(error ? error->message : "");
 }
@@ -114,7 +116,7 @@ EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double sampl
 EMSCRIPTEN_KEEPALIVE const char* experiment_measure(const char* set, const char* name,
                                                     const char* text, const char* method) {
   using namespace evenlift;
-  return hand_over(part_of(measured(set, name, text, metric_from_name(method))));
+  return hand_over(part_of(measured(set, name, text, method_from_name(method))));
 }
 
 // The part of what could not be read at all.
@@ -126,7 +128,7 @@ EMSCRIPTEN_KEEPALIVE const char* experiment_refuse(const char* set, const char* 
 
 // Takes a part to the results; 0 if it is none.
 EMSCRIPTEN_KEEPALIVE int experiment_add(const char* text) {
-  std::optional<evenlift::Part> part = evenlift::read_part(text);
+  std::optional<evenlift::experiment::Part> part = evenlift::experiment::read_part(text);
   if (part) evenlift::collected().push_back(std::move(part->result));
   return part ? 1 : 0;
 }
@@ -135,10 +137,12 @@ EMSCRIPTEN_KEEPALIVE int experiment_add(const char* text) {
 // polygon by itself; begins anew after it.
 EMSCRIPTEN_KEEPALIVE const char* experiment_results(int one_polygon) {
   using namespace evenlift;
-  std::vector<PolygonResult> results = take_collected();
+  std::vector<experiment::PolygonResult> results = take_collected();
   if (one_polygon && !results.empty())
-    return hand_over(outputs_json(make_polygon_outputs(results.front(), settings())));
-  return hand_over(outputs_json(make_outputs(group_by_set(std::move(results)))));
+    return hand_over(
+        experiment::outputs_json(experiment::make_polygon_outputs(results.front(), settings())));
+  return hand_over(experiment::outputs_json(
+      experiment::make_outputs(experiment::group_by_set(std::move(results)))));
 }
 
 }  // extern "C"

@@ -1,5 +1,5 @@
-#include "page/hand_over.h"
 #include "page/page_api.h"
+#include "page/hand_over.h"
 
 #include <emscripten/emscripten.h>
 

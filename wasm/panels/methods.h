@@ -8,22 +8,22 @@
 
 namespace evenlift::view {
 
-struct Method {
-  Metric metric;
+struct MethodWords {
+  Method method;
   const char* label;
   const char* about;
 };
-inline constexpr Method methods[] = {
-    {Metric::area, "Area", "each team adds most area to the base"},
-    {Metric::circle, "Circle", "each team fits the largest circles"},
-    {Metric::distance, "Distance", "each team pushes tipping farthest out"},
-    {Metric::distributed, "Distributed", "teams at equal angles, to compare"},
-    {Metric::random, "Random", "teams at random, to compare"},
+inline constexpr MethodWords methods[] = {
+    {Method::area, "Area", "each team adds most area to the base"},
+    {Method::circle, "Circle", "each team fits the largest circles"},
+    {Method::distance, "Distance", "each team pushes tipping farthest out"},
+    {Method::distributed, "Distributed", "teams at equal angles, to compare"},
+    {Method::random, "Random", "teams at random, to compare"},
 };
 
-inline const Method& method(Metric metric) {
+inline const MethodWords& words_of(Method method) {
   return *std::find_if(std::begin(methods), std::end(methods),
-                       [&](const Method& m) { return m.metric == metric; });
+                       [&](const MethodWords& m) { return m.method == method; });
 }
 
 }  // namespace evenlift::view

@@ -50,14 +50,14 @@ void draw_row(const Ui& ui, const Row& row, Face face, Colour colour) {
 
 void draw_compare(const Ui& ui) {
   const float width = labelled(ui, "Compare with");
-  const std::optional<Metric>& compared = ui.state.compared;
-  dropdown_button(ui, "compared", compared ? method(*compared).label : "Nothing", width);
+  const std::optional<Method>& compared = ui.state.compared;
+  dropdown_button(ui, "compared", compared ? words_of(*compared).label : "Nothing", width);
   if (begin_choices(ui, "compared", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), width)) {
     if (choice(ui, "Nothing", nullptr, !compared)) ui.push(Compare{});
-    for (const Method& m : methods) {
-      if (m.metric != settings(ui.state).metric &&
-          choice(ui, m.label, m.about, compared == m.metric))
-        ui.push(Compare{m.metric});
+    for (const MethodWords& m : methods) {
+      if (m.method != settings(ui.state).method &&
+          choice(ui, m.label, m.about, compared == m.method))
+        ui.push(Compare{m.method});
     }
     if (choice(ui, "All methods …", "in charts, by the number of teams", false))
       ui.push(OpenDialog{browser::Dialog::curves});
@@ -65,7 +65,8 @@ void draw_compare(const Ui& ui) {
   }
   if (!ui.state.other || !ui.state.placement) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  draw_row(ui, {"", {method(ui.state.placement->settings.metric).label, method(*compared).label}},
+  draw_row(ui,
+           {"", {words_of(ui.state.placement->settings.method).label, words_of(*compared).label}},
            Face::label, ui.theme.second_text);
   for (const Row& row : rows(*ui.state.placement, *ui.state.other))
     draw_row(ui, row, Face::strong_label, ui.theme.text);

@@ -165,7 +165,7 @@ void draw_lesson_ranking(const Ui& ui) {
 
 void draw_lesson_code(const Ui& ui) {
   const LessonState& lesson = ui.state.lesson;
-  const auto lines = pseudo_code(settings(ui.state).metric);
+  const auto lines = pseudo_code(settings(ui.state).method);
   const std::uint32_t current = pseudo_line(*lesson.trace, lesson.detail);
   text_line(Face::strong_label, ui.theme.second_text, "The algorithm");
   // In a box that scrolls to its line: the caption above stays where it is.

@@ -17,7 +17,7 @@ struct Overlay {
   const char* about;
 };
 constexpr Overlay overlays[] = {
-    {&Overlays::hull, Swatch::hull, "Base",
+    {&Overlays::lifting_base, Swatch::hull, "Base",
      "Lifting base H, the hull of all robots: safe to push on (H)"},
     {&Overlays::chords, Swatch::chord, "Chords",
      "The two robots of a team and the line between them (C)"},

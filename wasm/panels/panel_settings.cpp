@@ -22,15 +22,15 @@ std::uint32_t placed_teams(const AppState& state) {
 void draw_method(const Ui& ui) {
   const Settings& now = settings(ui.state);
   const float width = labelled(ui, "Method");
-  const Method* current = &method(now.metric);
+  const MethodWords* current = &words_of(now.method);
   dropdown_button(ui, "methods", current->label, width);
   if (!begin_choices(ui, "methods", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), width))
     return;
-  for (const Method& m : methods) {
+  for (const MethodWords& m : methods) {
     if (!choice(ui, m.label, m.about, &m == current)) continue;
     Settings changed = now;
-    changed.metric = m.metric;
-    if (!selects_candidates(m.metric) && !changed.teams) changed.teams = placed_teams(ui.state);
+    changed.method = m.method;
+    if (!selects_candidates(m.method) && !changed.teams) changed.teams = placed_teams(ui.state);
     ui.push(SetSettings{changed});
   }
   end_choices(ui);
@@ -47,7 +47,7 @@ void draw_ratio(const Ui& ui) {
   const ImVec2 text = text_size(Face::strong, value);
   draw_text(*ImGui::GetWindowDrawList(), Face::strong,
             ImVec2(low.x + width - text.x, (low.y + high.y - text.y) / 2),
-            selects_candidates(changed.metric) ? ui.theme.text : ui.theme.quiet, value);
+            selects_candidates(changed.method) ? ui.theme.text : ui.theme.quiet, value);
   if (moved.changed) {
     changed.min_ratio = moved.value;
     ui.push(SetSettings{changed, true});
@@ -67,7 +67,7 @@ void draw_weight(const Ui& ui) {
 
 void draw_seed(const Ui& ui) {
   Settings changed = settings(ui.state);
-  if (changed.metric != Metric::random) return;
+  if (changed.method != Method::random) return;
   const float width = labelled(ui, "Seed");
   const int by = stepper(ui, "seed", std::to_string(changed.seed), changed.seed > 0,
                          changed.seed < UINT64_MAX, width);
@@ -101,7 +101,7 @@ void draw_centre(const Ui& ui) {
 
 void draw_teams_stepper(const Ui& ui) {
   Settings changed = settings(ui.state);
-  const bool all = !changed.teams, can_have_all = selects_candidates(changed.metric);
+  const bool all = !changed.teams, can_have_all = selects_candidates(changed.method);
   const float width = labelled(ui, "Teams"), for_all = 52;
   const std::uint32_t shown = all ? placed_teams(ui.state) : *changed.teams;
   const float stepper_width = can_have_all ? width - for_all - 8 : width;

@@ -54,7 +54,7 @@ std::string summary(const AppState& state) {
   const Settings& settings = placement.settings;
   text += " " + count_of(placement.teams.size(), "team", "teams") + " of " +
           std::to_string(placement.requested_teams) + " asked for, method " +
-          std::string(name(settings.metric)) + ", minimum load ratio " + plain(settings.min_ratio) +
+          std::string(name(settings.method)) + ", minimum load ratio " + plain(settings.min_ratio) +
           ".";
   // A screen reader is of no help with a hundred teams; the JSON is.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);

@@ -96,12 +96,12 @@ struct AskWhy {
 struct Measure {
   std::uint32_t candidate;
 };
-struct HoverMark {
-  std::optional<std::size_t> mark;
+struct HoverFigure {
+  std::optional<std::size_t> figure;
 };
 struct LeaveScript {};  // on in the whole trace, at the same step
 struct Compare {
-  std::optional<Metric> metric;
+  std::optional<Method> method;
 };
 struct SetCapacity {
   std::optional<double> capacity;
@@ -154,10 +154,10 @@ using Command =
                  OpenDocument, SetWhole, EndEdit, Undo, Redo, Show, SetTool, GripWhole, AddPoint,
                  TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, SetSnap, Compare,
                  SetCapacity, SetMotion, OpenLesson, CloseLesson, GoToStep, MoveSteps, MoveChapters,
-                 SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverMark,
-                 LeaveScript, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView,
-                 SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet, CopyLink,
-                 OpenDialog, ShowNotice>;
+                 SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure,
+                 HoverFigure, LeaveScript, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
+                 ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet,
+                 CopyLink, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -46,10 +46,10 @@ struct LessonState {
   std::optional<Trace> trace;  // of the placement, while a lesson is open
   std::uint32_t at = 0;        // its step; kept when it is closed
   StepDetail detail;
-  Done known;
-  std::vector<Object> marks;              // what the step is about
+  Progress known;
+  std::vector<Figure> figures;            // what the step is about
   std::optional<std::uint32_t> measured;  // the candidate whose gain is drawn, in `scores`
-  std::vector<Object> gained;             // what the metric measures for it
+  std::vector<Figure> gained;             // what the metric measures for it
   Points base;                            // H as known
   std::string caption, formula;
   std::vector<Visited> visited;  // the newest last
@@ -66,7 +66,7 @@ struct LessonState {
   std::optional<Chord> asked;  // "why not this one?"
   std::string why;
 
-  std::optional<std::size_t> hovered;  // of the marks
+  std::optional<std::size_t> hovered;  // of the figures
   std::optional<Script> script;
 };
 

@@ -92,7 +92,7 @@ struct AppState {
   Drawing drawing;
   WholeGrip grip;
   Snap snap;
-  std::optional<Metric> compared;    // the method shown beside the document's
+  std::optional<Method> compared;    // the method shown beside the document's
   std::optional<Placement> other;    // its placement, of the same document
   std::optional<double> capacity;    // of one robot, in the unit of the weight
   std::optional<CapacityPlan> plan;  // for it; while something is dragged the one before

@@ -28,14 +28,14 @@ void show_gain(LessonState& lesson, std::uint32_t candidate) {
   const TeamScores& scores = *lesson.detail.scores;
   lesson.measured = candidate;
   lesson.gained.clear();
-  if (scores.rule == Rule::score) lesson.gained = gain_objects(*lesson.trace, scores, candidate);
+  if (scores.rule == Rule::score) lesson.gained = gain_figures(*lesson.trace, scores, candidate);
 }
 
 void look(LessonState& lesson) {
   const Trace& trace = *lesson.trace;
   lesson.detail = look_at(trace, lesson.at);
-  lesson.known = done(trace, lesson.at);
-  lesson.marks = objects(trace, lesson.detail);
+  lesson.known = progress_at(trace, lesson.at);
+  lesson.figures = figures(trace, lesson.detail);
   lesson.base = lifting_base(trace, lesson.known.base_teams);
   lesson.caption = caption(trace, lesson.detail);
   lesson.formula = formula(trace, lesson.detail);
@@ -185,7 +185,7 @@ void close_lesson(AppState& state) {
   lesson.script.reset();
   lesson.playing = false;
   browser::drop_frame_after();
-  lesson.marks.clear();
+  lesson.figures.clear();
   lesson.visited.clear();
   publish(state, std::nullopt);
   ++state.revision;
@@ -369,15 +369,15 @@ std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen
   return nearest;
 }
 
-std::optional<std::size_t> mark_at(const AppState& state, const Vec2& screen) {
-  const std::vector<Object>& marks = state.lesson.marks;
+std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen) {
+  const std::vector<Figure>& figures = state.lesson.figures;
   std::optional<std::size_t> best;
   double best_score = 1e300;
-  // Later marks lie above earlier ones.
-  for (std::size_t i = marks.size(); i-- > 0;) {
-    const Points& p = marks[i].points;
+  // Later figures lie above earlier ones.
+  for (std::size_t i = figures.size(); i-- > 0;) {
+    const Points& p = figures[i].points;
     double score = 1e300;
-    if (p.size() == 1 && marks[i].mark != Mark::gain_circle) {
+    if (p.size() == 1 && figures[i].kind != FigureKind::gain_circle) {
       const double away = length(state.camera.to_screen(p[0]) - screen);
       if (away <= 14) score = away;
     } else if (p.size() == 2) {

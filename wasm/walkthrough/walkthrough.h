@@ -49,8 +49,8 @@ std::optional<InputError> join_script(AppState& state, Script script);
 // Whether a ready-made lesson is open, and still of the polygon that it was written for.
 bool script_is_true(const AppState& state);
 
-// The mark under the pointer: points first, then lines, then areas. O(marks).
-std::optional<std::size_t> mark_at(const AppState& state, const Vec2& screen);
+// The figure under the pointer: points first, then lines, then areas. O(figures).
+std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen);
 
 // The choice of the question under the pointer.
 std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen);

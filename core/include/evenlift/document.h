@@ -21,24 +21,24 @@ inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
 inline constexpr std::uint32_t max_teams = 1u << 20;      // asked for by number
 
 // How teams are selected (algorithm.md, Selection; thesis 3.3 and 5.2).
-enum class Metric : std::uint8_t { area, circle, distance, distributed, random };
-inline constexpr Metric all_metrics[] = {Metric::area, Metric::circle, Metric::distance,
-                                         Metric::distributed, Metric::random};
+enum class Method : std::uint8_t { area, circle, distance, distributed, random };
+inline constexpr Method all_methods[] = {Method::area, Method::circle, Method::distance,
+                                         Method::distributed, Method::random};
 
 // Whether teams are chosen among the candidates. O(1).
-constexpr bool selects_candidates(Metric metric) {
-  return metric != Metric::distributed && metric != Metric::random;
+constexpr bool selects_candidates(Method method) {
+  return method != Method::distributed && method != Method::random;
 }
 
 // The metric's name in JSON and options ("area"); and back, nothing for an unknown name. O(1).
-std::string_view name(Metric metric);
-std::optional<Metric> metric_from_name(std::string_view text);
+std::string_view name(Method method);
+std::optional<Method> method_from_name(std::string_view text);
 
 // What the picture shows besides the polygon and its robots. The core carries it, no more.
 struct Overlays {
   bool candidates = false;       // candidate chords that were not selected
   bool chords = true;            // the teams' chords
-  bool hull = true;              // the lifting base H and coverage
+  bool lifting_base = true;      // the lifting base H and coverage
   bool clockwise = true;         // region of free clockwise rotation centres
   bool counterclockwise = true;  // region of free counter-clockwise rotation centres
   bool tipping = false;          // heat map of the force that tips
@@ -48,10 +48,10 @@ struct Overlays {
 struct Settings {
   std::optional<std::uint32_t> teams = 3;  // 1 .. max_teams; none: every candidate ("max"), which
                                            // only area, circle and distance offer
-  Metric metric = Metric::area;
+  Method method = Method::area;
   double min_ratio = 0.8;  // minimum load ratio, 0 .. 1, both included
   double weight = 100;     // of the object, > 0 and finite; loads have its unit
-  std::uint64_t seed = 1;  // of Metric::random
+  std::uint64_t seed = 1;  // of Method::random
   Overlays overlays;
   std::optional<std::uint32_t> step;  // of the lesson, if one is open
   bool operator==(const Settings&) const = default;

@@ -23,7 +23,7 @@ struct Placement {
   std::vector<Team> teams;            // in the order selected
   std::vector<std::int64_t>
       team_candidates;  // for each team its candidate's index, -1 if it took none
-  Points hull;          // corners of H, counter-clockwise; empty with no team
+  Points lifting_base;  // corners of H, counter-clockwise; empty with no team
   double coverage = 0;
   std::optional<LoadSummary> loads;
   Closure closure;

@@ -16,7 +16,7 @@ namespace evenlift {
 // only those whose edge of H changed and whose upper bound can still win, plus O(K) per team that
 // grows H; teams after H is saturated cost O(K log K) together.
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
-                                        const std::vector<Candidate>& candidates, Metric metric,
+                                        const std::vector<Candidate>& candidates, Method metric,
                                         std::size_t teams);
 
 // The score of every candidate against the lifting base of the teams selected so far (at least
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& cent
 // of length. For explanations, not for speed: O(K n).
 std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
-                           const std::vector<std::uint32_t>& selected, Metric metric);
+                           const std::vector<std::uint32_t>& selected, Method metric);
 
 // How much of the half turn the lines through C have that meet the boundary on both sides of it,
 // but for lines along radial edges: in [0, pi]. O(n log n).

@@ -12,7 +12,7 @@ namespace evenlift {
 
 enum class Setting : std::uint8_t {
   teams,
-  metric,
+  method,
   min_ratio,
   com,
   weight,

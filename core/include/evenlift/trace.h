@@ -3,8 +3,8 @@
 // A trace belongs to one placement. It holds what the stages found on the way (chords from
 // vertices, edge-pairs and what became of each, contacts) and a table of blocks of like steps, so
 // that the kind and the item of step k are a matter of a few additions. Nothing accumulates by
-// playing: what is known after step k is done(trace, k), counts of what has been dealt with, and
-// the arrays that they count are the trace's and the placement's own. What only one step needs (the
+// playing: what is known after step k is progress_at(trace, k), counts of what has been dealt with; the
+// arrays that they count are the trace's and the placement's own. What only one step needs (the
 // score of every candidate, the regions that a few contacts leave) look_at() computes with the
 // stages' own functions. No step is computed a second way for being taught.
 //
@@ -12,8 +12,8 @@
 //
 //   const Result<Trace> trace = make_trace(placement);
 //   const StepDetail detail = look_at(*trace, k);    // once for each change of k
-//   objects(*trace, detail)                          // what the step is about, to draw and hover
-//   done(*trace, k)                                  // what to draw in the background
+//   figures(*trace, detail)                          // what the step is about, to draw and hover
+//   progress_at(*trace, k)                           // what to draw in the background
 //   question(*trace, detail)                         // if the learner could guess it
 //   why_not(*trace, k, candidate)                    // why_not.h
 // and the words in output/trace_words.h.
@@ -162,7 +162,7 @@ Result<Trace> make_trace(const Placement& placement);
 std::uint32_t nearest_step(const Trace& trace, const Step& step);
 
 // What is known after step k: counts, from the beginning, of what has been dealt with.
-struct Done {
+struct Progress {
   std::uint32_t rays = 0;
   bool slopes = false;
   std::uint32_t sections = 0;    // pairs shown
@@ -174,13 +174,13 @@ struct Done {
   bool coverage = false;
   std::uint32_t cuts = 0;  // contacts whose normal lines have cut the regions
   bool closure = false;    // all that place() reports
-  bool operator==(const Done&) const = default;
+  bool operator==(const Progress&) const = default;
 };
 // A pure function of k. O(1).
-Done done(const Trace& trace, std::uint32_t k);
+Progress progress_at(const Trace& trace, std::uint32_t k);
 
-// Candidate c is known after step k if done(k).merged, or else if first_source_of_candidate[c] <
-// done(k).sources. H of the first `teams` teams: O(teams log teams).
+// Candidate c is known after step k if progress_at(k).merged, or else if first_source_of_candidate[c] <
+// progress_at(k).sources. H of the first `teams` teams: O(teams log teams).
 Points lifting_base(const Trace& trace, std::uint32_t teams);
 
 // What became of an edge-pair.
@@ -277,7 +277,7 @@ struct StepDetail {
 StepDetail look_at(const Trace& trace, std::uint32_t k);
 
 // What there is to draw, and to tell about when the pointer is over it.
-enum class Mark : std::uint8_t {
+enum class FigureKind : std::uint8_t {
   object,       // the polygon (area)
   triangle,     // a vertex and an edge; value: its share of the area, negative where it folds back
   centroid,     // point
@@ -308,24 +308,24 @@ enum class Mark : std::uint8_t {
   counterclockwise,
   translation,  // from C, a free direction
 };
-std::string_view name(Mark mark);
+std::string_view name(FigureKind kind);
 
-struct Object {
-  Mark mark = Mark::object;
+struct Figure {
+  FigureKind kind = FigureKind::object;
   Points points;  // 1: a point, 2: a segment, more: an area
   std::uint32_t item = no_index;
   double value = 0;
 };
 // What the step is about, back to front. O(size of it): n, K candidates, or the chords of a ray;
 // the chords of all rays for `slopes`.
-std::vector<Object> objects(const Trace& trace, const StepDetail& detail);
+std::vector<Figure> figures(const Trace& trace, const StepDetail& detail);
 
 // The chords of all rays in order of slope, each once: indices into rays.chords. O(their number).
 std::vector<std::uint32_t> chords_by_slope(const Trace& trace);
 
 // What the metric measures for a candidate: its triangles clipped to P, circles or arms. `scores`
 // of further teams. O(n).
-std::vector<Object> gain_objects(const Trace& trace, const TeamScores& scores,
+std::vector<Figure> gain_figures(const Trace& trace, const TeamScores& scores,
                                  std::uint32_t candidate);
 
 // The numbers of a step under the names that JSON gives them. O(1).

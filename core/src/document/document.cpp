@@ -2,25 +2,25 @@
 
 namespace evenlift {
 
-std::string_view name(Metric metric) {
-  switch (metric) {
-    case Metric::area:
+std::string_view name(Method method) {
+  switch (method) {
+    case Method::area:
       return "area";
-    case Metric::circle:
+    case Method::circle:
       return "circle";
-    case Metric::distance:
+    case Method::distance:
       return "distance";
-    case Metric::distributed:
+    case Method::distributed:
       return "distributed";
-    case Metric::random:
+    case Method::random:
       return "random";
   }
   return {};
 }
 
-std::optional<Metric> metric_from_name(std::string_view text) {
-  for (const Metric metric : all_metrics) {
-    if (text == name(metric)) return metric;
+std::optional<Method> method_from_name(std::string_view text) {
+  for (const Method method : all_methods) {
+    if (text == name(method)) return method;
   }
   return std::nullopt;
 }

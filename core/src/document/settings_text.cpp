@@ -15,7 +15,7 @@ struct Entry {
 };
 constexpr Entry entries[] = {
     {Setting::teams, "teams", "the number of teams is a whole number from 1 to 1048576, or max"},
-    {Setting::metric, "metric", "the metric is area, circle, distance, distributed or random"},
+    {Setting::method, "metric", "the metric is area, circle, distance, distributed or random"},
     {Setting::min_ratio, "min_ratio", "the minimum load ratio is a number from 0 to 1"},
     {Setting::com, "com", "the centre of mass is two numbers X,Y, or centroid"},
     {Setting::weight, "weight", "the weight is a number greater than 0"},
@@ -43,7 +43,7 @@ struct NamedOverlay {
 constexpr NamedOverlay overlay_names[] = {
     {"candidates", &Overlays::candidates},
     {"chords", &Overlays::chords},
-    {"hull", &Overlays::hull},
+    {"hull", &Overlays::lifting_base},
     {"clockwise", &Overlays::clockwise},
     {"counterclockwise", &Overlays::counterclockwise},
     {"tipping", &Overlays::tipping},
@@ -73,9 +73,9 @@ bool read_teams(std::string_view text, Settings& settings) {
 }
 
 bool read_metric(std::string_view text, Settings& settings) {
-  const std::optional<Metric> metric = metric_from_name(text);
-  if (metric) settings.metric = *metric;
-  return metric.has_value();
+  const std::optional<Method> method = method_from_name(text);
+  if (method) settings.method = *method;
+  return method.has_value();
 }
 
 bool read_min_ratio(std::string_view text, Settings& settings) {
@@ -142,7 +142,7 @@ bool read(Setting setting, std::string_view text, Document& document) {
   switch (setting) {
     case Setting::teams:
       return read_teams(text, document.settings);
-    case Setting::metric:
+    case Setting::method:
       return read_metric(text, document.settings);
     case Setting::min_ratio:
       return read_min_ratio(text, document.settings);
@@ -192,7 +192,7 @@ std::optional<double> read_capacity(std::string_view text) {
 
 std::optional<InputError> check_ranges(const Settings& settings) {
   if (settings.teams && !is_team_count(*settings.teams)) return setting_error(Setting::teams);
-  if (name(settings.metric).empty()) return setting_error(Setting::metric);
+  if (name(settings.method).empty()) return setting_error(Setting::method);
   if (!is_min_ratio(settings.min_ratio)) return setting_error(Setting::min_ratio);
   if (!is_weight(settings.weight)) return setting_error(Setting::weight);
   return std::nullopt;

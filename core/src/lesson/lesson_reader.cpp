@@ -134,7 +134,7 @@ class Reader {
       {"polygon", &Reader::take_polygon, {}},
       {"link", &Reader::take_link, {}},
       {"teams", &Reader::take_setting, Setting::teams},
-      {"metric", &Reader::take_setting, Setting::metric},
+      {"metric", &Reader::take_setting, Setting::method},
       {"min-ratio", &Reader::take_setting, Setting::min_ratio},
       {"com", &Reader::take_setting, Setting::com},
       {"weight", &Reader::take_setting, Setting::weight},

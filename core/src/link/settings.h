@@ -17,7 +17,7 @@ namespace evenlift {
 inline Settings defaults_of_link_1() {
   Settings settings;
   settings.teams = 3;
-  settings.metric = Metric::area;
+  settings.method = Method::area;
   settings.min_ratio = 0.8;
   settings.weight = 100;
   settings.seed = 1;
@@ -46,7 +46,7 @@ double code_number(Coder& coder, double value) {
 
 // All but tipping, which came later.
 inline std::uint32_t overlay_mask(const Overlays& shown) {
-  return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.hull ? 4u : 0u) |
+  return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.lifting_base ? 4u : 0u) |
          (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
 }
 
@@ -76,9 +76,9 @@ void code_settings(Coder& coder, Settings& settings) {
   Odds odds{{15, 1}};
   if (!coder.choice(ratio || weight || !(settings == usual), odds)) return;
   if (differs(settings.teams != usual.teams)) settings.teams = code_teams(coder, settings.teams);
-  if (differs(settings.metric != usual.metric)) {
-    const auto index = std::max(1u, static_cast<unsigned>(settings.metric)) - 1;  // area is usual
-    settings.metric = static_cast<Metric>(1 + coder.uniform(index, 4));
+  if (differs(settings.method != usual.method)) {
+    const auto index = std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // area is usual
+    settings.method = static_cast<Method>(1 + coder.uniform(index, 4));
   }
   if (differs(ratio)) settings.min_ratio = code_number(coder, settings.min_ratio);
   if (differs(weight)) settings.weight = code_number(coder, settings.weight);

@@ -48,7 +48,7 @@ CapacityPlan plan_by_candidates(const Polygon& polygon, const Placement& placeme
                                 double capacity) {
   Growing growing(placement.settings.weight, capacity);
   Selector selector(polygon, placement.centre_of_mass, placement.candidates,
-                    placement.settings.metric, most_teams_for_capacity);
+                    placement.settings.method, most_teams_for_capacity);
   while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
     if (growing.add(placement.candidates[selector.taken().back()].chord)) break;
   return growing.plan();
@@ -107,17 +107,17 @@ std::vector<std::size_t> overloaded_robots(const Placement& placement, double ca
 
 bool same_plan(const Placement& a, const Placement& b) {
   const Settings &s = a.settings, &t = b.settings;
-  return s.metric == t.metric && s.min_ratio == t.min_ratio && s.weight == t.weight &&
+  return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
          s.seed == t.seed && a.centre_of_mass == b.centre_of_mass && a.vertices == b.vertices;
 }
 
 CapacityPlan plan_capacity(const Placement& placement, double capacity) {
   const Result<Polygon> polygon = Polygon::create(placement.vertices);
   assert(polygon.ok());  // place() has accepted it
-  switch (placement.settings.metric) {
-    case Metric::distributed:
+  switch (placement.settings.method) {
+    case Method::distributed:
       return plan_at_equal_angles(*polygon, placement, capacity);
-    case Metric::random:
+    case Method::random:
       return plan_at_random(*polygon, placement, capacity);
     default:
       return plan_by_candidates(*polygon, placement, capacity);

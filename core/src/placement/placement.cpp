@@ -23,16 +23,16 @@ std::vector<Chord> choose_chords(const Polygon& polygon, Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
   const std::size_t teams = placement.requested_teams;
   std::vector<Chord> chords;
-  switch (placement.settings.metric) {
-    case Metric::distributed:
+  switch (placement.settings.method) {
+    case Method::distributed:
       chords = distributed_teams(polygon, centre, teams);
       break;
-    case Metric::random:
+    case Method::random:
       chords = random_teams(polygon, centre, teams, placement.settings.seed);
       break;
     default:
       for (const std::uint32_t i :
-           select_teams(polygon, centre, placement.candidates, placement.settings.metric, teams)) {
+           select_teams(polygon, centre, placement.candidates, placement.settings.method, teams)) {
         placement.team_candidates.push_back(i);
         chords.push_back(placement.candidates[i].chord);
       }
@@ -51,8 +51,8 @@ void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords,
 
   placement.teams = distribute_weight(chords, placement.settings.weight);
   placement.loads = summarize_loads(placement.teams);
-  placement.hull = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
-  placement.coverage = coverage(polygon, placement.hull);
+  placement.lifting_base = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
+  placement.coverage = coverage(polygon, placement.lifting_base);
   placement.closure = analyse_closure(polygon, placement.centre_of_mass, points);
 }
 
@@ -60,7 +60,7 @@ void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords,
 
 std::optional<InputError> check_settings(const Settings& settings) {
   if (auto error = check_ranges(settings)) return error;
-  if (settings.teams || selects_candidates(settings.metric)) return std::nullopt;
+  if (settings.teams || selects_candidates(settings.method)) return std::nullopt;
   return InputError{ErrorCode::bad_setting,
                     "all candidates can be placed by area, circle and distance only; give a number",
                     {Place::Kind::option, 0, 0, std::string(name(Setting::teams))}};

@@ -58,10 +58,10 @@ Surroundings::Surroundings(const Polygon& polygon, const Vec2& centre)
   });
 }
 
-Wedge::Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2)
+Wedge::Wedge(const Surroundings& surroundings, Method metric, const Vec2& h1, const Vec2& h2)
     : surroundings_(&surroundings), metric_(metric), h1_(h1), h2_(h2), key1_(direction_key(h1)) {
-  if (metric == Metric::area && !surroundings.convex) collect_area();
-  if (metric == Metric::distance) collect_outer_vertices();
+  if (metric == Method::area && !surroundings.convex) collect_area();
+  if (metric == Method::distance) collect_outer_vertices();
 }
 
 void Wedge::collect_area() {
@@ -93,9 +93,9 @@ double Wedge::distance(const Vec2& p) const { return distance_outside(h1_, h2_, 
 
 Gain Wedge::estimate(const Vec2& p) const {
   switch (metric_) {
-    case Metric::circle:
+    case Method::circle:
       return {inscribed_circle_area(h1_, h2_, p), Certainty::exact};
-    case Metric::distance:
+    case Method::distance:
       return {distance_bound(p), Certainty::bound};
     default:
       break;
@@ -109,9 +109,9 @@ Gain Wedge::estimate(const Vec2& p) const {
 
 double Wedge::evaluate(const Vec2& p) const {
   switch (metric_) {
-    case Metric::circle:
+    case Method::circle:
       return inscribed_circle_area(h1_, h2_, p);
-    case Metric::distance:
+    case Method::distance:
       return distance_gain(p);
     default:
       return surroundings_->convex ? triangle_area(h1_, h2_, p) : area_gain(p);
@@ -197,7 +197,7 @@ bool Wedge::prepare_close_bounds() {
   constexpr double narrow = 1e-3;  // the rounding of bins would show
   if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations)
     return false;
-  if (metric_ == Metric::area) {
+  if (metric_ == Method::area) {
     if (key_from(key1_, direction_key(h2_)) < narrow) return false;
     area_bins_.emplace(outside_, h1_, h2_, surroundings_->diagonal);
   } else {

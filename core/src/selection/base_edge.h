@@ -37,7 +37,7 @@ class Wedge {
  public:
   // The edge h1 h2 of H, corners relative to C and counter-clockwise. With an H that is a segment
   // each of its sides is such an edge. O(n) for area and distance, else O(1).
-  Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2);
+  Wedge(const Surroundings& surroundings, Method metric, const Vec2& h1, const Vec2& h2);
 
   const Vec2& h1() const { return h1_; }
   const Vec2& h2() const { return h2_; }
@@ -84,7 +84,7 @@ class Wedge {
   void for_each_arm(const Vec2& p, Visit visit) const;
 
   const Surroundings* surroundings_;
-  Metric metric_;
+  Method metric_;
   Vec2 h1_, h2_;
   double key1_ = 0;
 

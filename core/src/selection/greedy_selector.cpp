@@ -44,13 +44,13 @@ double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
 }  // namespace
 
 Selector::Selector(const Polygon& polygon, const Vec2& centre,
-                   const std::vector<Candidate>& candidates, Metric metric, std::size_t most_teams)
+                   const std::vector<Candidate>& candidates, Method metric, std::size_t most_teams)
     : candidates_(candidates),
       surroundings_(polygon, centre),
       metric_(metric),
       most_teams_(most_teams),
       near_(near_distance(polygon.diagonal())),
-      floor_(metric == Metric::distance ? score_floor * polygon.diagonal()
+      floor_(metric == Method::distance ? score_floor * polygon.diagonal()
                                         : score_floor * polygon.diagonal() * polygon.diagonal()),
       is_taken_(candidates.size()) {
   ends_.reserve(2 * candidates.size());

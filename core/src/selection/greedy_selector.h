@@ -19,7 +19,7 @@ class Selector {
  public:
   // No more than `most_teams` will be asked for.
   Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-           Metric metric, std::size_t most_teams = ~std::size_t{0});
+           Method metric, std::size_t most_teams = ~std::size_t{0});
 
   // Takes one more team; false if no candidate is left.
   bool take_next();
@@ -85,7 +85,7 @@ class Selector {
 
   const std::vector<Candidate>& candidates_;
   Surroundings surroundings_;
-  Metric metric_;
+  Method metric_;
   std::size_t most_teams_;
   double near_;   // tau L
   double floor_;  // below which scores tie

@@ -97,7 +97,7 @@ std::uint64_t write_blocks(Trace& trace) {
   } else {
     const auto choice = {StepKind::team, StepKind::base};
     blocks.add(Chapter::first_team, {StepKind::directions},
-               placement.settings.metric == Metric::distributed);
+               placement.settings.method == Method::distributed);
     blocks.add(Chapter::first_team, choice, std::min(teams, 1u));
     blocks.add(Chapter::further_teams, choice, teams - std::min(teams, 1u), 1);
   }
@@ -232,7 +232,7 @@ std::optional<std::uint32_t> Trace::chapter_begin(Chapter chapter) const {
   return std::nullopt;
 }
 
-bool Trace::by_candidates() const { return selects_candidates(placement.settings.metric); }
+bool Trace::by_candidates() const { return selects_candidates(placement.settings.method); }
 
 std::uint32_t nearest_step(const Trace& trace, const Step& step) {
   if (const auto same = trace.find(step.kind, step.item)) return *same;
@@ -243,7 +243,7 @@ std::uint32_t nearest_step(const Trace& trace, const Step& step) {
   return trace.size() - 1;
 }
 
-Done done(const Trace& trace, std::uint32_t k) {
+Progress progress_at(const Trace& trace, std::uint32_t k) {
   // Steps of a kind up to k.
   const auto number = [&](StepKind kind) {
     std::uint32_t steps = 0;
@@ -255,19 +255,19 @@ Done done(const Trace& trace, std::uint32_t k) {
     }
     return steps;
   };
-  Done done;
-  done.rays = number(StepKind::ray);
-  done.slopes = number(StepKind::slopes) > 0;
-  done.sections = number(StepKind::sections);
-  done.sources = number(StepKind::outcome) + number(StepKind::opposite);
-  done.merged = number(StepKind::duplicates) > 0;
-  done.teams = number(StepKind::team);
-  done.base_teams = number(StepKind::base);
-  done.shares = number(StepKind::share);
-  done.coverage = number(StepKind::coverage) > 0;
-  done.cuts = number(StepKind::cut);
-  done.closure = number(StepKind::closure) > 0;
-  return done;
+  Progress progress;
+  progress.rays = number(StepKind::ray);
+  progress.slopes = number(StepKind::slopes) > 0;
+  progress.sections = number(StepKind::sections);
+  progress.sources = number(StepKind::outcome) + number(StepKind::opposite);
+  progress.merged = number(StepKind::duplicates) > 0;
+  progress.teams = number(StepKind::team);
+  progress.base_teams = number(StepKind::base);
+  progress.shares = number(StepKind::share);
+  progress.coverage = number(StepKind::coverage) > 0;
+  progress.cuts = number(StepKind::cut);
+  progress.closure = number(StepKind::closure) > 0;
+  return progress;
 }
 
 Points lifting_base(const Trace& trace, std::uint32_t teams) {

@@ -14,22 +14,22 @@ class GainScene {
 
   void add(const EndGain& end) {
     if (!end.outside) return;
-    switch (trace_.placement.settings.metric) {
-      case Metric::circle:
+    switch (trace_.placement.settings.method) {
+      case Method::circle:
         add_triangle(end);
         return add_circle(end);
-      case Metric::distance:
+      case Method::distance:
         return add_arms(end);
       default:
         add_triangle(end);
         return add_part(end);
     }
   }
-  std::vector<Object> take() && { return std::move(out_); }
+  std::vector<Figure> take() && { return std::move(out_); }
 
  private:
   void add_triangle(const EndGain& end) {
-    out_.push_back({Mark::gain_triangle, {end.h1, end.h2, end.p}, no_index, end.value});
+    out_.push_back({FigureKind::gain_triangle, {end.h1, end.h2, end.p}, no_index, end.value});
   }
 
   void add_part(const EndGain& end) {
@@ -38,7 +38,8 @@ class GainScene {
     part = clip_left(part, end.h2, end.h1);  // beyond the edge of H
     part = clip_left(part, end.h1, end.p);
     part = clip_left(part, end.p, end.h2);
-    if (part.size() > 2) out_.push_back({Mark::gain_part, std::move(part), no_index, end.value});
+    if (part.size() > 2)
+      out_.push_back({FigureKind::gain_part, std::move(part), no_index, end.value});
   }
 
   void add_circle(const EndGain& end) {
@@ -46,36 +47,38 @@ class GainScene {
                  c = length(end.h2 - end.h1);
     const double twice_area = std::fabs(cross(end.h2 - end.h1, end.p - end.h1));
     const Vec2 middle = (a * end.h1 + b * end.h2 + c * end.p) / (a + b + c);
-    out_.push_back({Mark::gain_circle, {middle}, no_index, twice_area / (a + b + c)});
+    out_.push_back({FigureKind::gain_circle, {middle}, no_index, twice_area / (a + b + c)});
   }
 
   void add_arms(const EndGain& end) {
     const Surroundings surroundings(trace_.polygon, trace_.centre);
     const Vec2 h1 = end.h1 - trace_.centre, h2 = end.h2 - trace_.centre, p = end.p - trace_.centre;
-    const Wedge wedge(surroundings, Metric::distance, h1, h2);
+    const Wedge wedge(surroundings, Method::distance, h1, h2);
     for (const Wedge::Arm& arm : wedge.arms(p)) {
-      add_arm(Mark::arm_before, arm.vertex, h1, h2, arm.before);
-      add_arm(Mark::arm_after, arm.vertex, arm.up_to_p ? h1 : p, arm.up_to_p ? p : h2, arm.after);
+      add_arm(FigureKind::arm_before, arm.vertex, h1, h2, arm.before);
+      add_arm(FigureKind::arm_after, arm.vertex, arm.up_to_p ? h1 : p, arm.up_to_p ? p : h2,
+              arm.after);
     }
   }
 
   // From a vertex to its foot on the line from -> to, outside of which it lies.
-  void add_arm(Mark mark, const Vec2& vertex, const Vec2& from, const Vec2& to, double distance) {
+  void add_arm(FigureKind kind, const Vec2& vertex, const Vec2& from, const Vec2& to,
+               double distance) {
     if (!(distance > 0)) return;
     const Vec2 inward = left_normal(to - from) / length(to - from);
-    out_.push_back({mark,
+    out_.push_back({kind,
                     {trace_.centre + vertex, trace_.centre + vertex + distance * inward},
                     no_index,
                     distance});
   }
 
   const Trace& trace_;
-  std::vector<Object> out_;
+  std::vector<Figure> out_;
 };
 
 }  // namespace
 
-std::vector<Object> gain_objects(const Trace& trace, const TeamScores& scores,
+std::vector<Figure> gain_figures(const Trace& trace, const TeamScores& scores,
                                  std::uint32_t candidate) {
   GainScene scene(trace);
   if (scores.rule == Rule::score)

@@ -99,7 +99,7 @@ void score_first_team(const std::vector<Candidate>& candidates, TeamScores& scor
 double score_further_team(const Trace& trace, TeamScores& scores) {
   const Placement& placement = trace.placement;
   const std::vector<Candidate>& candidates = placement.candidates;
-  Selector selector(trace.polygon, trace.centre, candidates, placement.settings.metric);
+  Selector selector(trace.polygon, trace.centre, candidates, placement.settings.method);
   for (std::uint32_t i = 0; i < scores.team; ++i) {
     const auto taken = static_cast<std::uint32_t>(placement.team_candidates[i]);
     selector.take(taken);

@@ -14,7 +14,7 @@ std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
   const Step step = trace.step(k);
   if (step.kind == StepKind::scores || step.kind == StepKind::team || step.kind == StepKind::base)
     return step.item;
-  const std::uint32_t taken = done(trace, k).teams;
+  const std::uint32_t taken = progress_at(trace, k).teams;
   return taken == 0 ? 0 : taken - 1;
 }
 

@@ -8,7 +8,7 @@
 
 #include "evenlift/experiment/results.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 struct Statistics {
   double mean = 0;
@@ -22,7 +22,7 @@ Statistics statistics(const std::vector<double>& values);
 // A method with a number of teams, over all polygons on which the algorithm can place that many and
 // the method did.
 struct Aggregate {
-  Metric method = Metric::area;
+  Method method = Method::area;
   std::uint32_t teams = 0;
   std::uint32_t polygons = 0;  // at least 1
   Statistics spread;           // kg (figures 5.3, 5.4)
@@ -55,6 +55,6 @@ struct SetAggregates {
 std::string aggregates_csv(const std::vector<SetAggregates>& sets);
 
 // The aggregate of a method and number of teams, or null. O(rows).
-const Aggregate* find(const std::vector<Aggregate>& aggregates, Metric method, std::uint32_t teams);
+const Aggregate* find(const std::vector<Aggregate>& aggregates, Method method, std::uint32_t teams);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -7,7 +7,7 @@
 
 #include "evenlift/experiment/aggregates.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 // A value of an aggregate; none where it has none.
 using Pick = std::optional<double> (*)(const Aggregate&);
@@ -23,7 +23,7 @@ std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates
 // How many times as large as the algorithm's spread with that many teams the method's is; none
 // where one of them has none, and where the algorithm's loads are even to within τ of their mean.
 // For objects of experiment_weight. O(rows).
-std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Metric method,
+std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
                                    std::uint32_t teams);
 
 struct Range {
@@ -32,12 +32,12 @@ struct Range {
 
 // The least and the greatest spread_times for 1 .. most_teams teams; none if there is none.
 // O(rows most_teams).
-std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Metric method,
+std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
                                   std::uint32_t most_teams);
 
 // The mean over 2 .. most_teams teams of the algorithm's coverage less the method's (one team
 // covers nothing). O(rows most_teams).
-std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Metric method,
+std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
                                     std::uint32_t most_teams);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -7,7 +7,7 @@
 
 #include "evenlift/experiment/aggregates.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 struct Claim {
   std::string section;  // of the thesis
@@ -33,4 +33,4 @@ std::string claims_markdown(const std::vector<SetClaims>& sets);
 // {"sets": [names], "rows": [{"section", "what", "thesis", "ours": [of each set]}]} O(claims).
 std::string claims_json(const std::vector<SetClaims>& sets);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -8,7 +8,7 @@
 
 #include "evenlift/experiment/aggregates.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 struct FigurePoint {
   std::uint32_t robots = 0;
@@ -17,7 +17,7 @@ struct FigurePoint {
 };
 
 struct FigureSeries {
-  Metric method = Metric::area;
+  Method method = Method::area;
   std::vector<FigurePoint> points;  // by robots
 };
 
@@ -48,4 +48,4 @@ std::vector<Figure> make_polygon_figures(const PolygonResult& result,
 // "points": [[robots, value, polygons], ...]}]}] O(rows).
 std::string figures_json(const std::vector<Figure>& figures);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

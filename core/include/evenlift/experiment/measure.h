@@ -10,7 +10,7 @@
 #include "evenlift/polygon.h"
 #include "evenlift/result.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 // As in the thesis (5.2, 5.3).
 inline constexpr double experiment_weight = 100;  // of an object, kg
@@ -45,7 +45,7 @@ Result<Subject> prepare(const Document& document, double min_ratio);
 
 // One method with one number of teams on one polygon; of random placements the averages.
 struct Measurement {
-  Metric method = Metric::area;
+  Method method = Method::area;
   std::uint32_t teams = 0;    // 1 .. number of candidates
   std::uint32_t samples = 1;  // placements averaged; 1 for all methods but random
   double coverage = 0;        // 0 .. 1
@@ -66,7 +66,7 @@ struct Measurement {
 // left out. The random sample k = 1 .. samples is random_teams with seed k, whose first t teams are
 // its placement of t teams. The same values as place() reports. For t teams in all: O(t^2) loads,
 // and coverage and closure once for each team.
-std::vector<Measurement> measure(const Subject& subject, Metric method,
+std::vector<Measurement> measure(const Subject& subject, Method method,
                                  const ExperimentSettings& settings);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -8,7 +8,7 @@
 #include "evenlift/experiment/claims.h"
 #include "evenlift/experiment/figures.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 struct Outputs {
   std::string measurements_csv, aggregates_csv, polygons_csv;
@@ -28,4 +28,4 @@ Outputs make_polygon_outputs(const PolygonResult& result, const ExperimentSettin
 // claims_json} for the page. O(output).
 std::string outputs_json(const Outputs& outputs);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

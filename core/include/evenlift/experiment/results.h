@@ -10,7 +10,7 @@
 
 #include "evenlift/experiment/measure.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 struct PolygonResult {
   std::string set;      // of the polygons that it is averaged with, by name
@@ -76,4 +76,4 @@ std::string polygons_csv(const std::vector<ResultSet>& sets);
 // One row for each polygon and stage, with the seconds that it took.
 std::string times_csv(const std::vector<Part>& parts);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

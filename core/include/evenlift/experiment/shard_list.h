@@ -9,7 +9,7 @@
 
 #include "evenlift/experiment/results.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 // The i-th of n equal parts of the work, 1 <= i <= n <= max_shards.
 inline constexpr std::uint32_t max_shards = 100000;
@@ -31,4 +31,4 @@ struct ShardList {
 std::string write_shard_list(const ShardList& list);
 std::optional<ShardList> read_shard_list(std::string_view text);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -13,7 +13,7 @@ namespace evenlift {
 
 enum class Role : std::uint8_t {
   object,            // filled polygon P
-  hull,              // filled lifting base H
+  lifting_base,      // filled lifting base H
   clockwise,         // filled region of free clockwise rotation centres
   counterclockwise,  // filled region of free counter-clockwise ones
   candidate,         // a candidate chord that no team took

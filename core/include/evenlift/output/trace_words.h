@@ -25,7 +25,7 @@ std::string formula(const Trace& trace, const StepDetail& detail);
 
 // The algorithm in our own words, a statement a line, two spaces of indentation a level; `metric`
 // is the placement's. O(1).
-std::vector<std::string_view> pseudo_code(Metric metric);
+std::vector<std::string_view> pseudo_code(Method method);
 
 // Which of these lines the step carries out, from 0. O(1).
 std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);
@@ -38,6 +38,6 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer);
 
 // What a shape is, for the pointer over it: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7 of
 // 100". O(1).
-std::string object_text(const Trace& trace, const StepDetail& detail, const Object& object);
+std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure);
 
 }  // namespace evenlift

@@ -1,6 +1,6 @@
 #include "experiment/measure/csv.h"
 
-namespace evenlift::csv {
+namespace evenlift::experiment::csv {
 
 std::string field(std::string_view text) {
   if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
@@ -52,4 +52,4 @@ std::optional<std::vector<Row>> read(std::string_view text) {
   return rows;
 }
 
-}  // namespace evenlift::csv
+}  // namespace evenlift::experiment::csv

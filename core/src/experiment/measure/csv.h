@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace evenlift::csv {
+namespace evenlift::experiment::csv {
 
 using Row = std::vector<std::string>;
 
@@ -20,4 +20,4 @@ std::string line(const Row& row);
 // not end in a line feed. O(bytes).
 std::optional<std::vector<Row>> read(std::string_view text);
 
-}  // namespace evenlift::csv
+}  // namespace evenlift::experiment::csv

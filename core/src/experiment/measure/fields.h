@@ -9,7 +9,7 @@
 #include "evenlift/numbers.h"
 #include "experiment/measure/csv.h"
 
-namespace evenlift::csv {
+namespace evenlift::experiment::csv {
 
 class Fields {
  public:
@@ -52,4 +52,4 @@ inline ExperimentSettings read_settings(Fields& fields) {
   return settings;
 }
 
-}  // namespace evenlift::csv
+}  // namespace evenlift::experiment::csv

@@ -11,7 +11,7 @@
 #include "evenlift/stability.h"
 #include "evenlift/tolerance.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
 // Follows a placement while teams are added to it one by one.
@@ -76,7 +76,7 @@ std::size_t most_teams(const Subject& subject, const ExperimentSettings& setting
   return std::min<std::size_t>(subject.candidates.size(), settings.most_teams);
 }
 
-std::vector<Measurement> measure_selected(const Subject& subject, Metric method,
+std::vector<Measurement> measure_selected(const Subject& subject, Method method,
                                           const ExperimentSettings& settings) {
   std::vector<Measurement> rows;
   Growing placement(subject, settings.weight);
@@ -102,7 +102,7 @@ std::vector<Measurement> measure_distributed(const Subject& subject,
     Growing placement(subject, settings.weight);
     for (const Chord& chord : chords) placement.add(chord);
     Measurement m = placement.measured();
-    m.method = Metric::distributed;
+    m.method = Method::distributed;
     test_closure(subject, placement.points(), m);
     rows.push_back(m);
   }
@@ -150,7 +150,7 @@ std::vector<Measurement> measure_random(const Subject& subject,
                                         const ExperimentSettings& settings) {
   const std::size_t teams = most_teams(subject, settings);
   Measurement none;
-  none.method = Metric::random;
+  none.method = Method::random;
   none.samples = 0;
   none.max_share = 0;
   std::vector<Measurement> sums(teams, none);
@@ -195,16 +195,16 @@ Result<Subject> prepare(const Document& document, double min_ratio) {
   return Subject{*std::move(polygon), *centre, *std::move(candidates)};
 }
 
-std::vector<Measurement> measure(const Subject& subject, Metric method,
+std::vector<Measurement> measure(const Subject& subject, Method method,
                                  const ExperimentSettings& settings) {
   switch (method) {
-    case Metric::distributed:
+    case Method::distributed:
       return measure_distributed(subject, settings);
-    case Metric::random:
+    case Method::random:
       return measure_random(subject, settings);
     default:
       return measure_selected(subject, method, settings);
   }
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

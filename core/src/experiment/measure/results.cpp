@@ -7,7 +7,7 @@
 
 #include "experiment/measure/fields.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
 // Changes whenever the same polygon gives other rows, or rows look different: older parts are then
@@ -71,7 +71,7 @@ bool read_measurement(const csv::Row& row, PolygonResult& result) {
   if (row.size() != measurement_columns.size() + 1 || row[1] != result.set ||
       row[2] != result.polygon)
     return false;
-  const std::optional<Metric> method = metric_from_name(row[3]);
+  const std::optional<Method> method = method_from_name(row[3]);
   if (!method) return false;
   Measurement m;
   m.method = *method;
@@ -200,4 +200,4 @@ std::string polygons_csv(const std::vector<ResultSet>& sets) {
   return text;
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -2,7 +2,7 @@
 
 #include "experiment/measure/fields.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
 constexpr const char* list_format = "evenlift experiment shard 2";
@@ -41,4 +41,4 @@ std::optional<ShardList> read_shard_list(std::string_view text) {
   return list;
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -7,7 +7,7 @@
 #include "evenlift/numbers.h"
 #include "experiment/measure/csv.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
 // The values of one method and number of teams, in the order of the polygons.
@@ -59,7 +59,7 @@ bool no_area_possible(const PolygonResult& result) {
 }
 
 std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results) {
-  std::map<std::pair<Metric, std::uint32_t>, Column> columns;
+  std::map<std::pair<Method, std::uint32_t>, Column> columns;
   for (const PolygonResult& result : results) {
     const bool can_close = closable(result), can_lose_area = no_area_possible(result);
     for (const Measurement& m : result.measurements) {
@@ -101,11 +101,11 @@ std::string aggregates_csv(const std::vector<SetAggregates>& sets) {
   return text;
 }
 
-const Aggregate* find(const std::vector<Aggregate>& aggregates, Metric method,
+const Aggregate* find(const std::vector<Aggregate>& aggregates, Method method,
                       std::uint32_t teams) {
   for (const Aggregate& a : aggregates)
     if (a.method == method && a.teams == teams) return &a;
   return nullptr;
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

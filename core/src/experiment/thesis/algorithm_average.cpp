@@ -4,7 +4,7 @@
 
 #include "evenlift/tolerance.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
 // Whether a spread is none but for rounding: loads of 100 kg that differ by less than τ of their
@@ -23,7 +23,7 @@ std::optional<double> pick_closure(const Aggregate& a) { return a.form_closure; 
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t teams, Pick pick) {
   double sum = 0;
-  for (const Metric method : {Metric::area, Metric::circle, Metric::distance}) {
+  for (const Method method : {Method::area, Method::circle, Method::distance}) {
     const Aggregate* a = find(aggregates, method, teams);
     const std::optional<double> value = a ? pick(*a) : std::nullopt;
     if (!value) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates
   return sum / 3;
 }
 
-std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Metric method,
+std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
                                    std::uint32_t teams) {
   const std::optional<double> ours = algorithm_average(aggregates, teams, pick_spread);
   const Aggregate* other = find(aggregates, method, teams);
@@ -40,7 +40,7 @@ std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Met
   return other->spread.mean / *ours;
 }
 
-std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Metric method,
+std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
                                   std::uint32_t most_teams) {
   std::optional<Range> range;
   for (std::uint32_t teams = 1; teams <= most_teams; ++teams) {
@@ -53,7 +53,7 @@ std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Metr
   return range;
 }
 
-std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Metric method,
+std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
                                     std::uint32_t most_teams) {
   double sum = 0;
   int count = 0;
@@ -68,4 +68,4 @@ std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Me
   return sum / count;
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <set>
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
-constexpr Metric metrics[] = {Metric::area, Metric::circle, Metric::distance};
+constexpr Method metrics[] = {Method::area, Method::circle, Method::distance};
 
 // The candidate that each metric's last team took; none if a metric has no such team.
 std::optional<std::vector<std::uint32_t>> choices(const PolygonResult& result,
                                                   std::uint32_t teams) {
   std::vector<std::uint32_t> chosen;
-  for (const Metric method : metrics) {
+  for (const Method method : metrics) {
     const Measurement* m = find(result, method, teams);
     if (!m || !m->chosen) return std::nullopt;
     chosen.push_back(*m->chosen);
@@ -27,7 +27,7 @@ bool all_same(const std::vector<std::uint32_t>& chosen) {
 
 std::optional<double> algorithm_coverage(const PolygonResult& result, std::uint32_t teams) {
   double sum = 0;
-  for (const Metric method : metrics) {
+  for (const Method method : metrics) {
     const Measurement* m = find(result, method, teams);
     if (!m) return std::nullopt;
     sum += m->coverage;
@@ -39,13 +39,13 @@ std::optional<double> algorithm_coverage(const PolygonResult& result, std::uint3
 std::uint32_t most_teams(const PolygonResult& result) {
   std::uint32_t most = 0;
   for (const Measurement& m : result.measurements)
-    if (m.method == Metric::area) most = std::max(most, m.teams);
+    if (m.method == Method::area) most = std::max(most, m.teams);
   return most;
 }
 
 }  // namespace
 
-const Measurement* find(const PolygonResult& result, Metric method, std::uint32_t teams) {
+const Measurement* find(const PolygonResult& result, Method method, std::uint32_t teams) {
   // Rows are by method, then teams.
   const auto at = std::lower_bound(
       result.measurements.begin(), result.measurements.end(), std::pair(method, teams),
@@ -73,16 +73,16 @@ Count alike_coverage(const std::vector<PolygonResult>& results, double differenc
   for (const PolygonResult& result : results) {
     const auto chosen = choices(result, 2);
     if (!chosen || all_same(*chosen)) continue;
-    const auto [least, most] = std::minmax({find(result, Metric::area, 2)->coverage,
-                                            find(result, Metric::circle, 2)->coverage,
-                                            find(result, Metric::distance, 2)->coverage});
+    const auto [least, most] = std::minmax({find(result, Method::area, 2)->coverage,
+                                            find(result, Method::circle, 2)->coverage,
+                                            find(result, Method::distance, 2)->coverage});
     ++count.of;
     if (most - least < difference) ++count.yes;
   }
   return count;
 }
 
-std::vector<double> coverage_differences(const std::vector<PolygonResult>& results, Metric method) {
+std::vector<double> coverage_differences(const std::vector<PolygonResult>& results, Method method) {
   std::vector<double> differences;
   for (const PolygonResult& result : results) {
     double sum = 0;
@@ -127,8 +127,8 @@ std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std
         results.begin(), results.end(),
         [&](const PolygonResult& other) { return other.polygon == moved.polygon.substr(0, name); });
     if (outline == results.end()) continue;
-    const Measurement *before = find(*outline, Metric::area, teams),
-                      *after = find(moved, Metric::area, teams);
+    const Measurement *before = find(*outline, Method::area, teams),
+                      *after = find(moved, Method::area, teams);
     if (!before || !after) continue;
     if (!greatest || before->coverage - after->coverage > greatest->before - greatest->after)
       greatest = {moved.polygon, before->coverage, after->coverage};
@@ -143,7 +143,7 @@ Count closed(const std::vector<PolygonResult>& results, Closed closed) {
     for (const Measurement& m : result.measurements) {
       if (m.*closed == 0) continue;
       by_any = true;
-      by_algorithm |= m.method != Metric::distributed && m.method != Metric::random;
+      by_algorithm |= m.method != Method::distributed && m.method != Method::random;
     }
     count.of += by_any;
     count.yes += by_algorithm;
@@ -151,7 +151,7 @@ Count closed(const std::vector<PolygonResult>& results, Closed closed) {
   return count;
 }
 
-Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Metric method,
+Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,
                   std::uint32_t teams, std::uint32_t most_vertices) {
   Count count;
   for (const PolygonResult& result : results) {
@@ -165,7 +165,7 @@ Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Metr
   return count;
 }
 
-Lost closure_lost(const std::vector<PolygonResult>& results, Closed closed, Metric method) {
+Lost closure_lost(const std::vector<PolygonResult>& results, Closed closed, Method method) {
   Lost lost;
   std::set<std::uint32_t> robots;
   for (const PolygonResult& result : results) {
@@ -184,4 +184,4 @@ Lost closure_lost(const std::vector<PolygonResult>& results, Closed closed, Metr
   return lost;
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -8,7 +8,7 @@
 
 #include "evenlift/experiment/aggregates.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 // How often, out of how many.
 struct Count {
@@ -16,7 +16,7 @@ struct Count {
 };
 
 // The measurement of a method with a number of teams, or null. O(rows).
-const Measurement* find(const PolygonResult& result, Metric method, std::uint32_t teams);
+const Measurement* find(const PolygonResult& result, Method method, std::uint32_t teams);
 
 // Polygons with candidates for `teams` on which area, circle and distance choose the same last
 // team; with more than two teams, of those on which they chose the same one before, too (5.4).
@@ -31,7 +31,7 @@ Count alike_coverage(const std::vector<PolygonResult>& results, double differenc
 
 // For each polygon with two teams or more the mean, over 2 .. its most teams, of the coverage of
 // the method less that of the algorithm (the mean of its metrics).
-std::vector<double> coverage_differences(const std::vector<PolygonResult>& results, Metric method);
+std::vector<double> coverage_differences(const std::vector<PolygonResult>& results, Method method);
 
 // For each polygon with candidates the algorithm's coverage with the most teams.
 std::vector<double> final_coverages(const std::vector<PolygonResult>& results);
@@ -57,7 +57,7 @@ Count closed(const std::vector<PolygonResult>& results, Closed closed);
 
 // Polygons with up to `most_vertices` that can be closed and on which the method can place
 // `teams`, and those that it closes with them.
-Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Metric method,
+Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,
                   std::uint32_t teams, std::uint32_t most_vertices);
 
 // Steps from one number of teams to the next at which a polygon in form closure loses it; and the
@@ -66,6 +66,6 @@ struct Lost {
   Count steps;
   std::vector<std::uint32_t> robots;
 };
-Lost closure_lost(const std::vector<PolygonResult>& results, Closed closed, Metric method);
+Lost closure_lost(const std::vector<PolygonResult>& results, Closed closed, Method method);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

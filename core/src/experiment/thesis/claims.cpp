@@ -5,7 +5,7 @@
 #include "experiment/thesis/claims_sections.h"
 #include "output/json/json_text.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace claims {
 
 std::string percent(double share, int decimals) { return fixed(100 * share, decimals) + " %"; }
@@ -78,4 +78,4 @@ std::string claims_json(const std::vector<SetClaims>& sets) {
   return json::object({{"sets", json::array(names)}, {"rows", json::long_array(rows, 0)}}) + "\n";
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

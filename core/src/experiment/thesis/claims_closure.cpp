@@ -1,6 +1,6 @@
 #include "experiment/thesis/claims_sections.h"
 
-namespace evenlift::claims {
+namespace evenlift::experiment::claims {
 namespace {
 
 // Form closure as this project decides it, and by the thesis's own test.
@@ -32,10 +32,10 @@ std::string lost_in_words(const Lost& lost) {
 std::string distributed_leads(const Rows& rows, const Reading& reading) {
   std::string text;
   for (std::uint32_t teams = 2; teams <= 6; ++teams) {
-    const Aggregate* ours = find(rows, Metric::distributed, teams);
+    const Aggregate* ours = find(rows, Method::distributed, teams);
     if (!ours || !(ours->*reading.rate)) continue;
     bool leads = true;
-    for (const Metric method : all_metrics)
+    for (const Method method : all_methods)
       if (const Aggregate* a = find(rows, method, teams); a && a->*reading.rate)
         leads = leads && *(a->*reading.rate) <= *(ours->*reading.rate);
     if (leads) text += (text.empty() ? "" : ", ") + std::to_string(2 * teams);
@@ -44,8 +44,8 @@ std::string distributed_leads(const Rows& rows, const Reading& reading) {
 }
 
 void add_rates(std::vector<Claim>& claims, const Rows& rows, const Reading& reading,
-               std::uint32_t teams, Metric stated_method, const char* stated) {
-  for (const Metric method : all_metrics) {
+               std::uint32_t teams, Method stated_method, const char* stated) {
+  for (const Method method : all_methods) {
     const Aggregate* a = find(rows, method, teams);
     claims.push_back({"5.5",
                       "Closed with " + std::to_string(2 * teams) + " robots, " +
@@ -69,19 +69,19 @@ void add_reading(std::vector<Claim>& claims, const Results& results, const Rows&
   const std::string how = reading.in_words;
   claims.push_back(
       {"5.5", "Polygons that no method closes" + how, "12", never_closed(results, reading)});
-  add_rates(claims, rows, reading, 2, Metric::distributed, "41 %");
-  add_rates(claims, rows, reading, 4, Metric::distance, "80 %");
+  add_rates(claims, rows, reading, 2, Method::distributed, "41 %");
+  add_rates(claims, rows, reading, 4, Method::distance, "80 %");
   claims.push_back({"5.5",
                     "Closed with 8 robots, distance, polygons with at most 12 vertices" + how, none,
-                    rate(closed_with(results, reading.closed, Metric::distance, 4, 12))});
+                    rate(closed_with(results, reading.closed, Method::distance, 4, 12))});
   claims.push_back({"5.5", "Numbers of robots up to 12 with which distributed closes most" + how,
                     "all", distributed_leads(rows, reading)});
-  for (const Metric method : {Metric::area, Metric::circle, Metric::distance})
+  for (const Method method : {Method::area, Method::circle, Method::distance})
     claims.push_back({"5.5", "Closure lost by adding a team, " + std::string(name(method)) + how,
                       "never", lost_in_words(closure_lost(results, reading.closed, method))});
   claims.push_back({"5.5", "Closure lost by adding a team, distributed" + how,
                     "on the way to 14 and 18 robots",
-                    lost_in_words(closure_lost(results, reading.closed, Metric::distributed))});
+                    lost_in_words(closure_lost(results, reading.closed, Method::distributed))});
   claims.push_back({"5.5", "Of the polygons that any method closes, the algorithm does" + how,
                     "over 88 %", rate(closed(results, reading.closed))});
 }
@@ -92,4 +92,4 @@ void add_closure(std::vector<Claim>& claims, const Results& results, const Rows&
   for (const Reading& reading : readings) add_reading(claims, results, rows, reading);
 }
 
-}  // namespace evenlift::claims
+}  // namespace evenlift::experiment::claims

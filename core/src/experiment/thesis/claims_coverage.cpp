@@ -2,7 +2,7 @@
 #include "evenlift/output/words.h"
 #include "experiment/thesis/claims_sections.h"
 
-namespace evenlift::claims {
+namespace evenlift::experiment::claims {
 namespace {
 
 // The mean of the points of figure 5.7 from two teams on.
@@ -56,10 +56,10 @@ void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows
       {"5.4",
        "Coverage of distributed less that of the algorithm, mean over a polygon’s numbers of teams",
        "10 % (s.d. 10 %)",
-       mean_and_deviation(coverage_differences(results, Metric::distributed), 1)});
+       mean_and_deviation(coverage_differences(results, Method::distributed), 1)});
   claims.push_back({"5.4", "Coverage of the algorithm less that of random, likewise",
                     "slightly more",
-                    mean_and_deviation(coverage_differences(results, Metric::random), -1)});
+                    mean_and_deviation(coverage_differences(results, Method::random), -1)});
   const auto loss = greatest_loss(results, 6);
   claims.push_back(
       {"5.4",
@@ -70,4 +70,4 @@ void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows
             : none});
 }
 
-}  // namespace evenlift::claims
+}  // namespace evenlift::experiment::claims

@@ -2,32 +2,32 @@
 #include "evenlift/output/words.h"
 #include "experiment/thesis/claims_sections.h"
 
-namespace evenlift::claims {
+namespace evenlift::experiment::claims {
 namespace {
 
 struct Stated {
-  Metric method;
+  Method method;
   const char* value;
 };
 
-constexpr Stated spread_of_4[] = {{Metric::area, "—"},
-                                  {Metric::circle, "—"},
-                                  {Metric::distance, "1.5 kg (s.d. 1.9 kg)"},
-                                  {Metric::distributed, "12.5 kg (s.d. 14.5 kg)"},
-                                  {Metric::random, "—"}};
-constexpr Stated spread_of_30[] = {{Metric::area, "0.4 kg (s.d. 0.3 kg)"},
-                                   {Metric::circle, "—"},
-                                   {Metric::distance, "—"},
-                                   {Metric::distributed, "—"},
-                                   {Metric::random, "3.1 kg (s.d. 2.5 kg)"}};
-constexpr Stated ranges_of_4[] = {{Metric::distance, "24.25–25.75 kg"},
-                                  {Metric::distributed, "18.75–31.25 kg"}};
-constexpr Stated ranges_of_30[] = {{Metric::area, "3.1–3.5 kg"}, {Metric::random, "1.75–4.85 kg"}};
-constexpr Stated shares_of_10_teams[] = {{Metric::area, "46.6–53.4 % (s.d. 2.2 %)"},
-                                         {Metric::circle, "46.6–53.4 % (s.d. 2.2 %)"},
-                                         {Metric::distance, "46.6–53.4 % (s.d. 2.2 %)"},
-                                         {Metric::distributed, "35.5–64.5 % (s.d. 14.0 %)"},
-                                         {Metric::random, "—"}};
+constexpr Stated spread_of_4[] = {{Method::area, "—"},
+                                  {Method::circle, "—"},
+                                  {Method::distance, "1.5 kg (s.d. 1.9 kg)"},
+                                  {Method::distributed, "12.5 kg (s.d. 14.5 kg)"},
+                                  {Method::random, "—"}};
+constexpr Stated spread_of_30[] = {{Method::area, "0.4 kg (s.d. 0.3 kg)"},
+                                   {Method::circle, "—"},
+                                   {Method::distance, "—"},
+                                   {Method::distributed, "—"},
+                                   {Method::random, "3.1 kg (s.d. 2.5 kg)"}};
+constexpr Stated ranges_of_4[] = {{Method::distance, "24.25–25.75 kg"},
+                                  {Method::distributed, "18.75–31.25 kg"}};
+constexpr Stated ranges_of_30[] = {{Method::area, "3.1–3.5 kg"}, {Method::random, "1.75–4.85 kg"}};
+constexpr Stated shares_of_10_teams[] = {{Method::area, "46.6–53.4 % (s.d. 2.2 %)"},
+                                         {Method::circle, "46.6–53.4 % (s.d. 2.2 %)"},
+                                         {Method::distance, "46.6–53.4 % (s.d. 2.2 %)"},
+                                         {Method::distributed, "35.5–64.5 % (s.d. 14.0 %)"},
+                                         {Method::random, "—"}};
 
 template <std::size_t n>
 void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t teams,
@@ -74,7 +74,7 @@ void add_shares(std::vector<Claim>& claims, const Rows& rows) {
 }
 
 // The fewest robots of whose greatest loads the average is within the capacity.
-std::string robots_needed(const Rows& rows, Metric method, double capacity) {
+std::string robots_needed(const Rows& rows, Method method, double capacity) {
   const Aggregate* least = nullptr;
   for (const Aggregate& a : rows)
     if (a.method == method && a.load_max.mean <= capacity && (!least || a.teams < least->teams))
@@ -85,9 +85,9 @@ std::string robots_needed(const Rows& rows, Metric method, double capacity) {
 }
 
 void add_robots_needed(std::vector<Claim>& claims, const Rows& rows) {
-  for (const Metric method : all_metrics) {
-    const char* stated = method == Metric::distributed ? "28"
-                         : method == Metric::random    ? "30"
+  for (const Method method : all_methods) {
+    const char* stated = method == Method::distributed ? "28"
+                         : method == Method::random    ? "30"
                                                        : "22";
     claims.push_back(
         {"5.3",
@@ -99,17 +99,17 @@ void add_robots_needed(std::vector<Claim>& claims, const Rows& rows) {
 
 void add_times(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_teams) {
   const auto add = [&](const std::string& where, const char* stated, auto made) {
-    for (const Metric method : {Metric::distributed, Metric::random})
+    for (const Method method : {Method::distributed, Method::random})
       claims.push_back({"6.1",
                         "How many times more evenly than " + std::string(name(method)) +
                             " the algorithm shares the weight, " + where,
                         stated, made(method)});
   };
-  add("over the numbers of robots shown", "5–8", [&](Metric method) -> std::string {
+  add("over the numbers of robots shown", "5–8", [&](Method method) -> std::string {
     const auto range = spread_ratio(rows, method, most_teams);
     return range ? fixed(range->least, 1) + "–" + fixed(range->most, 1) : none;
   });
-  add("with 4 robots", none, [&](Metric method) -> std::string {
+  add("with 4 robots", none, [&](Method method) -> std::string {
     const auto times = spread_times(rows, method, 2);
     return times ? fixed(*times, 1) : none;
   });
@@ -127,4 +127,4 @@ void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_
   add_times(claims, rows, most_teams);
 }
 
-}  // namespace evenlift::claims
+}  // namespace evenlift::experiment::claims

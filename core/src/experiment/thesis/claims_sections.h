@@ -7,7 +7,7 @@
 #include "evenlift/experiment/claims.h"
 #include "experiment/thesis/by_polygon.h"
 
-namespace evenlift::claims {
+namespace evenlift::experiment::claims {
 
 using Results = std::vector<PolygonResult>;
 using Rows = std::vector<Aggregate>;
@@ -27,4 +27,4 @@ void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows
                   std::uint32_t most_teams);                                             // 5.4
 void add_closure(std::vector<Claim>& claims, const Results& results, const Rows& rows);  // 5.5
 
-}  // namespace evenlift::claims
+}  // namespace evenlift::experiment::claims

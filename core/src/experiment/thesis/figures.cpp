@@ -6,7 +6,7 @@
 #include "experiment/thesis/sentences.h"
 #include "output/json/json_text.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
 struct Plan {
@@ -61,10 +61,10 @@ std::string series_json(const FigureSeries& series) {
 }  // namespace
 
 std::uint32_t most_teams_shown(const std::vector<Aggregate>& aggregates) {
-  const Aggregate* all = find(aggregates, Metric::area, 1);
+  const Aggregate* all = find(aggregates, Method::area, 1);
   std::uint32_t most = 0;
   for (const Aggregate& a : aggregates)
-    if (all && a.method == Metric::area && 5 * a.polygons >= all->polygons)
+    if (all && a.method == Method::area && 5 * a.polygons >= all->polygons)
       most = std::max(most, a.teams);
   return most;
 }
@@ -93,4 +93,4 @@ std::string figures_json(const std::vector<Figure>& figures) {
   return json::long_array(items, 0) + "\n";
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

@@ -2,7 +2,7 @@
 
 #include "output/json/json_text.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::string outputs_json(const Outputs& outputs) {
                        {"claims", claims_json(outputs.claims)}});
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

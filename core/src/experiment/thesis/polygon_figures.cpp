@@ -5,7 +5,7 @@
 #include "experiment/thesis/by_polygon.h"
 #include "experiment/thesis/sentences.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
 using Value = double Measurement::*;
@@ -23,17 +23,17 @@ std::string random_note(const ExperimentSettings& settings) {
 
 // "With 6 robots 12.3 kg by area, ... and 15.0 kg at random."
 template <class Write>
-std::string all_methods(const PolygonResult& result, Value value, Write write) {
+std::string by_every_method(const PolygonResult& result, Value value, Write write) {
   const std::uint32_t teams = std::min<std::uint32_t>(3, most_teams(result));
   std::vector<std::string> items;
-  for (const Metric method : all_metrics)
+  for (const Method method : all_methods)
     if (const Measurement* m = find(result, method, teams))
       items.push_back(write(m->*value) + " " + by(method));
   return "With " + of_robots(teams) + ": " + listed(items) + ".";
 }
 
 // "by area with 8 robots", "by circle with none": with how many robots a method first closes.
-std::string first_closed(const PolygonResult& result, Metric method) {
+std::string first_closed(const PolygonResult& result, Method method) {
   for (const Measurement& m : result.measurements)
     if (m.method == method && m.form_closure > 0) return by(method) + " with " + of_robots(m.teams);
   return by(method) + " with none";
@@ -44,7 +44,7 @@ std::string lost_again(const PolygonResult& result) {
   std::vector<std::string> numbers;
   const Measurement* before = nullptr;
   for (const Measurement& m : result.measurements) {
-    if (m.method != Metric::distributed) continue;
+    if (m.method != Method::distributed) continue;
     if (before && before->form_closure > 0 && m.form_closure == 0)
       numbers.push_back(std::to_string(2 * std::uint64_t{m.teams}));
     before = &m;
@@ -55,8 +55,8 @@ std::string lost_again(const PolygonResult& result) {
 
 std::string closure_sentence(const PolygonResult& result) {
   std::vector<std::string> items;
-  for (const Metric method : all_metrics)
-    if (method != Metric::random) items.push_back(first_closed(result, method));
+  for (const Method method : all_methods)
+    if (method != Method::random) items.push_back(first_closed(result, method));
   return "First in form closure " + listed(items) + "." + lost_again(result) +
          " Of random placements it is the part that is in form closure.";
 }
@@ -79,13 +79,14 @@ std::vector<Figure> make_polygon_figures(const PolygonResult& result,
   if (result.measurements.empty()) return {};
   return {
       figure_of(result, "load_max", "Greatest load of a robot", "kg", &Measurement::load_max,
-                all_methods(result, &Measurement::load_max, in_kg) + random_note(settings)),
+                by_every_method(result, &Measurement::load_max, in_kg) + random_note(settings)),
       figure_of(result, "spread", "Difference between the greatest and the least load of a robot",
-                "kg", &Measurement::spread, all_methods(result, &Measurement::spread, in_kg)),
+                "kg", &Measurement::spread, by_every_method(result, &Measurement::spread, in_kg)),
       figure_of(result, "coverage", "Coverage: part of the object inside the lifting base", "%",
-                &Measurement::coverage, all_methods(result, &Measurement::coverage, in_percent)),
+                &Measurement::coverage,
+                by_every_method(result, &Measurement::coverage, in_percent)),
       figure_of(result, "form_closure", "Form closure", "%", &Measurement::form_closure,
                 closure_sentence(result))};
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

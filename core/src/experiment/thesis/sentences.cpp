@@ -6,7 +6,7 @@
 #include "evenlift/experiment/algorithm_average.h"
 #include "evenlift/output/words.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 namespace {
 
 using Rows = std::vector<Aggregate>;
@@ -17,9 +17,9 @@ std::string points(double share) { return fixed(100 * std::fabs(share), 1) + " p
 
 // "1.20 kg by area, 1.30 kg by circle and 12.5 kg at equal angles": every method with a value.
 template <class Write>
-std::string all_methods(const Rows& rows, std::uint32_t teams, Pick pick, Write write) {
+std::string by_every_method(const Rows& rows, std::uint32_t teams, Pick pick, Write write) {
   std::vector<std::string> items;
-  for (const Metric method : all_metrics) {
+  for (const Method method : all_methods) {
     const Aggregate* a = find(rows, method, teams);
     const std::optional<double> value = a ? pick(*a) : std::nullopt;
     if (value) items.push_back(write(*value) + " " + by(method));
@@ -36,7 +36,7 @@ std::string times(const Range& range) {
 // with any number of teams.
 template <class Write>
 std::string deviations(const Rows& rows, std::uint32_t most_teams, Pick pick, Write write) {
-  const Aggregate* greatest[std::size(all_metrics)] = {};
+  const Aggregate* greatest[std::size(all_methods)] = {};
   for (const Aggregate& a : rows) {
     const Aggregate*& held = greatest[static_cast<std::size_t>(a.method)];
     if (a.teams <= most_teams && pick(a) && (!held || *pick(a) > *pick(*held))) held = &a;
@@ -55,7 +55,7 @@ std::string deviations(const Rows& rows, std::uint32_t most_teams, Pick pick, Wr
          of_robots(least->teams) + ").";
 }
 
-std::string lead_in_words(const std::optional<double>& lead, Metric method) {
+std::string lead_in_words(const std::optional<double>& lead, Method method) {
   if (!lead) return "";
   return points(*lead) + (*lead < 0 ? " less than " : " more than ") + by(method);
 }
@@ -70,11 +70,11 @@ std::string of_robots(std::uint32_t teams) {
   return std::to_string(2 * std::uint64_t{teams}) + " robots";
 }
 
-std::string by(Metric method) {
+std::string by(Method method) {
   switch (method) {
-    case Metric::distributed:
+    case Method::distributed:
       return "at equal angles";
-    case Metric::random:
+    case Method::random:
       return "at random";
     default:
       return "by " + std::string(name(method));
@@ -92,9 +92,10 @@ std::string spread_sentence(const Rows& rows, std::uint32_t most_teams) {
   if (most_teams == 0) return nothing;
   const std::uint32_t teams = std::min<std::uint32_t>(2, most_teams);
   std::string text = "With " + of_robots(teams) + " the loads differ by " +
-                     all_methods(rows, teams, pick_spread, in_kg) + ", averaged over the polygons.";
-  const auto distributed = spread_ratio(rows, Metric::distributed, most_teams);
-  const auto random = spread_ratio(rows, Metric::random, most_teams);
+                     by_every_method(rows, teams, pick_spread, in_kg) +
+                     ", averaged over the polygons.";
+  const auto distributed = spread_ratio(rows, Method::distributed, most_teams);
+  const auto random = spread_ratio(rows, Method::random, most_teams);
   if (distributed && random)
     text += " From 2 to " + of_robots(most_teams) + " the difference at equal angles is " +
             times(*distributed) + " times that of the algorithm (the mean of its three metrics), " +
@@ -112,7 +113,7 @@ std::string share_sentence(const Rows& rows, std::uint32_t most_teams) {
   if (most_teams == 0) return nothing;
   const std::uint32_t teams = std::min<std::uint32_t>(10, most_teams);
   return "With " + of_robots(teams) + " the robot that bears most of its team’s load bears " +
-         all_methods(rows, teams, pick_share, in_percent) +
+         by_every_method(rows, teams, pick_share, in_percent) +
          ", averaged over the polygons; an even half would be 50\u00A0%.";
 }
 
@@ -127,13 +128,13 @@ std::string coverage_sentence(const Rows& rows, std::uint32_t most_teams) {
   if (most_teams == 1) return "One team stands on a line, which covers nothing.";
   const std::uint32_t teams = std::min<std::uint32_t>(6, most_teams);
   std::string text = "With " + of_robots(teams) + " the lifting base covers " +
-                     all_methods(rows, teams, pick_coverage, in_percent) + ".";
-  const auto distributed = coverage_lead(rows, Metric::distributed, most_teams);
-  const auto random = coverage_lead(rows, Metric::random, most_teams);
+                     by_every_method(rows, teams, pick_coverage, in_percent) + ".";
+  const auto distributed = coverage_lead(rows, Method::distributed, most_teams);
+  const auto random = coverage_lead(rows, Method::random, most_teams);
   if (distributed && random)
     text += " From 4 to " + of_robots(most_teams) + " the algorithm covers on average " +
-            lead_in_words(distributed, Metric::distributed) + ", and " +
-            lead_in_words(random, Metric::random) + ".";
+            lead_in_words(distributed, Method::distributed) + ", and " +
+            lead_in_words(random, Method::random) + ".";
   return text;
 }
 
@@ -145,12 +146,12 @@ std::string coverage_deviation_sentence(const Rows& rows, std::uint32_t most_tea
 
 std::string closure_sentence(const Rows& rows, std::uint32_t most_teams) {
   if (most_teams == 0) return nothing;
-  const Aggregate* first = find(rows, Metric::area, 1);
+  const Aggregate* first = find(rows, Method::area, 1);
   if (!first || first->closable == 0)
     return "No method brings any of these polygons into form closure.";
   const std::uint32_t teams = std::min<std::uint32_t>(4, most_teams);
   return "With " + of_robots(teams) + ", of the polygons that some method can close, " +
-         all_methods(rows, teams, pick_closure, in_percent) + " are in form closure.";
+         by_every_method(rows, teams, pick_closure, in_percent) + " are in form closure.";
 }
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

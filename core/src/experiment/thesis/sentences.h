@@ -7,7 +7,7 @@
 
 #include "evenlift/experiment/aggregates.h"
 
-namespace evenlift {
+namespace evenlift::experiment {
 
 // Of aggregates with 1 .. most_teams teams. O(rows most_teams).
 using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
@@ -26,8 +26,8 @@ std::string in_kg(double value);
 std::string in_percent(double share);
 std::string of_robots(std::uint32_t teams);  // "6 robots"
 // How a method's placements came about: "by area", "at equal angles".
-std::string by(Metric method);
+std::string by(Method method);
 // "1, 2 and 3"; empty of none.
 std::string listed(const std::vector<std::string>& items);
 
-}  // namespace evenlift
+}  // namespace evenlift::experiment

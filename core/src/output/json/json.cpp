@@ -68,7 +68,7 @@ std::string capacity_json(const Placement& placement, const CapacityInJson& capa
 std::string overlays_json(const Overlays& overlays) {
   return json::object({{"candidates", json::boolean(overlays.candidates)},
                        {"chords", json::boolean(overlays.chords)},
-                       {"hull", json::boolean(overlays.hull)},
+                       {"hull", json::boolean(overlays.lifting_base)},
                        {"clockwise", json::boolean(overlays.clockwise)},
                        {"counterclockwise", json::boolean(overlays.counterclockwise)},
                        {"tipping", json::boolean(overlays.tipping)}});
@@ -82,7 +82,7 @@ std::string placement_json(const Placement& placement, bool with_candidates,
   std::vector<json::Member> members = {
       {"polygon", json::points(placement.vertices, 1)},
       {"centre_of_mass", json::pair(placement.centre_of_mass)},
-      {"metric", json::text(name(settings.metric))},
+      {"metric", json::text(name(settings.method))},
       {"min_ratio", json::number(settings.min_ratio)},
       {"weight", json::number(settings.weight)},
       {"seed", std::to_string(settings.seed)},
@@ -90,7 +90,7 @@ std::string placement_json(const Placement& placement, bool with_candidates,
   if (with_candidates) members.push_back({"candidates", candidates_json(placement.candidates)});
   members.push_back({"requested_teams", std::to_string(placement.requested_teams)});
   members.push_back({"teams", teams_json(placement.teams)});
-  members.push_back({"hull", json::points(placement.hull, 1)});
+  members.push_back({"hull", json::points(placement.lifting_base, 1)});
   members.push_back({"coverage", json::number(placement.coverage)});
   members.push_back({"loads", loads_json(placement.loads)});
   members.push_back({"closure", closure_json(placement.closure)});
@@ -105,7 +105,7 @@ std::string document_json(const Document& document) {
               {"centre_of_mass",
                document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"},
               {"teams", settings.teams ? std::to_string(*settings.teams) : json::text("max")},
-              {"metric", json::text(name(settings.metric))},
+              {"metric", json::text(name(settings.method))},
               {"min_ratio", json::number(settings.min_ratio)},
               {"weight", json::number(settings.weight)},
               {"seed", std::to_string(settings.seed)},

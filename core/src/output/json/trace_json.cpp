@@ -19,23 +19,23 @@ std::string numbers_json(const Trace& trace, const StepDetail& detail) {
   return json::object(members);
 }
 
-std::string object_json(const Object& object) {
+std::string figure_json(const Figure& figure) {
   std::vector<std::string> points;
-  for (const Vec2& point : object.points) points.push_back(json::pair(point));
-  std::vector<json::Member> members{{"mark", json::text(name(object.mark))},
+  for (const Vec2& point : figure.points) points.push_back(json::pair(point));
+  std::vector<json::Member> members{{"mark", json::text(name(figure.kind))},
                                     {"points", json::array(points)}};
-  if (object.item != no_index) members.emplace_back("item", whole(object.item));
-  if (object.value != 0) members.emplace_back("value", json::number(object.value));
+  if (figure.item != no_index) members.emplace_back("item", whole(figure.item));
+  if (figure.value != 0) members.emplace_back("value", json::number(figure.value));
   return json::object(members);
 }
 
 // Without the polygon itself, which is the same in all.
 std::string objects_json(const Trace& trace, const StepDetail& detail, std::size_t& left_out) {
   std::vector<std::string> items;
-  for (const Object& object : objects(trace, detail)) {
-    if (object.mark == Mark::object) continue;
+  for (const Figure& figure : figures(trace, detail)) {
+    if (figure.kind == FigureKind::object) continue;
     if (items.size() < most_objects) {
-      items.push_back(object_json(object));
+      items.push_back(figure_json(figure));
     } else {
       ++left_out;
     }
@@ -99,7 +99,7 @@ std::optional<InputError> check_printed_size(const Trace& trace) {
 }
 
 std::string trace_json(const Trace& trace) {
-  const std::vector<std::string_view> code = pseudo_code(trace.placement.settings.metric);
+  const std::vector<std::string_view> code = pseudo_code(trace.placement.settings.method);
   std::vector<std::string> steps;
   for (std::uint32_t k = 0; k < trace.size(); ++k) steps.push_back(step_json(trace, k, code));
   return json::long_array(steps, 0) + '\n';

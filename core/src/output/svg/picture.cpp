@@ -35,7 +35,7 @@ std::vector<Shape> make_picture(const Placement& placement, const Overlays& over
   if (overlays.clockwise) add_area(shapes, Role::clockwise, placement.closure.clockwise.clipped);
   if (overlays.counterclockwise)
     add_area(shapes, Role::counterclockwise, placement.closure.counterclockwise.clipped);
-  if (overlays.hull) add_area(shapes, Role::hull, placement.hull);
+  if (overlays.lifting_base) add_area(shapes, Role::lifting_base, placement.lifting_base);
   if (overlays.candidates) add_candidates(shapes, placement, most_lines);
   const auto teams = static_cast<std::int32_t>(placement.teams.size());
   if (overlays.chords) {

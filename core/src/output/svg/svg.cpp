@@ -78,7 +78,7 @@ class Drawing {
         return region(shape, true, shown_.clockwise);
       case Role::counterclockwise:
         return region(shape, false, shown_.counterclockwise);
-      case Role::hull:
+      case Role::lifting_base:
         return hull(shape);
       case Role::candidate:
         return drawn_path(

@@ -13,11 +13,11 @@ namespace {
 // "Area metric · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure"
 std::string settings_line(const Placement& placement) {
   const Settings& settings = placement.settings;
-  std::string line(name(settings.metric));
+  std::string line(name(settings.method));
   line[0] = static_cast<char>(line[0] - 'a' + 'A');
-  const bool by_ratio = selects_candidates(settings.metric);
+  const bool by_ratio = selects_candidates(settings.method);
   line += by_ratio ? " metric" : " placement";
-  if (settings.metric == Metric::random) line += ", seed " + std::to_string(settings.seed);
+  if (settings.method == Method::random) line += ", seed " + std::to_string(settings.seed);
   const std::size_t teams = placement.teams.size();
   line += " · " + std::to_string(teams) + (teams == 1 ? " team" : " teams");
   if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);

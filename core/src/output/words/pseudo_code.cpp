@@ -80,8 +80,8 @@ std::uint32_t line_by_candidates(const StepDetail& detail) {
   }
 }
 
-std::uint32_t line_of_other(Metric metric, StepKind kind) {
-  const bool distributed = metric == Metric::distributed;
+std::uint32_t line_of_other(Method method, StepKind kind) {
+  const bool distributed = method == Method::distributed;
   switch (kind) {
     case StepKind::directions:
       return 0;
@@ -114,29 +114,29 @@ std::uint32_t line_of_tail(StepKind kind) {
   }
 }
 
-std::vector<std::string_view> middle(Metric metric) {
-  if (metric == Metric::distributed)
+std::vector<std::string_view> middle(Method method) {
+  if (method == Method::distributed)
     return {std::begin(distributed_lines), std::end(distributed_lines)};
-  if (metric == Metric::random) return {std::begin(random_lines), std::end(random_lines)};
+  if (method == Method::random) return {std::begin(random_lines), std::end(random_lines)};
   return {std::begin(candidate_lines), std::end(candidate_lines)};
 }
 
 }  // namespace
 
-std::vector<std::string_view> pseudo_code(Metric metric) {
-  std::vector<std::string_view> lines = middle(metric);
+std::vector<std::string_view> pseudo_code(Method method) {
+  std::vector<std::string_view> lines = middle(method);
   lines.insert(lines.begin(), head);
   lines.insert(lines.end(), std::begin(tail), std::end(tail));
   return lines;
 }
 
 std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail) {
-  const Metric metric = trace.placement.settings.metric;
+  const Method method = trace.placement.settings.method;
   if (detail.step.chapter == Chapter::object) return 0;
   if (detail.step.chapter >= Chapter::loads)
-    return 1 + static_cast<std::uint32_t>(middle(metric).size()) + line_of_tail(detail.step.kind);
+    return 1 + static_cast<std::uint32_t>(middle(method).size()) + line_of_tail(detail.step.kind);
   return 1 + (trace.by_candidates() ? line_by_candidates(detail)
-                                    : line_of_other(metric, detail.step.kind));
+                                    : line_of_other(method, detail.step.kind));
 }
 
 }  // namespace evenlift

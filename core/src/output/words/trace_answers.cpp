@@ -15,10 +15,10 @@ std::string edges_of(const Trace& trace, std::uint32_t pair) {
 const char* aim(const Trace& trace, Rule rule) {
   if (rule == Rule::longest_even) return "is the longest even one";
   if (rule == Rule::most_even) return "is the most even one";
-  switch (trace.placement.settings.metric) {
-    case Metric::circle:
+  switch (trace.placement.settings.method) {
+    case Method::circle:
       return "adds the largest inscribed circles";
-    case Metric::distance:
+    case Method::distance:
       return "shortens the arms that tip the object by most";
     default:
       return "adds the most area";
@@ -54,10 +54,10 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
        score_text(trace, answer.rule, answer.best, answer.value), whole(answer.rank)});
 }
 
-std::string loaded(const Trace& trace, const Object& object) {
+std::string loaded(const Trace& trace, const Figure& figure) {
   std::string text =
-      fill("Team #, robot #", {counted_from_1(object.item / 2), counted_from_1(object.item % 2)});
-  if (object.value > 0) text += fill(": #", {kilograms_text(trace, object.value)});
+      fill("Team #, robot #", {counted_from_1(figure.item / 2), counted_from_1(figure.item % 2)});
+  if (figure.value > 0) text += fill(": #", {kilograms_text(trace, figure.value)});
   return text;
 }
 
@@ -77,7 +77,7 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
       return "In this direction the boundary is not on both sides of C: no team can stand there.";
     case Why::not_by_candidates:
       return fill("Load ratio #. The method “#” does not choose among candidates.",
-                  {ratio_text(answer.chord.ratio), name(trace.placement.settings.metric)});
+                  {ratio_text(answer.chord.ratio), name(trace.placement.settings.method)});
     case Why::no_pair:
       return "Its ends are on no two edges that face each other: an edge whose line passes through C is in no pair.";
     case Why::too_uneven:
@@ -114,88 +114,88 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
   return {};
 }
 
-std::string object_text(const Trace& trace, const StepDetail& detail, const Object& object) {
-  const Piece item = counted_from_1(object.item);
+std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure) {
+  const Piece item = counted_from_1(figure.item);
   const double least = trace.placement.settings.min_ratio;
-  switch (object.mark) {
-    case Mark::object:
+  switch (figure.kind) {
+    case FigureKind::object:
       return "The object";
-    case Mark::triangle:
+    case FigureKind::triangle:
       return fill("Triangle at edge #: ## of the area",
-                  {item, object.value < 0 ? "−" : "", percent(std::abs(object.value))});
-    case Mark::centroid:
-      return fill("Centroid #", {point_text(trace, object.points[0])});
-    case Mark::centre:
+                  {item, figure.value < 0 ? "−" : "", percent(std::abs(figure.value))});
+    case FigureKind::centroid:
+      return fill("Centroid #", {point_text(trace, figure.points[0])});
+    case FigureKind::centre:
       return fill("Centre of mass C #", {point_text(trace, trace.centre)});
-    case Mark::vertex:
-      return fill("Vertex # #", {item, point_text(trace, object.points[0])});
-    case Mark::radial_edge:
+    case FigureKind::vertex:
+      return fill("Vertex # #", {item, point_text(trace, figure.points[0])});
+    case FigureKind::radial_edge:
       return fill("Edge #, in line with C", {item});
-    case Mark::ray:
+    case FigureKind::ray:
       return fill("Ray from vertex # through C", {item});
-    case Mark::chord:
+    case FigureKind::chord:
       return fill(
           "Chord from vertex #, load ratio #",
-          {counted_from_1(trace.rays.chords[object.item].vertex), ratio_text(object.value, least)});
-    case Mark::edge:
+          {counted_from_1(trace.rays.chords[figure.item].vertex), ratio_text(figure.value, least)});
+    case FigureKind::edge:
       return fill("Edge #", {item});
-    case Mark::section:
+    case FigureKind::section:
       return fill("Section of edge #", {item});
-    case Mark::reflected:
+    case FigureKind::reflected:
       return fill("Edge # reflected through C", {item});
-    case Mark::section_end:
-      return fill("End of the sections, load ratio #", {ratio_text(object.value, least)});
-    case Mark::bisecting:
+    case FigureKind::section_end:
+      return fill("End of the sections, load ratio #", {ratio_text(figure.value, least)});
+    case FigureKind::bisecting:
       return "The chord between the edges' lines that C bisects";
-    case Mark::chosen:
+    case FigureKind::chosen:
       return fill(detail.opposite           ? "The chord between the two vertices, load ratio #"
-                  : object.item == no_index ? "The best chord of the pair, load ratio #"
+                  : figure.item == no_index ? "The best chord of the pair, load ratio #"
                                             : "The pair's candidate, load ratio #",
-                  {ratio_text(object.value, least)});
-    case Mark::candidate: {
-      const double ratio = trace.placement.candidates[object.item].chord.ratio;
+                  {ratio_text(figure.value, least)});
+    case FigureKind::candidate: {
+      const double ratio = trace.placement.candidates[figure.item].chord.ratio;
       const std::string text = fill("Candidate #, load ratio #", {item, ratio_text(ratio, least)});
       if (!detail.scores) return text;
-      const Score& score = detail.scores->of_candidate[object.item];
+      const Score& score = detail.scores->of_candidate[figure.item];
       if (detail.scores->rule == Rule::most_even) return text;
       return text + fill(detail.scores->rule == Rule::score ? ", score ##" : ", length ##",
                          {score.exact ? "" : "at most ",
                           score_text(trace, detail.scores->rule, score.value, 0)});
     }
-    case Mark::team:
-      return fill("Team #, load ratio #", {item, ratio_text(object.value, least)});
-    case Mark::robot:
-      return loaded(trace, object);
-    case Mark::gain_triangle:
-    case Mark::gain_part:
-      return fill(trace.placement.settings.metric == Metric::area
+    case FigureKind::team:
+      return fill("Team #, load ratio #", {item, ratio_text(figure.value, least)});
+    case FigureKind::robot:
+      return loaded(trace, figure);
+    case FigureKind::gain_triangle:
+    case FigureKind::gain_part:
+      return fill(trace.placement.settings.method == Method::area
                       ? "Adds # of the object to H"
                       : "Triangle between H and the end",
-                  {score_text(trace, Rule::score, object.value, 0)});
-    case Mark::gain_circle:
-      return fill("Inscribed circle, radius #", {length_text(trace, object.value)});
-    case Mark::arm_before:
-      return fill("Arm to H's edge: #", {length_text(trace, object.value)});
-    case Mark::arm_after:
-      return fill("Arm to the new edge: #", {length_text(trace, object.value)});
-    case Mark::base_before:
+                  {score_text(trace, Rule::score, figure.value, 0)});
+    case FigureKind::gain_circle:
+      return fill("Inscribed circle, radius #", {length_text(trace, figure.value)});
+    case FigureKind::arm_before:
+      return fill("Arm to H's edge: #", {length_text(trace, figure.value)});
+    case FigureKind::arm_after:
+      return fill("Arm to the new edge: #", {length_text(trace, figure.value)});
+    case FigureKind::base_before:
       return "Lifting base H before";
-    case Mark::base:
+    case FigureKind::base:
       return "Lifting base H";
-    case Mark::contact: {
-      const Contact& contact = trace.contacts[object.item];
+    case FigureKind::contact: {
+      const Contact& contact = trace.contacts[figure.item];
       const RobotIndex robot = robot_of(contact);
       return fill("Contact #: team #, robot # on edge #",
                   {item, counted_from_1(robot.team), counted_from_1(robot.end),
                    counted_from_1(contact.edge)});
     }
-    case Mark::normal:
+    case FigureKind::normal:
       return fill("Normal line of contact #", {item});
-    case Mark::clockwise:
+    case FigureKind::clockwise:
       return "About these points it can turn clockwise";
-    case Mark::counterclockwise:
+    case FigureKind::counterclockwise:
       return "About these points it can turn counter-clockwise";
-    case Mark::translation:
+    case FigureKind::translation:
       return "A way to slide";
   }
   return {};

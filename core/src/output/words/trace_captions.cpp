@@ -318,13 +318,13 @@ class Caption {
   }
 
   std::string scores(const TeamScores& scores) const {
-    const Metric metric = placement_.settings.metric;
+    const Method method = placement_.settings.method;
     return fill(
                "Team #: how much would each candidate add? Its score is #. ",
                {counted_from_1(scores.team),
-                metric == Metric::area
+                method == Method::area
                     ? "the area of the triangles between H and its two ends, as far as they are in the object"
-                : metric == Metric::circle
+                : method == Method::circle
                     ? "the area of the circles inscribed in the triangles between H and its ends"
                     : "by how much it shortens the arms with which weight at the vertices would tip the object"}) +
            (scores.of_candidate[scores.ranking.front()].value > 0
@@ -370,7 +370,7 @@ class Caption {
   std::string team_without_candidates(std::uint32_t item) const {
     const Chord& chord = placement_.teams[item].chord;
     const Piece name = counted_from_1(item);
-    if (placement_.settings.metric == Metric::random)
+    if (placement_.settings.method == Method::random)
       return fill(
           "Team #: one robot at a random point of the boundary, the other straight across C: # and #, load ratio #.",
           {name, point_text(trace_, chord.r1.position), point_text(trace_, chord.r2.position),
@@ -425,7 +425,7 @@ class Caption {
   }
 
   std::string coverage_text() const {
-    if (placement_.hull.size() < 3)
+    if (placement_.lifting_base.size() < 3)
       return "All robots stand on one line, so H has no area: a push beside the line tips the object.";
     return fill("H covers # of the object. Whoever pushes down there cannot tip it.",
                 {percent(placement_.coverage)});

@@ -67,7 +67,7 @@ std::string loads_in_words(const Placement& placement) {
 }
 
 std::string shortage_in_words(const Placement& placement) {
-  const bool by_ratio = selects_candidates(placement.settings.metric);
+  const bool by_ratio = selects_candidates(placement.settings.method);
   const std::size_t teams = placement.teams.size();
   if (teams == 0)
     return by_ratio
@@ -81,7 +81,7 @@ std::string shortage_in_words(const Placement& placement) {
 
 std::string coverage_in_words(const Placement& placement) {
   if (placement.teams.empty()) return {};
-  if (placement.hull.size() < 3) return "They stand on one line, so the object can tip.";
+  if (placement.lifting_base.size() < 3) return "They stand on one line, so the object can tip.";
   if (placement.coverage >= 1 - tau) return "All of the object is safe to push on.";
   std::string share = percentage(placement.coverage);
   for (const auto& [sign, words] : {std::pair("<", "Less than"), {">", "More than"}})

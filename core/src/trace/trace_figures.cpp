@@ -7,7 +7,7 @@
 namespace evenlift {
 namespace {
 
-constexpr std::string_view mark_names[] = {
+constexpr std::string_view kind_names[] = {
     "object",     "triangle",      "centroid",    "centre",
     "vertex",     "radial_edge",   "ray",         "chord",
     "edge",       "section",       "reflected",   "section_end",
@@ -21,7 +21,7 @@ class Scene {
  public:
   Scene(const Trace& trace, const StepDetail& detail) : trace_(trace), detail_(detail) {}
 
-  std::vector<Object> make() && {
+  std::vector<Figure> make() && {
     const std::uint32_t item = detail_.step.item;
     switch (detail_.step.kind) {
       case StepKind::polygon:
@@ -34,7 +34,8 @@ class Scene {
         centroid();
         break;
       case StepKind::radial:
-        for (const std::uint32_t edge : trace_.radial_edges) whole_edge(Mark::radial_edge, edge);
+        for (const std::uint32_t edge : trace_.radial_edges)
+          whole_edge(FigureKind::radial_edge, edge);
         break;
       case StepKind::ray:
         ray(item);
@@ -54,21 +55,21 @@ class Scene {
         candidates(no_index);
         break;
       case StepKind::scores:
-        base(Mark::base_before, detail_.base_before);
+        base(FigureKind::base_before, detail_.base_before);
         candidates(item);
         break;
       case StepKind::team:
-        base(Mark::base_before, detail_.base_before);
+        base(FigureKind::base_before, detail_.base_before);
         if (detail_.scores && item > 0) {
           const auto winner = static_cast<std::uint32_t>(trace_.placement.team_candidates[item]);
-          for (Object& o : gain_objects(trace_, *detail_.scores, winner))
-            out_.push_back(std::move(o));
+          for (Figure& f : gain_figures(trace_, *detail_.scores, winner))
+            out_.push_back(std::move(f));
         }
         team(item, false);
         break;
       case StepKind::base:
-        base(Mark::base_before, detail_.base_before);
-        base(Mark::base, detail_.base);
+        base(FigureKind::base_before, detail_.base_before);
+        base(FigureKind::base, detail_.base);
         team(item, false);
         break;
       case StepKind::share:
@@ -79,7 +80,7 @@ class Scene {
         break;
       case StepKind::coverage:
         object();
-        base(Mark::base, trace_.placement.hull);
+        base(FigureKind::base, trace_.placement.lifting_base);
         break;
       case StepKind::contacts:
       case StepKind::cut:
@@ -96,7 +97,7 @@ class Scene {
         break;
       case StepKind::result:
         object();
-        base(Mark::base, trace_.placement.hull);
+        base(FigureKind::base, trace_.placement.lifting_base);
         final_regions();
         teams();
         break;
@@ -104,67 +105,68 @@ class Scene {
       case StepKind::fewer:
         break;
     }
-    add(Mark::centre, {trace_.centre});
+    add(FigureKind::centre, {trace_.centre});
     return std::move(out_);
   }
 
  private:
-  void add(Mark mark, Points points, std::uint32_t item = no_index, double value = 0) {
-    if (!points.empty()) out_.push_back({mark, std::move(points), item, value});
+  void add(FigureKind kind, Points points, std::uint32_t item = no_index, double value = 0) {
+    if (!points.empty()) out_.push_back({kind, std::move(points), item, value});
   }
-  void chord(Mark mark, const Chord& chord, std::uint32_t item, double value) {
-    add(mark, {chord.r1.position, chord.r2.position}, item, value);
+  void chord(FigureKind kind, const Chord& chord, std::uint32_t item, double value) {
+    add(kind, {chord.r1.position, chord.r2.position}, item, value);
   }
 
-  void object() { add(Mark::object, trace_.polygon.vertices()); }
-  void centroid() { add(Mark::centroid, {trace_.polygon.centroid()}); }
+  void object() { add(FigureKind::object, trace_.polygon.vertices()); }
+  void centroid() { add(FigureKind::centroid, {trace_.polygon.centroid()}); }
 
   // A fan from vertex 1; those that fold back are subtracted.
   void triangles() {
     const Points& v = trace_.polygon.vertices();
     const double whole = (trace_.polygon.counter_clockwise() ? 2 : -2) * trace_.polygon.area();
     for (std::size_t i = 1; i + 1 < v.size(); ++i)
-      add(Mark::triangle, {v[0], v[i], v[i + 1]}, static_cast<std::uint32_t>(i),
+      add(FigureKind::triangle, {v[0], v[i], v[i + 1]}, static_cast<std::uint32_t>(i),
           cross(v[i] - v[0], v[i + 1] - v[0]) / whole);
     centroid();
   }
 
-  void whole_edge(Mark mark, std::uint32_t edge) {
-    add(mark, {trace_.polygon.edge_start(edge), trace_.polygon.edge_end(edge)}, edge);
+  void whole_edge(FigureKind kind, std::uint32_t edge) {
+    add(kind, {trace_.polygon.edge_start(edge), trace_.polygon.edge_end(edge)}, edge);
   }
 
   void vertex_chord(std::uint32_t index) {
     const Chord& c = trace_.rays.chords[index].chord;
-    chord(Mark::chord, c, index, c.ratio);
+    chord(FigureKind::chord, c, index, c.ratio);
   }
 
   void ray(std::uint32_t index) {
     const std::uint32_t vertex = trace_.rays.vertices[index];
     const Vec2 &from = trace_.polygon.vertex(vertex), away = trace_.centre - from;
-    add(Mark::ray, {from, trace_.centre + trace_.polygon.diagonal() / length(away) * away}, vertex);
+    add(FigureKind::ray, {from, trace_.centre + trace_.polygon.diagonal() / length(away) * away},
+        vertex);
     for (std::uint32_t i = trace_.rays.begins[index]; i < trace_.rays.begins[index + 1]; ++i)
       vertex_chord(i);
-    add(Mark::vertex, {from}, vertex);
+    add(FigureKind::vertex, {from}, vertex);
   }
 
   void pair(const PairDetail& pair, bool decided) {
-    whole_edge(Mark::edge, pair.pair.a);
-    whole_edge(Mark::edge, pair.pair.b);
-    add(Mark::section, {pair.a[0], pair.a[1]}, pair.pair.a);
-    add(Mark::section, {pair.b[0], pair.b[1]}, pair.pair.b);
-    if (decided) add(Mark::reflected, {pair.reflected[0], pair.reflected[1]}, pair.pair.b);
+    whole_edge(FigureKind::edge, pair.pair.a);
+    whole_edge(FigureKind::edge, pair.pair.b);
+    add(FigureKind::section, {pair.a[0], pair.a[1]}, pair.pair.a);
+    add(FigureKind::section, {pair.b[0], pair.b[1]}, pair.pair.b);
+    if (decided) add(FigureKind::reflected, {pair.reflected[0], pair.reflected[1]}, pair.pair.b);
     for (std::uint32_t end = 0; end < 2; ++end)
-      chord(Mark::section_end, pair.ends[end], end, pair.ends[end].ratio);
+      chord(FigureKind::section_end, pair.ends[end], end, pair.ends[end].ratio);
     if (!decided) return;
     if (pair.meeting)
-      add(Mark::bisecting, {*pair.meeting, 2 * trace_.centre - *pair.meeting}, no_index, 1);
-    chord(Mark::chosen, pair.chosen, pair.candidate, pair.chosen.ratio);
+      add(FigureKind::bisecting, {*pair.meeting, 2 * trace_.centre - *pair.meeting}, no_index, 1);
+    chord(FigureKind::chosen, pair.chosen, pair.candidate, pair.chosen.ratio);
   }
 
   void opposite(const OppositeDetail& opposite) {
-    chord(Mark::chosen, opposite.chord, opposite.candidate, opposite.chord.ratio);
+    chord(FigureKind::chosen, opposite.chord, opposite.candidate, opposite.chord.ratio);
     for (const std::uint32_t vertex : {opposite.vertices.v, opposite.vertices.w})
-      add(Mark::vertex, {trace_.polygon.vertex(vertex)}, vertex);
+      add(FigureKind::vertex, {trace_.polygon.vertex(vertex)}, vertex);
   }
 
   // All of them with their ratios, or those left for a team with their scores.
@@ -172,28 +174,28 @@ class Scene {
     const std::vector<Candidate>& all = trace_.placement.candidates;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
       if (for_team == no_index) {
-        chord(Mark::candidate, all[i].chord, i, all[i].chord.ratio);
+        chord(FigureKind::candidate, all[i].chord, i, all[i].chord.ratio);
       } else if (const Score& score = detail_.scores->of_candidate[i]; !score.taken) {
-        chord(Mark::candidate, all[i].chord, i, score.value);
+        chord(FigureKind::candidate, all[i].chord, i, score.value);
       }
     }
   }
 
-  void base(Mark mark, const Points& corners) { add(mark, corners); }
+  void base(FigureKind kind, const Points& corners) { add(kind, corners); }
 
   void team(std::uint32_t index, bool loaded) {
     const Team& team = trace_.placement.teams[index];
-    chord(Mark::team, team.chord, index, team.chord.ratio);
-    add(Mark::robot, {team.chord.r1.position}, 2 * index, loaded ? team.loads[0] : 0);
-    add(Mark::robot, {team.chord.r2.position}, 2 * index + 1, loaded ? team.loads[1] : 0);
+    chord(FigureKind::team, team.chord, index, team.chord.ratio);
+    add(FigureKind::robot, {team.chord.r1.position}, 2 * index, loaded ? team.loads[0] : 0);
+    add(FigureKind::robot, {team.chord.r2.position}, 2 * index + 1, loaded ? team.loads[1] : 0);
   }
   void teams() {
     for (std::uint32_t i = 0; i < trace_.placement.teams.size(); ++i) team(i, true);
   }
 
   void regions(const FreeRegion& clockwise, const FreeRegion& counterclockwise) {
-    add(Mark::clockwise, clockwise.clipped);
-    add(Mark::counterclockwise, counterclockwise.clipped);
+    add(FigureKind::clockwise, clockwise.clipped);
+    add(FigureKind::counterclockwise, counterclockwise.clipped);
   }
   void final_regions() {
     regions(trace_.placement.closure.clockwise, trace_.placement.closure.counterclockwise);
@@ -206,32 +208,32 @@ class Scene {
     for (std::uint32_t i = 0; i < trace_.contacts.size() && !(cut && i > last); ++i) {
       const Contact& contact = trace_.contacts[i];
       if (cut && i == last) {
-        whole_edge(Mark::edge, contact.edge);
+        whole_edge(FigureKind::edge, contact.edge);
         const Vec2 reach =
             100 * trace_.polygon.diagonal() * inward_normal(trace_.polygon, contact.edge);
-        add(Mark::normal, {contact.position - reach, contact.position + reach}, i);
+        add(FigureKind::normal, {contact.position - reach, contact.position + reach}, i);
       }
-      add(Mark::contact, {contact.position}, i);
+      add(FigureKind::contact, {contact.position}, i);
     }
   }
 
   void slide() {
     contacts();
     if (const auto& way = trace_.placement.closure.translation)
-      add(Mark::translation,
+      add(FigureKind::translation,
           {trace_.centre, trace_.centre + 0.25 * trace_.polygon.diagonal() * *way});
   }
 
   const Trace& trace_;
   const StepDetail& detail_;
-  std::vector<Object> out_;
+  std::vector<Figure> out_;
 };
 
 }  // namespace
 
-std::string_view name(Mark mark) { return mark_names[static_cast<std::size_t>(mark)]; }
+std::string_view name(FigureKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
-std::vector<Object> objects(const Trace& trace, const StepDetail& detail) {
+std::vector<Figure> figures(const Trace& trace, const StepDetail& detail) {
   return Scene(trace, detail).make();
 }
 
