@@ -630,7 +630,7 @@ TEST_CASE("a lesson is traced once when it is opened, and its steps compute noth
     const Count count;
     const std::string text = "title: One stop\npolygon: l\nteams: 2\n\n[team 2]\nDone.\n";
     CHECK_FALSE(open_script(state, text, l_shape));
-    CHECK(words_of_stop(state) == "Progress.");
+    CHECK(words_of_stop(state) == "Done.");
     CHECK(count.placements() == 1);
     CHECK(count.traces() == 1);
   }

@@ -10,17 +10,6 @@
 namespace evenlift {
 namespace {
 
-constexpr std::string_view chapter_names[] = {"object",        "vertex_chords", "slopes",
-                                              "pairs",         "candidates",    "first_team",
-                                              "further_teams", "loads",         "grasp"};
-constexpr std::string_view kind_names[] = {
-    "polygon", "centroid", "centre",       "radial",     "ray",        "slopes",   "sections",
-    "outcome", "opposite", "duplicates",   "candidates", "directions", "scores",   "team",
-    "base",    "fewer",    "share",        "loads",      "coverage",   "contacts", "cut",
-    "slide",   "closure",  "second_order", "result"};
-static_assert(std::size(chapter_names) == chapter_count &&
-              std::size(kind_names) == step_kind_count);
-
 // The rays in the order of the sweep that finds the chords. It lists a chord between two vertices
 // at the forward one; at the backward one it is named again.
 Trace::Rays make_rays(const Polygon& polygon, const Vec2& centre,
@@ -159,16 +148,6 @@ std::optional<InputError> collect(Trace& trace) {
 
 }  // namespace
 
-std::string_view name(Chapter chapter) { return chapter_names[static_cast<std::size_t>(chapter)]; }
-
-std::string_view name(StepKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
-
-std::optional<StepKind> step_kind_from_name(std::string_view text) {
-  for (std::size_t i = 0; i < step_kind_count; ++i)
-    if (kind_names[i] == text) return static_cast<StepKind>(i);
-  return std::nullopt;
-}
-
 Result<Trace> make_trace(const Placement& placement) {
   Result<Polygon> polygon = Polygon::create(placement.vertices);
   if (!polygon) return polygon.error();
@@ -278,6 +257,24 @@ Points lifting_base(const Trace& trace, std::uint32_t teams) {
     points.push_back(chord.r2.position);
   }
   return convex_hull(std::move(points), near_distance(trace.polygon.diagonal()));
+}
+
+// The sweep turns from the direction of the x axis to the left; slopes run from the vertical, which
+// is last, to it. So the order is that of the sweep, begun after the vertical.
+std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
+  std::vector<std::uint32_t> falling, others;
+  for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i) {
+    const std::uint32_t vertex = trace.rays.vertices[i];
+    const Vec2 u = trace.polygon.vertex(vertex) - trace.centre;
+    const bool falls = u.x() * u.y() < 0 && !is_vertical(u);
+    for (std::uint32_t c = trace.rays.begins[i]; c < trace.rays.begins[i + 1]; ++c) {
+      // Listed at an earlier ray already?
+      const VertexChord& chord = trace.rays.chords[c];
+      if (chord.vertex == vertex) (falls ? falling : others).push_back(c);
+    }
+  }
+  falling.insert(falling.end(), others.begin(), others.end());
+  return falling;
 }
 
 }  // namespace evenlift

@@ -1,142 +1,123 @@
-// The algorithm in our own words, and which line of it a step carries out.
+// The algorithm in our own words, a statement a line.
+#include "output/words/pseudo_code.h"
+
+#include <algorithm>
+#include <span>
+
 #include "evenlift/output/trace_words.h"
+#include "output/words/step_words.h"
 
 namespace evenlift {
 namespace {
 
-constexpr std::string_view head = "C := the centre of mass given, or else the centroid of P";
-constexpr std::string_view candidate_lines[] = {
-    "for each vertex v, in the order in which C sees them",
-    "  for each boundary point r straight across C: note the chord v r",
-    "sort the chords by slope",
-    "for each pair of edges a, b that face each other across C",
-    "  a', b' := the parts that do; they end at two of the chords",
-    "  if a' and b' are parallel: chord := the one between their middles",
-    "  else if C bisects a chord between a' and b': chord := that one",
-    "  else: chord := the one at the end with the larger load ratio",
-    "  if its load ratio ≥ the minimum: it is a candidate",
-    "likewise the chord between each two vertices opposite each other across C",
-    "merge candidates that are the same chord",
-    "keep the candidates in order of slope",
-    "first team := the longest even candidate, else the most even one",
-    "H := the segment between its robots",
-    "for each further team, while candidates are left",
-    "  for each candidate r1 r2: score := gain(r1) + gain(r2)",
-    "  team := the candidate with the largest score",
-    "  H := the convex hull of H and its robots"};
-constexpr std::string_view distributed_lines[] = {
-    "V := the directions whose line through C meets the boundary on both sides",
-    "for each team k = 1 … t",
-    "  direction := at (k − 1/2)/t of V; robots at the farthest boundary points",
-    "  H := the convex hull of H and its robots"};
-constexpr std::string_view random_lines[] = {
-    "for each team", "  r1 := a random point of the boundary",
-    "  r2 := one of the boundary points straight across C; if none, draw again",
-    "  H := the convex hull of H and its robots"};
-constexpr std::string_view tail[] = {
-    "for each team: a robot bears W/t × the other's arm / the chord",
-    "coverage := area of P in H / area of P",
-    "for each contact: cut the free rotation centres by its normal line",
-    "slide := is some direction against no contact?",
-    "form closure := no rotation centre is left, and no slide",
-    "second order := does the curvature stop every motion that is left?"};
+struct Line {
+  Statement statement;
+  std::string_view text;
+};
 
-// Lines counted from the first after the head.
-std::uint32_t line_by_candidates(const StepDetail& detail) {
-  switch (detail.step.kind) {
-    case StepKind::radial:
-      return 0;
-    case StepKind::ray:
-      return 1;
-    case StepKind::slopes:
-      return 2;
-    case StepKind::sections:
-      return 4;
-    case StepKind::outcome:
-      switch (detail.pair->outcome) {
-        case Outcome::bisecting:
-          return 6;
-        case Outcome::nearer_end:
-          return 7;
-        case Outcome::midpoint:
-          return 5;
-        default:
-          return 8;
-      }
-    case StepKind::opposite:
-      return 9;
-    case StepKind::duplicates:
-      return 10;
-    case StepKind::candidates:
-      return 11;
-    case StepKind::scores:
-      return detail.step.item == 0 ? 12 : 15;
-    case StepKind::team:
-      return detail.step.item == 0 ? 12 : 16;
-    case StepKind::base:
-      return detail.step.item == 0 ? 13 : 17;
-    default:
-      return 14;  // fewer
-  }
-}
+constexpr Line head[] = {
+    {Statement::centre, "C := the centre of mass given, or else the centroid of P"}};
+constexpr Line by_candidates[] = {
+    {Statement::each_vertex, "for each vertex v, in the order in which C sees them"},
+    {Statement::each_hit, "  for each boundary point r straight across C: note the chord v r"},
+    {Statement::sort_chords, "sort the chords by slope"},
+    {Statement::each_pair, "for each pair of edges a, b that face each other across C"},
+    {Statement::sections, "  a', b' := the parts that do; they end at two of the chords"},
+    {Statement::parallel, "  if a' and b' are parallel: chord := the one between their middles"},
+    {Statement::bisecting, "  else if C bisects a chord between a' and b': chord := that one"},
+    {Statement::nearer_end, "  else: chord := the one at the end with the larger load ratio"},
+    {Statement::accept, "  if its load ratio ≥ the minimum: it is a candidate"},
+    {Statement::opposite,
+     "likewise the chord between each two vertices opposite each other across C"},
+    {Statement::merge, "merge candidates that are the same chord"},
+    {Statement::order, "keep the candidates in order of slope"},
+    {Statement::first_team, "first team := the longest even candidate, else the most even one"},
+    {Statement::first_base, "H := the segment between its robots"},
+    {Statement::each_team, "for each further team, while candidates are left"},
+    {Statement::scores, "  for each candidate r1 r2: score := gain(r1) + gain(r2)"},
+    {Statement::next_team, "  team := the candidate with the largest score"},
+    {Statement::wider_base, "  H := the convex hull of H and its robots"}};
+constexpr Line by_angle[] = {
+    {Statement::open_directions,
+     "V := the directions whose line through C meets the boundary on both sides"},
+    {Statement::each_team, "for each team k = 1 … t"},
+    {Statement::direction,
+     "  direction := at (k − 1/2)/t of V; robots at the farthest boundary points"},
+    {Statement::wider_base, "  H := the convex hull of H and its robots"}};
+constexpr Line by_chance[] = {
+    {Statement::each_team, "for each team"},
+    {Statement::first_robot, "  r1 := a random point of the boundary"},
+    {Statement::second_robot,
+     "  r2 := one of the boundary points straight across C; if none, draw again"},
+    {Statement::wider_base, "  H := the convex hull of H and its robots"}};
+constexpr Line tail[] = {
+    {Statement::loads, "for each team: a robot bears W/t × the other's arm / the chord"},
+    {Statement::coverage, "coverage := area of P in H / area of P"},
+    {Statement::cut, "for each contact: cut the free rotation centres by its normal line"},
+    {Statement::slide, "slide := is some direction against no contact?"},
+    {Statement::form_closure, "form closure := no rotation centre is left, and no slide"},
+    {Statement::second_order,
+     "second order := does the curvature stop every motion that is left?"}};
 
-std::uint32_t line_of_other(Method method, StepKind kind) {
-  const bool distributed = method == Method::distributed;
-  switch (kind) {
-    case StepKind::directions:
-      return 0;
-    case StepKind::team:
-      return distributed ? 2 : 1;
-    case StepKind::base:
-      return 3;
-    default:
-      return distributed ? 1 : 0;  // fewer
-  }
-}
-
-// Of the tail.
-std::uint32_t line_of_tail(StepKind kind) {
-  switch (kind) {
-    case StepKind::share:
-    case StepKind::loads:
-      return 0;
-    case StepKind::coverage:
-      return 1;
-    case StepKind::contacts:
-    case StepKind::cut:
-      return 2;
-    case StepKind::slide:
-      return 3;
-    case StepKind::second_order:
-      return 5;
-    default:
-      return 4;
-  }
-}
-
-std::vector<std::string_view> middle(Method method) {
-  if (method == Method::distributed)
-    return {std::begin(distributed_lines), std::end(distributed_lines)};
-  if (method == Method::random) return {std::begin(random_lines), std::end(random_lines)};
-  return {std::begin(candidate_lines), std::end(candidate_lines)};
-}
-
-}  // namespace
-
-std::vector<std::string_view> pseudo_code(Method method) {
-  std::vector<std::string_view> lines = middle(method);
-  lines.insert(lines.begin(), head);
+std::vector<Line> program(Method method) {
+  std::span<const Line> selection = by_candidates;
+  if (method == Method::distributed) selection = by_angle;
+  if (method == Method::random) selection = by_chance;
+  std::vector<Line> lines(std::begin(head), std::end(head));
+  lines.insert(lines.end(), selection.begin(), selection.end());
   lines.insert(lines.end(), std::begin(tail), std::end(tail));
   return lines;
 }
 
+}  // namespace
+
+Statement statement_of_outcome(const Trace&, const StepDetail& detail) {
+  switch (detail.pair->outcome) {
+    case Outcome::bisecting:
+      return Statement::bisecting;
+    case Outcome::nearer_end:
+      return Statement::nearer_end;
+    case Outcome::midpoint:
+      return Statement::parallel;
+    case Outcome::too_uneven:
+    case Outcome::parallel_low:
+      break;
+  }
+  return Statement::accept;
+}
+
+Statement statement_of_scores(const Trace&, const StepDetail& detail) {
+  return detail.step.item == 0 ? Statement::first_team : Statement::scores;
+}
+
+Statement statement_of_team(const Trace& trace, const StepDetail& detail) {
+  switch (trace.placement.settings.method) {
+    case Method::distributed:
+      return Statement::direction;
+    case Method::random:
+      return Statement::first_robot;
+    default:
+      return detail.step.item == 0 ? Statement::first_team : Statement::next_team;
+  }
+}
+
+Statement statement_of_base(const Trace& trace, const StepDetail& detail) {
+  return trace.by_candidates() && detail.step.item == 0 ? Statement::first_base
+                                                        : Statement::wider_base;
+}
+
+std::vector<std::string_view> pseudo_code(Method method) {
+  std::vector<std::string_view> texts;
+  for (const Line& line : program(method)) texts.push_back(line.text);
+  return texts;
+}
+
 std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail) {
-  const Method method = trace.placement.settings.method;
-  if (detail.step.chapter == Chapter::object) return 0;
-  if (detail.step.chapter >= Chapter::loads)
-    return 1 + static_cast<std::uint32_t>(middle(method).size()) + line_of_tail(detail.step.kind);
-  return 1 + (trace.by_candidates() ? line_by_candidates(detail)
-                                    : line_of_other(method, detail.step.kind));
+  const Statement statement = statement_of(trace, detail);
+  const std::vector<Line> lines = program(trace.placement.settings.method);
+  const auto line = std::find_if(lines.begin(), lines.end(),
+                                 [&](const Line& l) { return l.statement == statement; });
+  return static_cast<std::uint32_t>(line - lines.begin());
 }
 
 }  // namespace evenlift

@@ -1,0 +1,52 @@
+// The statements of the algorithm, by name: a step says which one it carries out.
+#pragma once
+
+#include <cstdint>
+
+#include "evenlift/trace.h"
+
+namespace evenlift {
+
+enum class Statement : std::uint8_t {
+  centre,
+  // area, circle and distance
+  each_vertex,
+  each_hit,
+  sort_chords,
+  each_pair,
+  sections,
+  parallel,
+  bisecting,
+  nearer_end,
+  accept,
+  opposite,
+  merge,
+  order,
+  first_team,
+  first_base,
+  each_team,  // distributed and random, too
+  scores,
+  next_team,
+  wider_base,  // all
+  // distributed
+  open_directions,
+  direction,
+  // random
+  first_robot,
+  second_robot,
+  // all
+  loads,
+  coverage,
+  cut,
+  slide,
+  form_closure,
+  second_order,
+};
+
+// Which statement a step of one kind carries out.
+Statement statement_of_outcome(const Trace& trace, const StepDetail& detail);
+Statement statement_of_scores(const Trace& trace, const StepDetail& detail);
+Statement statement_of_team(const Trace& trace, const StepDetail& detail);
+Statement statement_of_base(const Trace& trace, const StepDetail& detail);
+
+}  // namespace evenlift

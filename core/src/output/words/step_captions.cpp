@@ -1,0 +1,428 @@
+// A sentence or three for each step.
+#include "output/words/step_captions.h"
+
+#include <algorithm>
+
+#include "evenlift/angles.h"
+#include "evenlift/output/words.h"
+#include "evenlift/selection.h"
+#include "evenlift/stability.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+
+Piece StepCaptions::load(double value) const { return kilograms_text(trace_, value); }
+
+Piece StepCaptions::ratio(double value) const {
+  return ratio_text(value, placement_.settings.min_ratio);
+}
+
+Piece StepCaptions::least() const { return exact(placement_.settings.min_ratio); }
+
+std::string StepCaptions::polygon() const {
+  std::size_t reflex = 0;
+  const std::size_t n = trace_.polygon.size();
+  for (std::size_t i = 0; i < n; ++i) reflex += trace_.polygon.turn(i) == Turn::reflex;
+  const double size = trace_.polygon.diagonal();
+  return fill("The object: a polygon with # and an area of #. ",
+              {counted(n, "vertex"), number(trace_.polygon.area(), 0.1 * size * size)}) +
+         (reflex == 0 ? "It is convex."
+                      : fill("It is not convex: # of its corners point#inwards.",
+                             {whole(reflex), reflex == 1 ? "s " : " "}));
+}
+
+std::string StepCaptions::centroid() const {
+  return fill(
+      "Where the area balances: cut the polygon into triangles that share vertex 1 and take the mean of their middles, each weighted by its area; what folds back counts negative. The centroid is #.",
+      {point_text(trace_, trace_.polygon.centroid())});
+}
+
+std::string StepCaptions::centre() const {
+  const double moved = length(trace_.centre - trace_.polygon.centroid());
+  std::string text =
+      moved == 0
+          ? fill("The centre of mass C is the centroid, #.", {point_text(trace_, trace_.centre)})
+          : fill(
+                "The centre of mass C is at #, # away from the centroid: the object is heavier on that side.",
+                {point_text(trace_, trace_.centre), length_text(trace_, moved)});
+  if (centre_is_outside(trace_)) text += " It lies outside of the polygon.";
+  return text +
+         " Two robots hold the object without tipping only if C is between them: a team stands at the two ends of a chord through C.";
+}
+
+std::string StepCaptions::radial() const {
+  std::string list;
+  const std::size_t shown = std::min<std::size_t>(trace_.radial_edges.size(), 6);
+  for (std::size_t i = 0; i < shown; ++i)
+    list += fill(i == 0 ? "#" : ", #", {counted_from_1(trace_.radial_edges[i])});
+  if (shown < trace_.radial_edges.size()) list += ", …";
+  return trace_.radial_edges.size() == 1
+             ? fill(
+                   "The line of edge # passes through C. Rays from C meet it at its ends only: it faces no other edge.",
+                   {list})
+             : fill(
+                   "The lines of edges # pass through C. Rays from C meet them at their ends only: they face no other edge.",
+                   {list});
+}
+
+std::string StepCaptions::ray() const {
+  const std::uint32_t vertex = trace_.rays.vertices[item_];
+  const std::uint32_t begin = trace_.rays.begins[item_], end = trace_.rays.begins[item_ + 1];
+  std::string text = fill("From vertex # through C. ", {counted_from_1(vertex)});
+  if (begin == end) return text + "Across C the ray meets no boundary: this vertex has no chord.";
+  if (end == begin + 1) {
+    const VertexChord& chord = trace_.rays.chords[begin];
+    const std::uint32_t other = chord.vertex == vertex ? chord.hit_vertex : chord.vertex;
+    text += other == inside_edge ? fill("Across C the ray meets the boundary at #",
+                                        {point_text(trace_, far_end(chord.chord, vertex))})
+                                 : fill("Across C the ray meets vertex #", {counted_from_1(other)});
+    text += chord.vertex == vertex ? ": a chord with a load ratio of #."
+                                   : ", from where this chord was found already: load ratio #.";
+    return fill(text, {ratio(chord.chord.ratio)});
+  }
+  constexpr std::uint32_t most = 5;
+  std::string ratios;
+  for (std::uint32_t i = begin; i < end && i < begin + most; ++i)
+    ratios += fill(i == begin ? "#" : ", #", {ratio(trace_.rays.chords[i].chord.ratio)});
+  if (end - begin > most) ratios += ", …";
+  return text +
+         fill(
+             "Across C the ray meets the boundary # times, and each hit makes a chord: load ratios #.",
+             {whole(end - begin), ratios});
+}
+
+Vec2 StepCaptions::far_end(const Chord& chord, std::uint32_t vertex) const {
+  return chord.r1.position == trace_.polygon.vertex(vertex) ? chord.r2.position : chord.r1.position;
+}
+
+std::string StepCaptions::slopes() const {
+  const std::vector<std::uint32_t> order = chords_by_slope(trace_);
+  if (order.empty()) return "No vertex has a chord: there is nothing to sort.";
+  const auto angle = [&](std::uint32_t chord) {
+    const Chord& c = trace_.rays.chords[chord].chord;
+    return with_decimals(slope_degrees(c.r2.position - c.r1.position), 1);
+  };
+  return fill("The # in order of slope, from #° to #°. ",
+              {counted(order.size(), "chord"), angle(order.front()), angle(order.back())}) +
+         "Between two neighbours no edge begins or ends: the same edges face each other there.";
+}
+
+std::string StepCaptions::edges() const {
+  return fill("edges # and #",
+              {counted_from_1(detail_.pair->pair.a), counted_from_1(detail_.pair->pair.b)});
+}
+
+std::string StepCaptions::sections() const {
+  return fill(
+      "Pair # of #: # face each other across C. The parts that do, the sections, end at two chords with load ratios # and #.",
+      {counted_from_1(item_), whole(trace_.pairs.size()), edges(),
+       ratio(detail_.pair->ends[0].ratio), ratio(detail_.pair->ends[1].ratio)});
+}
+
+std::string StepCaptions::outcome() const {
+  const PairDetail& pair = *detail_.pair;
+  const Piece a = counted_from_1(pair.pair.a);
+  const Piece b = counted_from_1(pair.pair.b);
+  const Piece chosen = ratio(pair.chosen.ratio);
+  const std::string off = fill(
+      "Reflected through C, edge # meets the line of edge # outside of the sections: none of their chords is even. ",
+      {b, a});
+  std::string text;
+  switch (pair.outcome) {
+    case Outcome::bisecting:
+      text = fill(
+          "Reflected through C, edge # meets edge # within the sections: C bisects the chord there. Equal arms, load ratio 1: a candidate.",
+          {b, a});
+      break;
+    case Outcome::nearer_end:
+      text =
+          off + fill("The end nearer to even has #, at least #: a candidate.", {chosen, least()});
+      break;
+    case Outcome::too_uneven:
+      text = off + fill("The end nearer to even has only #, less than #: no candidate here.",
+                        {chosen, least()});
+      break;
+    case Outcome::midpoint:
+      text = fill(
+          "Edges # and # are parallel: all their chords have the load ratio #, at least #. The one between the middles of the sections is the candidate.",
+          {a, b, chosen, least()});
+      break;
+    case Outcome::parallel_low:
+      text = fill(
+          "Edges # and # are parallel: all their chords have the load ratio #, less than #: no candidate here.",
+          {a, b, chosen, least()});
+      break;
+  }
+  if (pair.candidate == no_index || pair.stands) return text;
+  return text + same_chord(pair.candidate);
+}
+
+// Where the chord that stands for a candidate comes from.
+std::string StepCaptions::same_chord(std::uint32_t candidate) const {
+  const std::uint32_t source = trace_.source_of_candidate[candidate];
+  if (source < trace_.pairs.size())
+    return fill(" Pair # has the same chord.", {counted_from_1(source)});
+  const OppositeVertices& two = trace_.opposite[source - trace_.pairs.size()];
+  return fill(" The opposite vertices # and # have the same chord, and theirs stands.",
+              {counted_from_1(two.v), counted_from_1(two.w)});
+}
+
+std::string StepCaptions::opposite() const {
+  const OppositeDetail& opposite = *detail_.opposite;
+  std::string text = fill(
+      "Vertices # and # are opposite each other: the line between them passes through C. Whether the edges that meet there also face each other is a matter of rounding, so the chord between the two vertices counts by itself. ",
+      {counted_from_1(opposite.vertices.v), counted_from_1(opposite.vertices.w)});
+  const Piece own = ratio(opposite.chord.ratio);
+  if (opposite.candidate == no_index)
+    return text + fill("Its load ratio is only #, less than #: no candidate.", {own, least()});
+  text += fill("Its load ratio is #, at least #: a candidate.", {own, least()});
+  return opposite.stands ? text : text + same_chord(opposite.candidate);
+}
+
+std::string StepCaptions::sources() const {
+  if (trace_.opposite.empty()) return written(counted(trace_.pairs.size(), "pair"));
+  return fill("# of edges and # of opposite vertices",
+              {counted(trace_.pairs.size(), "pair"), counted(trace_.opposite.size(), "pair")});
+}
+
+std::string StepCaptions::duplicates() const {
+  std::size_t found = 0;
+  for (const std::uint32_t candidate : trace_.candidate_of_source) found += candidate != no_index;
+  const std::size_t kept = placement_.candidates.size();
+  if (found == 0) return "No pair of edges or of opposite vertices has a candidate.";
+  if (found == kept)
+    return fill("No chord was found twice: # from #.", {counted(kept, "candidate"), sources()});
+  return fill(
+      "# of the # chords found # the same as another one, as at a vertex, where two pairs meet. Each counts once: # left.",
+      {whole(found - kept), whole(found), found - kept == 1 ? "is" : "are",
+       counted(kept, "candidate")});
+}
+
+std::string StepCaptions::candidates() const {
+  const std::vector<Candidate>& all = placement_.candidates;
+  if (all.empty())
+    return fill("There is no candidate: no chord through C has a load ratio of # or more.",
+                {least()});
+  std::size_t even = 0;
+  for (const Candidate& candidate : all) even += is_even(candidate.chord);
+  return fill("#, in order of slope. # perfectly even: a team there shares its load equally.",
+              {counted(all.size(), "candidate"),
+               even == 0            ? "None of them is"
+               : even == all.size() ? (even == 1 ? "It is" : "All of them are")
+               : even == 1          ? "One of them is"
+                                    : fill("# of them are", {whole(even)})});
+}
+
+std::string StepCaptions::directions() const {
+  return fill(
+      "Lines through C that meet the boundary on both sides of it: #° of 180°. The teams share these directions equally.",
+      {with_decimals(180 / pi * open_directions_rad(trace_.polygon, trace_.centre), 1)});
+}
+
+// "Candidate 6 has 571.7, candidate 5 520.6, candidate 2 394.9."
+std::string StepCaptions::ranking(const TeamScores& scores) const {
+  constexpr std::size_t most = 3;
+  std::string text;
+  const std::vector<std::uint32_t>& order = scores.ranking;
+  for (std::size_t i = 0; i < order.size() && i < most; ++i) {
+    const Score& score = scores.of_candidate[order[i]];
+    if (i > 0 && !score.eligible) break;
+    text += i == 0 ? "Candidate " : ", candidate ";
+    text += written(counted_from_1(order[i]));
+    text += i > 0                               ? " "
+            : scores.rule == Rule::longest_even ? " has a length of "
+            : scores.rule == Rule::most_even    ? " has a load ratio of "
+                                                : " has ";
+    if (!score.exact) text += "at most ";
+    text += written(score_text(trace_, scores.rule, score.value, neighbour(scores, i)));
+  }
+  return text + (order.size() > most ? ", and so on." : ".");
+}
+
+// The nearest value before the i-th of a ranking that differs from it; of the first, the next.
+double StepCaptions::neighbour(const TeamScores& scores, std::size_t i) {
+  const auto value = [&](std::size_t j) { return scores.of_candidate[scores.ranking[j]].value; };
+  for (std::size_t j = i; j-- > 0;)
+    if (!lengths_tie(value(j), value(i))) return value(j);
+  return i == 0 && scores.ranking.size() > 1 ? value(1) : value(i);
+}
+
+std::string StepCaptions::first_scores(const TeamScores& scores) const {
+  if (scores.rule == Rule::longest_even)
+    return "The first team takes the longest even candidate, for a wide base. " + ranking(scores);
+  return "No candidate is perfectly even, so the first team takes the one with the largest load ratio. " +
+         ranking(scores);
+}
+
+std::string StepCaptions::scores() const {
+  const TeamScores& scores = *detail_.scores;
+  if (item_ == 0) return first_scores(scores);
+  const Method method = placement_.settings.method;
+  return fill(
+             "Team #: how much would each candidate add? Its score is #. ",
+             {counted_from_1(scores.team),
+              method == Method::area
+                  ? "the area of the triangles between H and its two ends, as far as they are in the object"
+              : method == Method::circle
+                  ? "the area of the circles inscribed in the triangles between H and its ends"
+                  : "by how much it shortens the arms with which weight at the vertices would tip the object"}) +
+         (scores.of_candidate[scores.ranking.front()].value > 0
+              ? ranking(scores)
+              : "No candidate adds anything any more.");
+}
+
+std::string StepCaptions::team() const {
+  if (!detail_.scores) return team_without_candidates();
+  const TeamScores& scores = *detail_.scores;
+  const std::uint32_t winner = scores.ranking.front();
+  const std::string text =
+      fill("Team # takes candidate #", {counted_from_1(scores.team), counted_from_1(winner)});
+  if (scores.decided_by == DecidedBy::only_one) return text + ", the only one left.";
+  const std::uint32_t second = scores.ranking[1];
+  const Piece other = counted_from_1(second);
+  const double best = scores.of_candidate[winner].value, next = scores.of_candidate[second].value;
+  const Candidate &a = placement_.candidates[winner], &b = placement_.candidates[second];
+  switch (scores.decided_by) {
+    case DecidedBy::ratio:
+      return text + fill(": it ties with candidate # and is the more even, # to #.",
+                         {other, ratio_text(a.chord.ratio, b.chord.ratio),
+                          ratio_text(b.chord.ratio, a.chord.ratio)});
+    case DecidedBy::length:
+      return text + fill(": it ties with candidate # and is the longer, # to #.",
+                         {other, number_unlike(a.length, b.length, trace_.polygon.diagonal()),
+                          number_unlike(b.length, a.length, trace_.polygon.diagonal())});
+    case DecidedBy::order:
+      return text +
+             fill(": it ties with candidate # in everything and comes first in order of slope.",
+                  {other});
+    default:
+      break;
+  }
+  if (!scores.of_candidate[second].eligible) return text + ", the only even one.";
+  return text +
+         fill(scores.rule == Rule::longest_even ? ", ## longer than candidate #."
+                                                : ", ## ahead of candidate #.",
+              {scores.of_candidate[second].exact ? "" : "at least ",
+               scores.rule == Rule::most_even ? ratio_text(best - next, 0)
+                                              : score_text(trace_, scores.rule, best - next, 0),
+               other});
+}
+
+std::string StepCaptions::team_without_candidates() const {
+  const Chord& chord = placement_.teams[item_].chord;
+  const Piece name = counted_from_1(item_);
+  if (placement_.settings.method == Method::random)
+    return fill(
+        "Team #: one robot at a random point of the boundary, the other straight across C: # and #, load ratio #.",
+        {name, point_text(trace_, chord.r1.position), point_text(trace_, chord.r2.position),
+         ratio_text(chord.ratio)});
+  return fill(
+      "Team # of # takes the line at #°, its robots at the farthest boundary points: load ratio #.",
+      {name, whole(placement_.teams.size()),
+       with_decimals(slope_degrees(chord.r2.position - chord.r1.position), 1),
+       ratio_text(chord.ratio)});
+}
+
+std::string StepCaptions::base() const {
+  if (detail_.base == detail_.base_before)
+    return "The lifting base H, the convex hull of all robots, stays as it is.";
+  const Piece covers = percent(evenlift::coverage(trace_.polygon, detail_.base));
+  if (detail_.base_before.empty())
+    return "The lifting base H is what the robots span: so far the segment between the two.";
+  if (detail_.base.size() < 3)
+    return "The lifting base H is still a segment: all robots stand on one line.";
+  return fill(
+      "The lifting base H, the convex hull of all robots, grows to # and covers # of the object.",
+      {counted(detail_.base.size(), "corner"), covers});
+}
+
+std::string StepCaptions::fewer() const {
+  if (placement_.teams.empty()) return verdict(placement_);
+  return fill("Only # of the # teams asked for: # left.",
+              {whole(placement_.teams.size()), whole(placement_.requested_teams),
+               trace_.by_candidates() ? "no candidate is" : "no further place was"});
+}
+
+std::string StepCaptions::share() const {
+  const Team& team = placement_.teams[item_];
+  const Piece item = counted_from_1(item_);
+  const Piece all = load(placement_.settings.weight / static_cast<double>(placement_.teams.size()));
+  if (is_even(team.chord))
+    return fill("Team # carries #, its part of #. Equal arms, equal loads: # for each robot.",
+                {item, all, exact(placement_.settings.weight), load(team.loads[0])});
+  return fill(
+      "Team # carries #, its part of #. By the law of the lever the robot nearer to C bears more: # and #.",
+      {item, all, exact(placement_.settings.weight), load(std::max(team.loads[0], team.loads[1])),
+       load(std::min(team.loads[0], team.loads[1]))});
+}
+
+std::string StepCaptions::loads() const {
+  const LoadSummary& loads = *placement_.loads;
+  return loads_in_words(placement_) +
+         (written(load(loads.min)) == written(load(loads.max))
+              ? " All bear the same."
+              : fill(" The uneven arms make a difference of # at most between two robots.",
+                     {load(loads.spread)}));
+}
+
+std::string StepCaptions::coverage() const {
+  if (placement_.lifting_base.size() < 3)
+    return "All robots stand on one line, so H has no area: a push beside the line tips the object.";
+  return fill("H covers # of the object. Whoever pushes down there cannot tip it.",
+              {percent(placement_.coverage)});
+}
+
+std::string StepCaptions::contacts() const {
+  const std::size_t number = trace_.contacts.size();
+  return fill(
+      "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at an inward corner two, at an outward one none: # for #. Before the first, the object turns about any point, either way.",
+      {counted(number, "contact"), counted(2 * placement_.teams.size(), "robot")});
+}
+
+std::string StepCaptions::cut() const {
+  const Contact& contact = trace_.contacts[item_];
+  const RobotIndex robot = robot_of(contact);
+  std::string text = fill(
+      "Contact #, robot # of team # on edge #. It pushes along its normal line: the object can turn clockwise only about points to the right of it, counter-clockwise only to the left. ",
+      {counted_from_1(item_), counted_from_1(robot.end), counted_from_1(robot.team),
+       counted_from_1(contact.edge)});
+  return text + left("clockwise", detail_.clockwise, detail_.clockwise_before) + " " +
+         left("counter-clockwise", detail_.counterclockwise, detail_.counterclockwise_before);
+}
+
+std::string StepCaptions::left(const char* sense, const FreeRegion& region, bool before) {
+  if (!region.exists)
+    return fill(before ? "No point is left to turn # about." : "Turning # is out already.",
+                {sense});
+  if (region.has_area) return fill("A region is left to turn # about.", {sense});
+  return fill(region.clipped.size() == 1 ? "A single point is left to turn # about."
+                                         : "A line is left to turn # about.",
+              {sense});
+}
+
+std::string StepCaptions::slide() const {
+  if (const auto& way = placement_.closure.translation)
+    return fill("It can slide: the direction (#, #) leads against no contact.",
+                {with_decimals(way->x(), 3), with_decimals(way->y(), 3)});
+  return "It cannot slide: every direction leads against some contact.";
+}
+
+std::string StepCaptions::closure() const {
+  const Closure& closure = placement_.closure;
+  const Piece margin = margin_text(closure.margin.value_or(0));
+  if (closure.form_closure)
+    return fill("No centre to turn about, no way to slide: form closure, with a margin of #.",
+                {margin});
+  return fill("No form closure: the object can begin to #.", {free_motions_in_words(closure)}) +
+         (closure.margin ? fill(" The margin is #.", {margin}) : "");
+}
+
+std::string StepCaptions::second_order() const {
+  return placement_.closure.second_order
+             ? "Yet every motion that is left would run into a robot as it goes on: the curvature holds what the directions do not. It is immobile to second order."
+             : "Nor does the curvature of these motions stop them: to second order the object is not held either.";
+}
+
+std::string StepCaptions::result() const { return verdict(placement_); }
+
+}  // namespace evenlift

@@ -1,0 +1,64 @@
+// What each kind of step says.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "evenlift/trace.h"
+#include "output/words/trace_text.h"
+
+namespace evenlift {
+
+// Writes the caption of one step. The step's row in step_words.cpp names the function that does.
+class StepCaptions {
+ public:
+  StepCaptions(const Trace& trace, const StepDetail& detail)
+      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+
+  std::string polygon() const;
+  std::string centroid() const;
+  std::string centre() const;
+  std::string radial() const;
+  std::string ray() const;
+  std::string slopes() const;
+  std::string sections() const;
+  std::string outcome() const;
+  std::string opposite() const;
+  std::string duplicates() const;
+  std::string candidates() const;
+  std::string directions() const;
+  std::string scores() const;
+  std::string team() const;
+  std::string base() const;
+  std::string fewer() const;
+  std::string share() const;
+  std::string loads() const;
+  std::string coverage() const;
+  std::string contacts() const;
+  std::string cut() const;
+  std::string slide() const;
+  std::string closure() const;
+  std::string second_order() const;
+  std::string result() const;
+
+ private:
+  Piece load(double value) const;
+  Piece ratio(double value) const;
+  Piece least() const;
+  Vec2 far_end(const Chord& chord, std::uint32_t vertex) const;
+  std::string edges() const;
+  std::string same_chord(std::uint32_t candidate) const;
+  std::string sources() const;
+  std::string ranking(const TeamScores& scores) const;
+  static double neighbour(const TeamScores& scores, std::size_t i);
+  std::string first_scores(const TeamScores& scores) const;
+  std::string team_without_candidates() const;
+  static std::string left(const char* sense, const FreeRegion& region, bool before);
+
+  const Trace& trace_;
+  const Placement& placement_;
+  const StepDetail& detail_;
+  std::uint32_t item_;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,138 @@
+#include "output/words/step_formulas.h"
+
+#include <algorithm>
+
+#include "evenlift/angles.h"
+#include "evenlift/output/words.h"
+#include "evenlift/selection.h"
+
+namespace evenlift {
+
+Piece StepFormulas::load(double value) const { return load_text(trace_, value); }
+
+Piece StepFormulas::corners(const Points& base) { return counted(base.size(), "corner"); }
+
+std::string StepFormulas::ratio(const Chord& chord) const {
+  const double least = placement_.settings.min_ratio;
+  return fill("load ratio = # / # = #", {length_text(trace_, std::min(chord.arm1, chord.arm2)),
+                                         length_text(trace_, std::max(chord.arm1, chord.arm2)),
+                                         ratio_text(chord.ratio, least)});
+}
+
+const Chord& StepFormulas::chord(std::uint32_t i) const { return trace_.rays.chords[i].chord; }
+
+std::string StepFormulas::compared_with_minimum(const Chord& chord, std::uint32_t candidate) const {
+  return ratio(chord) + (candidate == no_index ? " < " : " ≥ ") +
+         written(exact(placement_.settings.min_ratio));
+}
+
+std::string StepFormulas::score(const TeamScores& scores) const {
+  const std::uint32_t winner = scores.ranking.front();
+  const Candidate& candidate = placement_.candidates[winner];
+  if (scores.rule != Rule::score)
+    return fill(
+        "|r1 r2| = # + # = #, load ratio #",
+        {length_text(trace_, candidate.chord.arm1), length_text(trace_, candidate.chord.arm2),
+         length_text(trace_, candidate.length), ratio_text(candidate.chord.ratio)});
+  const Score& score = scores.of_candidate[winner];
+  if (detail_.step.kind == StepKind::team && scores.ranking.size() > 1) {
+    const Score& second = scores.of_candidate[scores.ranking[1]];
+    const char* sign = scores.decided_by != DecidedBy::first_key ? " ties with "
+                       : second.exact                            ? " > "
+                                                                 : " > at most ";
+    return fill("score: ###", {score_text(trace_, scores.rule, score.value, second.value), sign,
+                               score_text(trace_, scores.rule, second.value, score.value)});
+  }
+  return fill("score = f(r1) + f(r2) = # + # = #",
+              {score_text(trace_, scores.rule, score.ends[0].value, 0),
+               score_text(trace_, scores.rule, score.ends[1].value, 0),
+               score_text(trace_, scores.rule, score.value, 0)});
+}
+
+std::string StepFormulas::polygon() const {
+  return fill("area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 = #",
+              {area_text(trace_, trace_.polygon.area())});
+}
+
+std::string StepFormulas::centroid() const {
+  return fill("sum of area × middle / sum of areas = #",
+              {point_text(trace_, trace_.polygon.centroid())});
+}
+
+// Of several chords the most even one.
+std::string StepFormulas::ray() const {
+  const std::uint32_t begin = trace_.rays.begins[item_], end = trace_.rays.begins[item_ + 1];
+  if (begin == end) return {};
+  std::uint32_t best = begin;
+  for (std::uint32_t i = begin; i < end; ++i)
+    if (chord(i).ratio > chord(best).ratio) best = i;
+  return (end - begin > 1 ? "best " : "") + ratio(chord(best));
+}
+
+std::string StepFormulas::sections() const {
+  return fill("g = |C rb| / |C ra|: from # to #",
+              {ratio_text(detail_.pair->verdict.g0), ratio_text(detail_.pair->verdict.g1)});
+}
+
+std::string StepFormulas::outcome() const {
+  return compared_with_minimum(detail_.pair->chosen, detail_.pair->candidate);
+}
+
+std::string StepFormulas::opposite() const {
+  return compared_with_minimum(detail_.opposite->chord, detail_.opposite->candidate);
+}
+
+std::string StepFormulas::duplicates() const {
+  return fill("#", {counted(placement_.candidates.size(), "candidate")});
+}
+
+std::string StepFormulas::directions() const {
+  const double open = 180 / pi * open_directions_rad(trace_.polygon, trace_.centre);
+  return fill("team k at (k − 1/2) / # × #°",
+              {whole(placement_.requested_teams), with_decimals(open, 1)});
+}
+
+std::string StepFormulas::scores() const {
+  return detail_.scores ? score(*detail_.scores) : ratio(placement_.teams[item_].chord);
+}
+
+std::string StepFormulas::base() const {
+  return fill("H: #, then #", {corners(detail_.base_before), corners(detail_.base)});
+}
+
+std::string StepFormulas::share() const {
+  const Team& team = placement_.teams[item_];
+  const Piece weight = exact(placement_.settings.weight);
+  const Chord& chord = team.chord;
+  return fill("W1 = # / # × |C r2| / |r1 r2| = # × # / # = #",
+              {weight, whole(placement_.teams.size()), load(team.loads[0] + team.loads[1]),
+               length_text(trace_, chord.arm2), length_text(trace_, chord.arm1 + chord.arm2),
+               kilograms_text(trace_, team.loads[0])});
+}
+
+std::string StepFormulas::loads() const {
+  return fill("mean = # / # = #, greatest − least = #",
+              {exact(placement_.settings.weight), whole(2 * placement_.teams.size()),
+               kilograms_text(trace_, placement_.loads->mean),
+               kilograms_text(trace_, placement_.loads->spread)});
+}
+
+std::string StepFormulas::coverage() const {
+  return fill("area of P in H / area of P = # / # = #",
+              {area_text(trace_, placement_.coverage * trace_.polygon.area()),
+               area_text(trace_, trace_.polygon.area()), with_decimals(placement_.coverage, 3)});
+}
+
+std::string StepFormulas::cut() const {
+  const Contact& contact = trace_.contacts[item_];
+  const Vec2 n = inward_normal(trace_.polygon, contact.edge);
+  return fill("normal n = (#, #) at #", {with_decimals(n.x(), 3), with_decimals(n.y(), 3),
+                                         point_text(trace_, contact.position)});
+}
+
+std::string StepFormulas::closure() const {
+  if (!placement_.closure.margin) return {};
+  return fill("least over u of the greatest u · w = #", {margin_text(*placement_.closure.margin)});
+}
+
+}  // namespace evenlift

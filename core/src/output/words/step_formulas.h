@@ -1,0 +1,50 @@
+// What each kind of step calculates.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "evenlift/trace.h"
+#include "output/words/trace_text.h"
+
+namespace evenlift {
+
+// Writes the formula of one step with its numbers filled in. The step's row in step_words.cpp names
+// the function that does.
+class StepFormulas {
+ public:
+  StepFormulas(const Trace& trace, const StepDetail& detail)
+      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+
+  std::string none() const { return {}; }
+  std::string polygon() const;
+  std::string centroid() const;
+  std::string ray() const;
+  std::string sections() const;
+  std::string outcome() const;
+  std::string opposite() const;
+  std::string duplicates() const;
+  std::string directions() const;
+  std::string scores() const;
+  std::string base() const;
+  std::string share() const;
+  std::string loads() const;
+  std::string coverage() const;
+  std::string cut() const;
+  std::string closure() const;
+
+ private:
+  Piece load(double value) const;
+  static Piece corners(const Points& base);
+  std::string ratio(const Chord& chord) const;
+  const Chord& chord(std::uint32_t i) const;
+  std::string compared_with_minimum(const Chord& chord, std::uint32_t candidate) const;
+  std::string score(const TeamScores& scores) const;
+
+  const Trace& trace_;
+  const Placement& placement_;
+  const StepDetail& detail_;
+  std::uint32_t item_;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,97 @@
+// What the kinds of steps say: one row for each. Their numbers and figures are rows of
+// trace/steps.cpp.
+#include "output/words/step_words.h"
+
+#include <iterator>
+
+#include "evenlift/output/trace_words.h"
+#include "output/words/step_captions.h"
+#include "output/words/step_formulas.h"
+
+namespace evenlift {
+namespace {
+
+constexpr std::string_view titles[] = {"The object and its centre of mass",
+                                       "Chords from the vertices",
+                                       "In order of slope",
+                                       "Edges that face each other",
+                                       "The candidates",
+                                       "The first team",
+                                       "Further teams",
+                                       "What each robot bears",
+                                       "What holds it"};
+static_assert(std::size(titles) == chapter_count);
+
+template <Statement statement>
+Statement always(const Trace&, const StepDetail&) {
+  return statement;
+}
+
+struct StepRow {
+  StepKind kind;
+  std::string (StepCaptions::*caption)() const;
+  std::string (StepFormulas::*formula)() const;
+  Statement (*statement)(const Trace&, const StepDetail&);
+};
+
+using C = StepCaptions;
+using F = StepFormulas;
+using S = Statement;
+// clang-format off
+constexpr StepRow steps[] = {
+    {StepKind::polygon,      &C::polygon,      &F::polygon,    always<S::centre>},
+    {StepKind::centroid,     &C::centroid,     &F::centroid,   always<S::centre>},
+    {StepKind::centre,       &C::centre,       &F::none,       always<S::centre>},
+    {StepKind::radial,       &C::radial,       &F::none,       always<S::each_vertex>},
+    {StepKind::ray,          &C::ray,          &F::ray,        always<S::each_hit>},
+    {StepKind::slopes,       &C::slopes,       &F::none,       always<S::sort_chords>},
+    {StepKind::sections,     &C::sections,     &F::sections,   always<S::sections>},
+    {StepKind::outcome,      &C::outcome,      &F::outcome,    statement_of_outcome},
+    {StepKind::opposite,     &C::opposite,     &F::opposite,   always<S::opposite>},
+    {StepKind::duplicates,   &C::duplicates,   &F::duplicates, always<S::merge>},
+    {StepKind::candidates,   &C::candidates,   &F::none,       always<S::order>},
+    {StepKind::directions,   &C::directions,   &F::directions, always<S::open_directions>},
+    {StepKind::scores,       &C::scores,       &F::scores,     statement_of_scores},
+    {StepKind::team,         &C::team,         &F::scores,     statement_of_team},
+    {StepKind::base,         &C::base,         &F::base,       statement_of_base},
+    {StepKind::fewer,        &C::fewer,        &F::none,       always<S::each_team>},
+    {StepKind::share,        &C::share,        &F::share,      always<S::loads>},
+    {StepKind::loads,        &C::loads,        &F::loads,      always<S::loads>},
+    {StepKind::coverage,     &C::coverage,     &F::coverage,   always<S::coverage>},
+    {StepKind::contacts,     &C::contacts,     &F::none,       always<S::cut>},
+    {StepKind::cut,          &C::cut,          &F::cut,        always<S::cut>},
+    {StepKind::slide,        &C::slide,        &F::none,       always<S::slide>},
+    {StepKind::closure,      &C::closure,      &F::closure,    always<S::form_closure>},
+    {StepKind::second_order, &C::second_order, &F::none,       always<S::second_order>},
+    {StepKind::result,       &C::result,       &F::none,       always<S::form_closure>},
+};
+// clang-format on
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < std::size(steps); ++i)
+    if (steps[i].kind != static_cast<StepKind>(i)) return false;
+  return std::size(steps) == step_kind_count;
+}
+static_assert(in_order());
+
+const StepRow& row_of(const StepDetail& detail) {
+  return steps[static_cast<std::size_t>(detail.step.kind)];
+}
+
+}  // namespace
+
+std::string_view title(Chapter chapter) { return titles[static_cast<std::size_t>(chapter)]; }
+
+std::string caption(const Trace& trace, const StepDetail& detail) {
+  return (StepCaptions(trace, detail).*row_of(detail).caption)();
+}
+
+std::string formula(const Trace& trace, const StepDetail& detail) {
+  return (StepFormulas(trace, detail).*row_of(detail).formula)();
+}
+
+Statement statement_of(const Trace& trace, const StepDetail& detail) {
+  return row_of(detail).statement(trace, detail);
+}
+
+}  // namespace evenlift

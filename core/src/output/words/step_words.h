@@ -1,0 +1,10 @@
+#pragma once
+
+#include "output/words/pseudo_code.h"
+
+namespace evenlift {
+
+// The statement of the pseudo-code that a step carries out. O(1).
+Statement statement_of(const Trace& trace, const StepDetail& detail);
+
+}  // namespace evenlift

@@ -1,0 +1,194 @@
+#include "trace/step_figures.h"
+
+#include <algorithm>
+
+namespace evenlift {
+
+std::vector<Figure> StepFigures::take() && {
+  add(FigureKind::centre, Points{trace_.centre});
+  return std::move(figures_);
+}
+
+void StepFigures::add(FigureKind kind, Points points, std::uint32_t item, double value) {
+  if (!points.empty()) figures_.push_back({kind, std::move(points), item, value});
+}
+
+void StepFigures::add(FigureKind kind, const Chord& chord, std::uint32_t item, double value) {
+  add(kind, Points{chord.r1.position, chord.r2.position}, item, value);
+}
+
+void StepFigures::add_edge(FigureKind kind, std::uint32_t edge) {
+  add(kind, Points{trace_.polygon.edge_start(edge), trace_.polygon.edge_end(edge)}, edge);
+}
+
+// --- The object ----------------------------------------------------------------------------------
+
+void StepFigures::polygon() { add(FigureKind::object, trace_.polygon.vertices()); }
+
+// A fan of triangles from vertex 1. Those that fold back are subtracted.
+void StepFigures::centroid() {
+  const Points& v = trace_.polygon.vertices();
+  const double whole = (trace_.polygon.counter_clockwise() ? 2 : -2) * trace_.polygon.area();
+  for (std::size_t i = 1; i + 1 < v.size(); ++i)
+    add(FigureKind::triangle, Points{v[0], v[i], v[i + 1]}, static_cast<std::uint32_t>(i),
+        cross(v[i] - v[0], v[i + 1] - v[0]) / whole);
+  centre();
+}
+
+void StepFigures::centre() { add(FigureKind::centroid, Points{trace_.polygon.centroid()}); }
+
+// --- Chords from the vertices --------------------------------------------------------------------
+
+void StepFigures::radial() {
+  for (const std::uint32_t edge : trace_.radial_edges) add_edge(FigureKind::radial_edge, edge);
+}
+
+void StepFigures::ray() {
+  const Trace::Rays& rays = trace_.rays;
+  const std::uint32_t vertex = rays.vertices[item_];
+  const Vec2 &from = trace_.polygon.vertex(vertex), away = trace_.centre - from;
+  const Vec2 end = trace_.centre + trace_.polygon.diagonal() / length(away) * away;
+  add(FigureKind::ray, Points{from, end}, vertex);
+  for (std::uint32_t i = rays.begins[item_]; i < rays.begins[item_ + 1]; ++i) add_vertex_chord(i);
+  add(FigureKind::vertex, Points{from}, vertex);
+}
+
+void StepFigures::add_vertex_chord(std::uint32_t index) {
+  const Chord& chord = trace_.rays.chords[index].chord;
+  add(FigureKind::chord, chord, index, chord.ratio);
+}
+
+void StepFigures::slopes() {
+  for (const std::uint32_t chord : chords_by_slope(trace_)) add_vertex_chord(chord);
+}
+
+// --- Pairs and candidates ------------------------------------------------------------------------
+
+void StepFigures::sections() { add_pair(false); }
+
+void StepFigures::outcome() {
+  const PairDetail& pair = *detail_.pair;
+  add_pair(true);
+  if (pair.meeting)
+    add(FigureKind::bisecting, Points{*pair.meeting, 2 * trace_.centre - *pair.meeting}, no_index,
+        1);
+  add(FigureKind::chosen, pair.chosen, pair.candidate, pair.chosen.ratio);
+}
+
+void StepFigures::add_pair(bool reflected) {
+  const PairDetail& pair = *detail_.pair;
+  add_edge(FigureKind::edge, pair.pair.a);
+  add_edge(FigureKind::edge, pair.pair.b);
+  add(FigureKind::section, Points{pair.a[0], pair.a[1]}, pair.pair.a);
+  add(FigureKind::section, Points{pair.b[0], pair.b[1]}, pair.pair.b);
+  if (reflected)
+    add(FigureKind::reflected, Points{pair.reflected[0], pair.reflected[1]}, pair.pair.b);
+  for (std::uint32_t end = 0; end < 2; ++end)
+    add(FigureKind::section_end, pair.ends[end], end, pair.ends[end].ratio);
+}
+
+void StepFigures::opposite() {
+  const OppositeDetail& opposite = *detail_.opposite;
+  add(FigureKind::chosen, opposite.chord, opposite.candidate, opposite.chord.ratio);
+  for (const std::uint32_t vertex : {opposite.vertices.v, opposite.vertices.w})
+    add(FigureKind::vertex, Points{trace_.polygon.vertex(vertex)}, vertex);
+}
+
+void StepFigures::candidates() {
+  const std::vector<Candidate>& all = placement_.candidates;
+  for (std::uint32_t i = 0; i < all.size(); ++i)
+    add(FigureKind::candidate, all[i].chord, i, all[i].chord.ratio);
+}
+
+// --- Teams ---------------------------------------------------------------------------------------
+
+// The candidates that are left, with their scores.
+void StepFigures::scores() {
+  add(FigureKind::base_before, detail_.base_before);
+  for (std::uint32_t i = 0; i < placement_.candidates.size(); ++i) {
+    const Score& score = detail_.scores->of_candidate[i];
+    if (!score.taken) add(FigureKind::candidate, placement_.candidates[i].chord, i, score.value);
+  }
+}
+
+void StepFigures::team() {
+  add(FigureKind::base_before, detail_.base_before);
+  if (detail_.scores && item_ > 0) {
+    const auto winner = static_cast<std::uint32_t>(placement_.team_candidates[item_]);
+    for (Figure& figure : gain_figures(trace_, *detail_.scores, winner))
+      figures_.push_back(std::move(figure));
+  }
+  add_team(item_, false);
+}
+
+void StepFigures::base() {
+  add(FigureKind::base_before, detail_.base_before);
+  add(FigureKind::base, detail_.base);
+  add_team(item_, false);
+}
+
+void StepFigures::share() { add_team(item_, true); }
+
+void StepFigures::loads() {
+  for (std::uint32_t i = 0; i < placement_.teams.size(); ++i) add_team(i, true);
+}
+
+void StepFigures::add_team(std::uint32_t index, bool loaded) {
+  const Team& team = placement_.teams[index];
+  add(FigureKind::team, team.chord, index, team.chord.ratio);
+  add(FigureKind::robot, Points{team.chord.r1.position}, 2 * index, loaded ? team.loads[0] : 0);
+  add(FigureKind::robot, Points{team.chord.r2.position}, 2 * index + 1, loaded ? team.loads[1] : 0);
+}
+
+// --- What holds the object -----------------------------------------------------------------------
+
+void StepFigures::coverage() {
+  polygon();
+  add(FigureKind::base, placement_.lifting_base);
+}
+
+void StepFigures::contacts() {
+  add_regions(detail_.clockwise, detail_.counterclockwise);
+  add_contacts(trace_.contacts.size());
+}
+
+// The contacts up to the one that cuts, which comes with its edge and its normal line.
+void StepFigures::cut() {
+  const Contact& contact = trace_.contacts[item_];
+  add_regions(detail_.clockwise, detail_.counterclockwise);
+  add_contacts(item_);
+  add_edge(FigureKind::edge, contact.edge);
+  const Vec2 reach = 100 * trace_.polygon.diagonal() * inward_normal(trace_.polygon, contact.edge);
+  add(FigureKind::normal, Points{contact.position - reach, contact.position + reach}, item_);
+  add(FigureKind::contact, Points{contact.position}, item_);
+}
+
+void StepFigures::slide() {
+  add_contacts(trace_.contacts.size());
+  if (const auto& way = placement_.closure.translation)
+    add(FigureKind::translation,
+        Points{trace_.centre, trace_.centre + 0.25 * trace_.polygon.diagonal() * *way});
+}
+
+void StepFigures::closure() {
+  add_regions(placement_.closure.clockwise, placement_.closure.counterclockwise);
+  add_contacts(trace_.contacts.size());
+}
+
+void StepFigures::result() {
+  coverage();
+  add_regions(placement_.closure.clockwise, placement_.closure.counterclockwise);
+  loads();
+}
+
+void StepFigures::add_regions(const FreeRegion& clockwise, const FreeRegion& counterclockwise) {
+  add(FigureKind::clockwise, clockwise.clipped);
+  add(FigureKind::counterclockwise, counterclockwise.clipped);
+}
+
+void StepFigures::add_contacts(std::size_t number) {
+  for (std::uint32_t i = 0; i < number; ++i)
+    add(FigureKind::contact, Points{trace_.contacts[i].position}, i);
+}
+
+}  // namespace evenlift

@@ -1,0 +1,62 @@
+// What each kind of step shows, as figures with a meaning.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "evenlift/trace.h"
+
+namespace evenlift {
+
+// Collects the figures of one step, back to front. The step's row in steps.cpp names the function
+// that knows which.
+class StepFigures {
+ public:
+  StepFigures(const Trace& trace, const StepDetail& detail)
+      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+
+  void none() {}
+  void polygon();
+  void centroid();
+  void centre();
+  void radial();
+  void ray();
+  void slopes();
+  void sections();
+  void outcome();
+  void opposite();
+  void candidates();
+  void scores();
+  void team();
+  void base();
+  void share();
+  void loads();
+  void coverage();
+  void contacts();
+  void cut();
+  void slide();
+  void closure();
+  void result();
+
+  // With C in front of all others.
+  std::vector<Figure> take() &&;
+
+ private:
+  void add(FigureKind kind, Points points, std::uint32_t item = no_index, double value = 0);
+  void add(FigureKind kind, const Chord& chord, std::uint32_t item, double value);
+  void add_edge(FigureKind kind, std::uint32_t edge);
+  void add_vertex_chord(std::uint32_t index);
+  void add_pair(bool reflected);
+  void add_team(std::uint32_t index, bool loaded);
+  void add_regions(const FreeRegion& clockwise, const FreeRegion& counterclockwise);
+  void add_contacts(std::size_t number);
+
+  const Trace& trace_;
+  const Placement& placement_;
+  const StepDetail& detail_;
+  std::uint32_t item_;
+  std::vector<Figure> figures_;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,164 @@
+#include "trace/step_numbers.h"
+
+#include <algorithm>
+
+#include "evenlift/angles.h"
+#include "evenlift/selection.h"
+#include "evenlift/stability.h"
+
+namespace evenlift {
+
+void StepNumbers::point(std::string_view x, std::string_view y, const Vec2& p) {
+  add(x, p.x());
+  add(y, p.y());
+}
+
+void StepNumbers::polygon() {
+  count("vertices", trace_.polygon.size());
+  add("area", trace_.polygon.area());
+}
+
+void StepNumbers::centroid() { point("centroid_x", "centroid_y", trace_.polygon.centroid()); }
+
+void StepNumbers::centre() {
+  point("x", "y", trace_.centre);
+  add("moved_by", length(trace_.centre - trace_.polygon.centroid()));
+}
+
+void StepNumbers::radial() { count("edges", trace_.radial_edges.size()); }
+
+void StepNumbers::ray() {
+  const Trace::Rays& rays = trace_.rays;
+  count("vertex", rays.vertices[item_] + 1);
+  count("chords", rays.begins[item_ + 1] - rays.begins[item_]);
+}
+
+void StepNumbers::slopes() { count("chords", chords_by_slope(trace_).size()); }
+
+void StepNumbers::sections() {
+  const PairDetail& pair = *detail_.pair;
+  count("pair", item_ + 1);
+  count("edge_a", pair.pair.a + 1);
+  count("edge_b", pair.pair.b + 1);
+  add("g0", pair.verdict.g0);
+  add("g1", pair.verdict.g1);
+}
+
+void StepNumbers::outcome() {
+  sections();
+  ratio_and_candidate(detail_.pair->chosen.ratio, detail_.pair->candidate);
+}
+
+void StepNumbers::opposite() {
+  const OppositeDetail& opposite = *detail_.opposite;
+  count("vertex_v", opposite.vertices.v + std::size_t{1});
+  count("vertex_w", opposite.vertices.w + std::size_t{1});
+  ratio_and_candidate(opposite.chord.ratio, opposite.candidate);
+}
+
+void StepNumbers::ratio_and_candidate(double ratio, std::uint32_t candidate) {
+  add("ratio", ratio);
+  add("min_ratio", placement_.settings.min_ratio);
+  if (candidate != no_index) count("candidate", candidate + 1);
+}
+
+void StepNumbers::duplicates() {
+  const auto& candidates = trace_.candidate_of_source;
+  const auto none = std::count(candidates.begin(), candidates.end(), no_index);
+  count("merged",
+        candidates.size() - static_cast<std::size_t>(none) - placement_.candidates.size());
+  count("candidates", placement_.candidates.size());
+}
+
+void StepNumbers::candidates() {
+  const std::vector<Candidate>& all = placement_.candidates;
+  count("candidates", all.size());
+  const auto even =
+      std::count_if(all.begin(), all.end(), [](const Candidate& c) { return is_even(c.chord); });
+  count("even", static_cast<std::size_t>(even));
+}
+
+void StepNumbers::directions() {
+  add("open_degrees", 180 / pi * open_directions_rad(trace_.polygon, trace_.centre));
+}
+
+void StepNumbers::scores() {
+  count("team", item_ + 1);
+  if (!detail_.scores) return;
+  const TeamScores& scores = *detail_.scores;
+  const std::uint32_t winner = scores.ranking.front();
+  count("choices", scores.ranking.size());
+  count("winner", winner + 1);
+  add("best", scores.of_candidate[winner].value);
+  if (scores.ranking.size() < 2) return;
+  count("second", scores.ranking[1] + 1);
+  add("second_best", scores.of_candidate[scores.ranking[1]].value);
+}
+
+void StepNumbers::team() {
+  scores();
+  add("ratio", placement_.teams[item_].chord.ratio);
+}
+
+void StepNumbers::base() {
+  count("team", item_ + 1);
+  count("corners_before", detail_.base_before.size());
+  count("corners", detail_.base.size());
+  add("coverage_before", evenlift::coverage(trace_.polygon, detail_.base_before));
+  add("coverage", evenlift::coverage(trace_.polygon, detail_.base));
+}
+
+void StepNumbers::fewer() {
+  count("teams", placement_.teams.size());
+  count("requested_teams", placement_.requested_teams);
+}
+
+void StepNumbers::share() {
+  const Team& team = placement_.teams[item_];
+  count("team", item_ + 1);
+  add("arm1", team.chord.arm1);
+  add("arm2", team.chord.arm2);
+  add("load1", team.loads[0]);
+  add("load2", team.loads[1]);
+}
+
+void StepNumbers::loads() {
+  add("min", placement_.loads->min);
+  add("mean", placement_.loads->mean);
+  add("max", placement_.loads->max);
+  add("spread", placement_.loads->spread);
+  add("max_share", placement_.loads->max_share);
+}
+
+void StepNumbers::coverage() { add("coverage", placement_.coverage); }
+
+void StepNumbers::contacts() {
+  count("robots", 2 * placement_.teams.size());
+  count("contacts", trace_.contacts.size());
+}
+
+void StepNumbers::cut() {
+  count("contact", item_ + 1);
+  count("clockwise", detail_.clockwise.exists);
+  count("counterclockwise", detail_.counterclockwise.exists);
+}
+
+void StepNumbers::slide() {
+  count("translation", placement_.closure.translation_free);
+  if (const auto& way = placement_.closure.translation) point("x", "y", *way);
+}
+
+void StepNumbers::closure() {
+  count("form_closure", placement_.closure.form_closure);
+  if (placement_.closure.margin) add("margin", *placement_.closure.margin);
+}
+
+void StepNumbers::second_order() { count("second_order", placement_.closure.second_order); }
+
+void StepNumbers::result() {
+  count("teams", placement_.teams.size());
+  add("coverage", placement_.coverage);
+  count("form_closure", placement_.closure.form_closure);
+}
+
+}  // namespace evenlift

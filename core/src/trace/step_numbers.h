@@ -1,0 +1,59 @@
+// The numbers of each kind of step, under the names that JSON gives them.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/trace.h"
+
+namespace evenlift {
+
+// Collects the numbers of one step. The step's row in steps.cpp names the function that knows which.
+class StepNumbers {
+ public:
+  StepNumbers(const Trace& trace, const StepDetail& detail)
+      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+
+  void polygon();
+  void centroid();
+  void centre();
+  void radial();
+  void ray();
+  void slopes();
+  void sections();
+  void outcome();
+  void opposite();
+  void duplicates();
+  void candidates();
+  void directions();
+  void scores();
+  void team();
+  void base();
+  void fewer();
+  void share();
+  void loads();
+  void coverage();
+  void contacts();
+  void cut();
+  void slide();
+  void closure();
+  void second_order();
+  void result();
+
+  std::vector<Number> take() && { return std::move(numbers_); }
+
+ private:
+  void add(std::string_view name, double value) { numbers_.push_back({name, value}); }
+  void count(std::string_view name, std::size_t value) { add(name, static_cast<double>(value)); }
+  void point(std::string_view x, std::string_view y, const Vec2& p);
+  void ratio_and_candidate(double ratio, std::uint32_t candidate);
+
+  const Trace& trace_;
+  const Placement& placement_;
+  const StepDetail& detail_;
+  std::uint32_t item_;
+  std::vector<Number> numbers_;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,103 @@
+// The kinds of steps and of figures: one row for each.
+#include <algorithm>
+#include <iterator>
+
+#include "evenlift/trace.h"
+#include "trace/step_figures.h"
+#include "trace/step_numbers.h"
+
+namespace evenlift {
+namespace {
+
+constexpr std::string_view chapter_names[] = {"object",        "vertex_chords", "slopes",
+                                              "pairs",         "candidates",    "first_team",
+                                              "further_teams", "loads",         "grasp"};
+static_assert(std::size(chapter_names) == chapter_count);
+
+// What a kind of step is called, and which numbers and figures it has. Its words are a row of
+// output/words/step_words.cpp.
+struct StepRow {
+  StepKind kind;
+  std::string_view name;
+  void (StepNumbers::*numbers)();
+  void (StepFigures::*figures)();
+};
+
+using N = StepNumbers;
+using F = StepFigures;
+// clang-format off
+constexpr StepRow steps[] = {
+    {StepKind::polygon,      "polygon",      &N::polygon,      &F::polygon},
+    {StepKind::centroid,     "centroid",     &N::centroid,     &F::centroid},
+    {StepKind::centre,       "centre",       &N::centre,       &F::centre},
+    {StepKind::radial,       "radial",       &N::radial,       &F::radial},
+    {StepKind::ray,          "ray",          &N::ray,          &F::ray},
+    {StepKind::slopes,       "slopes",       &N::slopes,       &F::slopes},
+    {StepKind::sections,     "sections",     &N::sections,     &F::sections},
+    {StepKind::outcome,      "outcome",      &N::outcome,      &F::outcome},
+    {StepKind::opposite,     "opposite",     &N::opposite,     &F::opposite},
+    {StepKind::duplicates,   "duplicates",   &N::duplicates,   &F::candidates},
+    {StepKind::candidates,   "candidates",   &N::candidates,   &F::candidates},
+    {StepKind::directions,   "directions",   &N::directions,   &F::none},
+    {StepKind::scores,       "scores",       &N::scores,       &F::scores},
+    {StepKind::team,         "team",         &N::team,         &F::team},
+    {StepKind::base,         "base",         &N::base,         &F::base},
+    {StepKind::fewer,        "fewer",        &N::fewer,        &F::none},
+    {StepKind::share,        "share",        &N::share,        &F::share},
+    {StepKind::loads,        "loads",        &N::loads,        &F::loads},
+    {StepKind::coverage,     "coverage",     &N::coverage,     &F::coverage},
+    {StepKind::contacts,     "contacts",     &N::contacts,     &F::contacts},
+    {StepKind::cut,          "cut",          &N::cut,          &F::cut},
+    {StepKind::slide,        "slide",        &N::slide,        &F::slide},
+    {StepKind::closure,      "closure",      &N::closure,      &F::closure},
+    {StepKind::second_order, "second_order", &N::second_order, &F::closure},
+    {StepKind::result,       "result",       &N::result,       &F::result},
+};
+// clang-format on
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < std::size(steps); ++i)
+    if (steps[i].kind != static_cast<StepKind>(i)) return false;
+  return std::size(steps) == step_kind_count;
+}
+static_assert(in_order());
+
+const StepRow& row_of(StepKind kind) { return steps[static_cast<std::size_t>(kind)]; }
+
+constexpr std::string_view figure_names[] = {
+    "object",     "triangle",      "centroid",    "centre",
+    "vertex",     "radial_edge",   "ray",         "chord",
+    "edge",       "section",       "reflected",   "section_end",
+    "bisecting",  "chosen",        "candidate",   "team",
+    "robot",      "gain_triangle", "gain_part",   "gain_circle",
+    "arm_before", "arm_after",     "base_before", "base",
+    "contact",    "normal",        "clockwise",   "counterclockwise",
+    "translation"};
+
+}  // namespace
+
+std::string_view name(Chapter chapter) { return chapter_names[static_cast<std::size_t>(chapter)]; }
+
+std::string_view name(StepKind kind) { return row_of(kind).name; }
+
+std::string_view name(FigureKind kind) { return figure_names[static_cast<std::size_t>(kind)]; }
+
+std::optional<StepKind> step_kind_from_name(std::string_view text) {
+  const auto* row = std::find_if(std::begin(steps), std::end(steps),
+                                 [&](const StepRow& r) { return r.name == text; });
+  return row == std::end(steps) ? std::nullopt : std::optional(row->kind);
+}
+
+std::vector<Number> numbers(const Trace& trace, const StepDetail& detail) {
+  StepNumbers numbers(trace, detail);
+  (numbers.*row_of(detail.step.kind).numbers)();
+  return std::move(numbers).take();
+}
+
+std::vector<Figure> figures(const Trace& trace, const StepDetail& detail) {
+  StepFigures figures(trace, detail);
+  (figures.*row_of(detail.step.kind).figures)();
+  return std::move(figures).take();
+}
+
+}  // namespace evenlift
