@@ -147,12 +147,12 @@ TEST_CASE("every source with a candidate leads to the one that stands for it", "
     std::vector<std::uint32_t> standing(candidates.size());
     for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
       const PairDetail detail = look_at_pair(trace, pair);
-      REQUIRE(detail.verdict.candidate.has_value() == (detail.candidate != no_index));
-      if (detail.candidate == no_index) continue;
+      REQUIRE(detail.verdict.candidate.has_value() == detail.candidate.has_value());
+      if (!detail.candidate) continue;
       REQUIRE(detail.candidate < candidates.size());
-      CHECK(trace.first_source_of_candidate[detail.candidate] <= pair);
-      const Chord& kept = candidates[detail.candidate].chord;
-      standing[detail.candidate] += detail.stands;
+      CHECK(trace.first_source_of_candidate[*detail.candidate] <= pair);
+      const Chord& kept = candidates[*detail.candidate].chord;
+      standing[*detail.candidate] += detail.stands;
       merged += !detail.stands;
       if (detail.stands) {
         CHECK(kept.r1.position == detail.chosen.r1.position);
@@ -166,10 +166,10 @@ TEST_CASE("every source with a candidate leads to the one that stands for it", "
     }
     for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
       const OppositeDetail detail = look_at_opposite(trace, i);
-      CHECK((detail.candidate != no_index) == (detail.chord.ratio >= 0.8 - 1e-9));
-      if (detail.candidate == no_index) continue;
-      standing[detail.candidate] += detail.stands;
-      CHECK(candidates[detail.candidate].between_vertices);
+      CHECK(detail.candidate.has_value() == (detail.chord.ratio >= 0.8 - 1e-9));
+      if (!detail.candidate) continue;
+      standing[*detail.candidate] += detail.stands;
+      CHECK(candidates[*detail.candidate].between_vertices);
       opposite_stand += detail.stands;
     }
     for (const std::uint32_t number : standing) CHECK(number == 1);

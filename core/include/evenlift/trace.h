@@ -205,10 +205,10 @@ struct PairDetail {
   // that C bisects (perhaps far outside); nothing where they are parallel.
   std::array<Vec2, 2> reflected{Vec2::Zero(), Vec2::Zero()};
   std::optional<Vec2> meeting;
-  std::uint32_t nearer = 0;            // the end of larger ratio: 0 or 1
-  Chord chosen;                        // the candidate, or what was tried and had too low a ratio
-  std::uint32_t candidate = no_index;  // into placement.candidates
-  bool stands = false;                 // the candidate's chord is this pair's, not a duplicate's
+  std::uint32_t nearer = 0;  // the end of larger ratio: 0 or 1
+  Chord chosen;              // the candidate, or what was tried and had too low a ratio
+  std::optional<std::uint32_t> candidate;  // into placement.candidates
+  bool stands = false;  // the candidate's chord is this pair's, not a duplicate's
 };
 // O(1).
 PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
@@ -216,9 +216,9 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
 // What became of two opposite vertices.
 struct OppositeDetail {
   OppositeVertices vertices;
-  Chord chord;                         // between them
-  std::uint32_t candidate = no_index;  // none if its load ratio is below the minimum
-  bool stands = false;                 // the candidate's chord is this one, not a pair's
+  Chord chord;                             // between them
+  std::optional<std::uint32_t> candidate;  // none if its load ratio is below the minimum
+  bool stands = false;                     // the candidate's chord is this one, not a pair's
 };
 // Of trace.opposite[index]. O(1).
 OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index);
@@ -312,8 +312,8 @@ std::string_view name(FigureKind kind);
 
 struct Figure {
   FigureKind kind = FigureKind::object;
-  Points points;  // 1: a point, 2: a segment, more: an area
-  std::uint32_t item = no_index;
+  Points points;                      // 1: a point, 2: a segment, more: an area
+  std::optional<std::uint32_t> item;  // what FigureKind says
   double value = 0;
 };
 // What the step is about, back to front. O(size of it): n, K candidates, or the chords of a ray;

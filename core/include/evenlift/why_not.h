@@ -25,15 +25,15 @@ enum class Why : std::uint8_t {
 
 struct WhyNot {
   Why why = Why::no_chord;
-  Chord chord;                         // the one asked about
-  std::uint32_t pair = no_index;       // its edge-pair, where it comes from one
-  double pair_ratio = 0;               // the best ratio in that pair
-  std::uint32_t candidate = no_index;  // the candidate it is, or that its pair led to instead
-  std::uint32_t team = 0;              // the choice that is spoken of; with `taken` the team itself
-  std::uint32_t rank = 0;              // of the candidate in that choice, from 0
-  std::uint32_t winner = no_index;     // the candidate that won it
-  double value = 0, best = 0;          // score, length or ratio by `rule`: its own, the winner's
-  bool exact = true;                   // else `value` is an upper bound
+  Chord chord;                             // the one asked about
+  std::optional<std::uint32_t> pair;       // its edge-pair, where it comes from one
+  double pair_ratio = 0;                   // the best ratio in that pair
+  std::optional<std::uint32_t> candidate;  // the candidate it is, or that its pair led to instead
+  std::uint32_t team = 0;  // the choice that is spoken of; with `taken` the team itself
+  std::uint32_t rank = 0;  // of the candidate in that choice, from 0
+  std::optional<std::uint32_t> winner;  // the candidate that won it
+  double value = 0, best = 0;           // score, length or ratio by `rule`: its own, the winner's
+  bool exact = true;                    // else `value` is an upper bound
   Rule rule = Rule::score;
   DecidedBy decided_by = DecidedBy::first_key;  // the key at which it lost
 };

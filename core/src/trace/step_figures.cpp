@@ -9,11 +9,13 @@ std::vector<Figure> StepFigures::take() && {
   return std::move(figures_);
 }
 
-void StepFigures::add(FigureKind kind, Points points, std::uint32_t item, double value) {
+void StepFigures::add(FigureKind kind, Points points, std::optional<std::uint32_t> item,
+                      double value) {
   if (!points.empty()) figures_.push_back({kind, std::move(points), item, value});
 }
 
-void StepFigures::add(FigureKind kind, const Chord& chord, std::uint32_t item, double value) {
+void StepFigures::add(FigureKind kind, const Chord& chord, std::optional<std::uint32_t> item,
+                      double value) {
   add(kind, Points{chord.r1.position, chord.r2.position}, item, value);
 }
 
@@ -70,8 +72,7 @@ void StepFigures::outcome() {
   const PairDetail& pair = *detail_.pair;
   add_pair(true);
   if (pair.meeting)
-    add(FigureKind::bisecting, Points{*pair.meeting, 2 * trace_.centre - *pair.meeting}, no_index,
-        1);
+    add(FigureKind::bisecting, Points{*pair.meeting, 2 * trace_.centre - *pair.meeting}, {}, 1);
   add(FigureKind::chosen, pair.chosen, pair.candidate, pair.chosen.ratio);
 }
 

@@ -43,8 +43,9 @@ class StepFigures {
   std::vector<Figure> take() &&;
 
  private:
-  void add(FigureKind kind, Points points, std::uint32_t item = no_index, double value = 0);
-  void add(FigureKind kind, const Chord& chord, std::uint32_t item, double value);
+  void add(FigureKind kind, Points points, std::optional<std::uint32_t> item = {},
+           double value = 0);
+  void add(FigureKind kind, const Chord& chord, std::optional<std::uint32_t> item, double value);
   void add_edge(FigureKind kind, std::uint32_t edge);
   void add_vertex_chord(std::uint32_t index);
   void add_pair(bool reflected);

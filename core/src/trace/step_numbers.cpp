@@ -56,10 +56,10 @@ void StepNumbers::opposite() {
   ratio_and_candidate(opposite.chord.ratio, opposite.candidate);
 }
 
-void StepNumbers::ratio_and_candidate(double ratio, std::uint32_t candidate) {
+void StepNumbers::ratio_and_candidate(double ratio, std::optional<std::uint32_t> candidate) {
   add("ratio", ratio);
   add("min_ratio", placement_.settings.min_ratio);
-  if (candidate != no_index) count("candidate", candidate + 1);
+  if (candidate) count("candidate", *candidate + std::size_t{1});
 }
 
 void StepNumbers::duplicates() {

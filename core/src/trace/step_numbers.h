@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -47,7 +48,7 @@ class StepNumbers {
   void add(std::string_view name, double value) { numbers_.push_back({name, value}); }
   void count(std::string_view name, std::size_t value) { add(name, static_cast<double>(value)); }
   void point(std::string_view x, std::string_view y, const Vec2& p);
-  void ratio_and_candidate(double ratio, std::uint32_t candidate);
+  void ratio_and_candidate(double ratio, std::optional<std::uint32_t> candidate);
 
   const Trace& trace_;
   const Placement& placement_;

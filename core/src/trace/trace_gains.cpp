@@ -29,7 +29,7 @@ class GainScene {
 
  private:
   void add_triangle(const EndGain& end) {
-    out_.push_back({FigureKind::gain_triangle, {end.h1, end.h2, end.p}, no_index, end.value});
+    out_.push_back({FigureKind::gain_triangle, {end.h1, end.h2, end.p}, std::nullopt, end.value});
   }
 
   void add_part(const EndGain& end) {
@@ -39,7 +39,7 @@ class GainScene {
     part = clip_left(part, end.h1, end.p);
     part = clip_left(part, end.p, end.h2);
     if (part.size() > 2)
-      out_.push_back({FigureKind::gain_part, std::move(part), no_index, end.value});
+      out_.push_back({FigureKind::gain_part, std::move(part), std::nullopt, end.value});
   }
 
   void add_circle(const EndGain& end) {
@@ -47,7 +47,7 @@ class GainScene {
                  c = length(end.h2 - end.h1);
     const double twice_area = std::fabs(cross(end.h2 - end.h1, end.p - end.h1));
     const Vec2 middle = (a * end.h1 + b * end.h2 + c * end.p) / (a + b + c);
-    out_.push_back({FigureKind::gain_circle, {middle}, no_index, twice_area / (a + b + c)});
+    out_.push_back({FigureKind::gain_circle, {middle}, std::nullopt, twice_area / (a + b + c)});
   }
 
   void add_arms(const EndGain& end) {
@@ -68,7 +68,7 @@ class GainScene {
     const Vec2 inward = left_normal(to - from) / length(to - from);
     out_.push_back({kind,
                     {trace_.centre + vertex, trace_.centre + vertex + distance * inward},
-                    no_index,
+                    std::nullopt,
                     distance});
   }
 

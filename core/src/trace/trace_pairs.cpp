@@ -14,6 +14,11 @@ SeenEdge see(const Trace& trace, std::uint32_t edge) {
   return {edge, q, p, -area};
 }
 
+std::optional<std::uint32_t> candidate_of(const Trace& trace, std::uint32_t source) {
+  const std::uint32_t candidate = trace.candidate_of_source[source];
+  return candidate == no_index ? std::nullopt : std::optional(candidate);
+}
+
 Outcome outcome_of(const PairVerdict& verdict) {
   const bool accepted = verdict.candidate.has_value();
   if (verdict.parallel) return accepted ? Outcome::midpoint : Outcome::parallel_low;
@@ -56,9 +61,8 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
   } else {
     detail.chosen = examine(polygon, centre, a, b, detail.pair, 0).candidate->chord;
   }
-  detail.candidate = trace.candidate_of_source[index];
-  detail.stands =
-      detail.candidate != no_index && trace.source_of_candidate[detail.candidate] == index;
+  detail.candidate = candidate_of(trace, index);
+  detail.stands = detail.candidate && trace.source_of_candidate[*detail.candidate] == index;
   return detail;
 }
 
@@ -67,9 +71,8 @@ OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index) {
   OppositeDetail detail;
   detail.vertices = trace.opposite[index];
   detail.chord = opposite_chord(trace.polygon, trace.centre, detail.vertices).chord;
-  detail.candidate = trace.candidate_of_source[source];
-  detail.stands =
-      detail.candidate != no_index && trace.source_of_candidate[detail.candidate] == source;
+  detail.candidate = candidate_of(trace, source);
+  detail.stands = detail.candidate && trace.source_of_candidate[*detail.candidate] == source;
   return detail;
 }
 

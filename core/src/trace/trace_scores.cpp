@@ -1,6 +1,7 @@
 // The detail of a choice: every candidate's score, from the selection's own gain functions.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
@@ -9,6 +10,27 @@
 
 namespace evenlift {
 namespace {
+
+enum class Quantity : std::uint8_t { score, ratio, length };
+
+struct Key {
+  Quantity quantity;
+  DecidedBy decided_by;  // the answer where candidates differ in it
+};
+
+// The keys of each rule, in the order of the enumeration. With two of them used up by a first team,
+// its third tells nothing more.
+constexpr Key keys_of_rule[3][3] = {
+    {{Quantity::length, DecidedBy::first_key},
+     {Quantity::ratio, DecidedBy::ratio},
+     {Quantity::length, DecidedBy::length}},
+    {{Quantity::ratio, DecidedBy::first_key},
+     {Quantity::length, DecidedBy::length},
+     {Quantity::ratio, DecidedBy::length}},
+    {{Quantity::score, DecidedBy::first_key},
+     {Quantity::ratio, DecidedBy::ratio},
+     {Quantity::length, DecidedBy::length}},
+};
 
 // A tournament as the selection holds it: at each key those that tie with the best stay. `stage` is
 // how many keys a candidate survived.
@@ -33,24 +55,36 @@ class Tournament {
 
   // The key at which a candidate that did not win was out.
   DecidedBy lost_by(std::uint32_t i) const {
-    if (stage_[i] == 1 && scores_.rule == Rule::most_even) return DecidedBy::length;
-    return static_cast<DecidedBy>(1 + stage_[i]);
+    return stage_[i] < 3 ? keys()[stage_[i]].decided_by : DecidedBy::order;
   }
 
  private:
-  // The keys one after another. Of a first team the first key is the score's value already.
+  std::span<const Key, 3> keys() const {
+    return keys_of_rule[static_cast<std::size_t>(scores_.rule)];
+  }
+
   double key(std::uint32_t i, std::uint32_t which) const {
-    if (which == 0) return scores_.of_candidate[i].value;
-    const bool ratio = (which == 1) == (scores_.rule != Rule::most_even);
-    return ratio ? candidates_[i].chord.ratio : candidates_[i].length;
+    switch (keys()[which].quantity) {
+      case Quantity::ratio:
+        return candidates_[i].chord.ratio;
+      case Quantity::length:
+        return candidates_[i].length;
+      case Quantity::score:
+        break;
+    }
+    return scores_.of_candidate[i].value;
   }
 
   bool ties(double best, double value, std::uint32_t which) const {
-    if (which == 0 && scores_.rule == Rule::score)
-      return value >= best - score_slack(std::fabs(best), floor_);
-    const bool ratio = which == 0 ? scores_.rule == Rule::most_even
-                                  : (which == 1) == (scores_.rule != Rule::most_even);
-    return ratio ? ratios_tie(best, value) : lengths_tie(best, value);
+    switch (keys()[which].quantity) {
+      case Quantity::ratio:
+        return ratios_tie(best, value);
+      case Quantity::length:
+        return lengths_tie(best, value);
+      case Quantity::score:
+        break;
+    }
+    return value >= best - score_slack(std::fabs(best), floor_);
   }
 
   void play(std::uint32_t which) {

@@ -54,27 +54,28 @@ WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
   if (at != taken.end() && by < answer.team) answer.team = by;
   const TeamScores scores = look_at_scores(trace, answer.team);
   const Score& own = scores.of_candidate[candidate];
-  answer.winner = scores.ranking.front();
+  const std::uint32_t winner = scores.ranking.front();
+  answer.winner = winner;
   answer.rank = static_cast<std::uint32_t>(
       std::find(scores.ranking.begin(), scores.ranking.end(), candidate) - scores.ranking.begin());
   answer.value = own.value;
-  answer.best = scores.of_candidate[answer.winner].value;
+  answer.best = scores.of_candidate[winner].value;
   answer.exact = own.exact;
   answer.rule = scores.rule;
-  answer.decided_by = answer.winner == candidate ? scores.decided_by : own.lost_by;
-  answer.why = answer.winner == candidate ? Why::taken : own.eligible ? Why::behind : Why::not_even;
+  answer.decided_by = winner == candidate ? scores.decided_by : own.lost_by;
+  answer.why = winner == candidate ? Why::taken : own.eligible ? Why::behind : Why::not_even;
   return answer;
 }
 
 WhyNot why_not_pair(const Trace& trace, std::uint32_t k, std::uint32_t pair) {
   const PairDetail detail = look_at_pair(trace, pair);
   WhyNot answer;
-  if (detail.stands) return why_not(trace, k, detail.candidate);
+  if (detail.stands) return why_not(trace, k, *detail.candidate);
   answer.chord = detail.chosen;
   answer.pair = pair;
   answer.pair_ratio = detail.chosen.ratio;
   answer.candidate = detail.candidate;
-  answer.why = detail.candidate == no_index ? Why::too_uneven : Why::duplicate;
+  answer.why = detail.candidate ? Why::duplicate : Why::too_uneven;
   return answer;
 }
 
@@ -124,7 +125,7 @@ WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Ch
 
   for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
     const OppositeDetail detail = look_at_opposite(trace, i);
-    if (detail.candidate != no_index || !same_chord(trace, *chord, detail.chord)) continue;
+    if (detail.candidate || !same_chord(trace, *chord, detail.chord)) continue;
     answer.why = Why::opposite_too_uneven;
     return answer;
   }
@@ -137,13 +138,13 @@ WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Ch
                     (lies_on(trace, chord->r1, pair.b) && lies_on(trace, chord->r2, pair.a));
     if (!on) continue;
     const PairDetail detail = look_at_pair(trace, i);
-    if (answer.pair != no_index && detail.chosen.ratio <= answer.pair_ratio) continue;
+    if (answer.pair && detail.chosen.ratio <= answer.pair_ratio) continue;
     answer.pair = i;
     answer.pair_ratio = detail.chosen.ratio;
     answer.candidate = detail.candidate;
-    answer.why = detail.candidate == no_index ? Why::too_uneven : Why::not_best_of_pair;
+    answer.why = detail.candidate ? Why::not_best_of_pair : Why::too_uneven;
     if (same_chord(trace, *chord, detail.chosen)) {
-      if (detail.candidate != no_index) answer.why = Why::duplicate;
+      if (detail.candidate) answer.why = Why::duplicate;
     }
   }
   return answer;

@@ -24,7 +24,7 @@ std::string figure_json(const Figure& figure) {
   for (const Vec2& point : figure.points) points.push_back(json::pair(point));
   std::vector<json::Member> members{{"mark", json::text(name(figure.kind))},
                                     {"points", json::array(points)}};
-  if (figure.item != no_index) members.emplace_back("item", whole(figure.item));
+  if (figure.item) members.emplace_back("item", whole(*figure.item));
   if (figure.value != 0) members.emplace_back("value", json::number(figure.value));
   return json::object(members);
 }

@@ -153,8 +153,8 @@ std::string StepCaptions::outcome() const {
           {a, b, chosen, least()});
       break;
   }
-  if (pair.candidate == no_index || pair.stands) return text;
-  return text + same_chord(pair.candidate);
+  if (!pair.candidate || pair.stands) return text;
+  return text + same_chord(*pair.candidate);
 }
 
 // Where the chord that stands for a candidate comes from.
@@ -173,10 +173,10 @@ std::string StepCaptions::opposite() const {
       "Vertices # and # are opposite each other: the line between them passes through C. Whether the edges that meet there also face each other is a matter of rounding, so the chord between the two vertices counts by itself. ",
       {counted_from_1(opposite.vertices.v), counted_from_1(opposite.vertices.w)});
   const Piece own = ratio(opposite.chord.ratio);
-  if (opposite.candidate == no_index)
+  if (!opposite.candidate)
     return text + fill("Its load ratio is only #, less than #: no candidate.", {own, least()});
   text += fill("Its load ratio is #, at least #: a candidate.", {own, least()});
-  return opposite.stands ? text : text + same_chord(opposite.candidate);
+  return opposite.stands ? text : text + same_chord(*opposite.candidate);
 }
 
 std::string StepCaptions::sources() const {

@@ -21,9 +21,9 @@ std::string StepFormulas::ratio(const Chord& chord) const {
 
 const Chord& StepFormulas::chord(std::uint32_t i) const { return trace_.rays.chords[i].chord; }
 
-std::string StepFormulas::compared_with_minimum(const Chord& chord, std::uint32_t candidate) const {
-  return ratio(chord) + (candidate == no_index ? " < " : " ≥ ") +
-         written(exact(placement_.settings.min_ratio));
+std::string StepFormulas::compared_with_minimum(const Chord& chord,
+                                                std::optional<std::uint32_t> candidate) const {
+  return ratio(chord) + (candidate ? " ≥ " : " < ") + written(exact(placement_.settings.min_ratio));
 }
 
 std::string StepFormulas::score(const TeamScores& scores) const {

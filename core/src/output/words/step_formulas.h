@@ -38,7 +38,8 @@ class StepFormulas {
   static Piece corners(const Points& base);
   std::string ratio(const Chord& chord) const;
   const Chord& chord(std::uint32_t i) const;
-  std::string compared_with_minimum(const Chord& chord, std::uint32_t candidate) const;
+  std::string compared_with_minimum(const Chord& chord,
+                                    std::optional<std::uint32_t> candidate) const;
   std::string score(const TeamScores& scores) const;
 
   const Trace& trace_;

@@ -26,10 +26,10 @@ const char* aim(const Trace& trace, Rule rule) {
 }
 
 std::string behind(const Trace& trace, const WhyNot& answer) {
-  const Piece own = counted_from_1(answer.candidate), winner = counted_from_1(answer.winner);
+  const Piece own = counted_from_1(*answer.candidate), winner = counted_from_1(*answer.winner);
   const Piece team = counted_from_1(answer.team);
-  const Candidate &a = trace.placement.candidates[answer.candidate],
-                  &b = trace.placement.candidates[answer.winner];
+  const Candidate &a = trace.placement.candidates[*answer.candidate],
+                  &b = trace.placement.candidates[*answer.winner];
   switch (answer.decided_by) {
     case DecidedBy::ratio:
       return fill("For team # candidate # ties with candidate #, which is more even: # to #.",
@@ -56,7 +56,7 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
 
 std::string loaded(const Trace& trace, const Figure& figure) {
   std::string text =
-      fill("Team #, robot #", {counted_from_1(figure.item / 2), counted_from_1(figure.item % 2)});
+      fill("Team #, robot #", {counted_from_1(*figure.item / 2), counted_from_1(*figure.item % 2)});
   if (figure.value > 0) text += fill(": #", {kilograms_text(trace, figure.value)});
   return text;
 }
@@ -83,7 +83,7 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
     case Why::too_uneven:
       return fill(
           "Ratio too low: this chord has #. #: the best chord between them has #, less than the minimum #.",
-          {ratio_text(answer.chord.ratio, least), edges_of(trace, answer.pair),
+          {ratio_text(answer.chord.ratio, least), edges_of(trace, *answer.pair),
            ratio_text(answer.pair_ratio, least), exact(least)});
     case Why::opposite_too_uneven:
       return fill(
@@ -92,21 +92,21 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
     case Why::not_best_of_pair:
       return fill(
           "Not the best of its pair: this chord has a load ratio of #. # give one candidate, number # with #.",
-          {ratio_text(answer.chord.ratio, answer.pair_ratio), edges_of(trace, answer.pair),
-           counted_from_1(answer.candidate), ratio_text(answer.pair_ratio, answer.chord.ratio)});
+          {ratio_text(answer.chord.ratio, answer.pair_ratio), edges_of(trace, *answer.pair),
+           counted_from_1(*answer.candidate), ratio_text(answer.pair_ratio, answer.chord.ratio)});
     case Why::duplicate:
       return fill("A duplicate: it is the same chord as candidate #, which stands for both.",
-                  {counted_from_1(answer.candidate)});
+                  {counted_from_1(*answer.candidate)});
     case Why::not_even:
       return fill(
           "The first team is the longest even candidate. Candidate # has a load ratio of #; candidate # is even.",
-          {counted_from_1(answer.candidate), ratio_text(answer.chord.ratio),
-           counted_from_1(answer.winner)});
+          {counted_from_1(*answer.candidate), ratio_text(answer.chord.ratio),
+           counted_from_1(*answer.winner)});
     case Why::behind:
       return behind(trace, answer);
     case Why::taken:
       return fill("Team # takes candidate #: of those left it #.",
-                  {counted_from_1(answer.team), counted_from_1(answer.candidate),
+                  {counted_from_1(answer.team), counted_from_1(*answer.candidate),
                    answer.decided_by == DecidedBy::only_one    ? "is the only one"
                    : answer.decided_by == DecidedBy::first_key ? aim(trace, answer.rule)
                                                                : "wins the tie for the best"});
@@ -115,7 +115,8 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
 }
 
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure) {
-  const Piece item = counted_from_1(figure.item);
+  const std::uint32_t index = figure.item.value_or(0);
+  const Piece item = counted_from_1(index);
   const double least = trace.placement.settings.min_ratio;
   switch (figure.kind) {
     case FigureKind::object:
@@ -136,7 +137,7 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
     case FigureKind::chord:
       return fill(
           "Chord from vertex #, load ratio #",
-          {counted_from_1(trace.rays.chords[figure.item].vertex), ratio_text(figure.value, least)});
+          {counted_from_1(trace.rays.chords[index].vertex), ratio_text(figure.value, least)});
     case FigureKind::edge:
       return fill("Edge #", {item});
     case FigureKind::section:
@@ -148,15 +149,15 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
     case FigureKind::bisecting:
       return "The chord between the edges' lines that C bisects";
     case FigureKind::chosen:
-      return fill(detail.opposite           ? "The chord between the two vertices, load ratio #"
-                  : figure.item == no_index ? "The best chord of the pair, load ratio #"
-                                            : "The pair's candidate, load ratio #",
+      return fill(detail.opposite ? "The chord between the two vertices, load ratio #"
+                  : !figure.item  ? "The best chord of the pair, load ratio #"
+                                  : "The pair's candidate, load ratio #",
                   {ratio_text(figure.value, least)});
     case FigureKind::candidate: {
-      const double ratio = trace.placement.candidates[figure.item].chord.ratio;
+      const double ratio = trace.placement.candidates[index].chord.ratio;
       const std::string text = fill("Candidate #, load ratio #", {item, ratio_text(ratio, least)});
       if (!detail.scores) return text;
-      const Score& score = detail.scores->of_candidate[figure.item];
+      const Score& score = detail.scores->of_candidate[index];
       if (detail.scores->rule == Rule::most_even) return text;
       return text + fill(detail.scores->rule == Rule::score ? ", score ##" : ", length ##",
                          {score.exact ? "" : "at most ",
@@ -183,7 +184,7 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
     case FigureKind::base:
       return "Lifting base H";
     case FigureKind::contact: {
-      const Contact& contact = trace.contacts[figure.item];
+      const Contact& contact = trace.contacts[index];
       const RobotIndex robot = robot_of(contact);
       return fill("Contact #: team #, robot # on edge #",
                   {item, counted_from_1(robot.team), counted_from_1(robot.end),
