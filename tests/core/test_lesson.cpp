@@ -97,19 +97,16 @@ TEST_CASE("a lesson is read with its settings, addresses and words", "[lesson]")
   REQUIRE(lesson.steps.size() == 8);
   CHECK(lesson.steps[0].words == "Two lines that are one.\nAnother paragraph.");
   CHECK(lesson.steps[0].line == 12);
-  using By = StepAddress::By;
-  const auto is = [&](std::size_t i, By by, std::uint32_t item, std::uint32_t other = 0) {
-    const StepAddress& address = lesson.steps[i].address;
-    return address.by == by && address.item == item && address.other == other;
-  };
-  CHECK((is(0, By::kind, 0) && lesson.steps[0].address.kind == StepKind::centre));
-  CHECK((is(1, By::kind, 1) && lesson.steps[1].address.kind == StepKind::team));
-  CHECK(is(2, By::vertex, 2));
-  CHECK((is(3, By::kind, 3) && lesson.steps[3].address.kind == StepKind::outcome));
-  CHECK(is(4, By::edges, 4, 5));
-  CHECK(is(5, By::number, 6));
-  CHECK((is(6, By::kind, 7) && lesson.steps[6].address.kind == StepKind::cut));
-  CHECK(is(7, By::end, 0));
+  const StepAddress expected[] = {at::Kind{StepKind::centre, 0},
+                                  at::Kind{StepKind::team, 1},
+                                  at::Vertex{2},
+                                  at::Kind{StepKind::outcome, 3},
+                                  at::Edges{4, 5},
+                                  at::Number{6},
+                                  at::Kind{StepKind::cut, 7},
+                                  at::End{}};
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+    CHECK((lesson.steps[i].address == expected[i]));
 
   Document sample = corpus::polygon("square");
   const Result<Document> document = lesson_document(lesson, sample);

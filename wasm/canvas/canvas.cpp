@@ -49,10 +49,10 @@ void draw_region(const Painter& painter, const Shape& shape, Colour fill, Colour
   }
 }
 
-bool named(const CanvasView& view, std::int32_t team) {
+bool named(const CanvasView& view, std::optional<std::uint32_t> team) {
   const Pick& hover = view.state.hover;
   return (hover.kind == Pick::Kind::chord || hover.kind == Pick::Kind::robot) &&
-         hover.other == view.other && static_cast<std::int32_t>(hover.index) == team;
+         hover.other == view.other && team == hover.index;
 }
 
 // H grows from what it was: the old one fades while the new one comes.

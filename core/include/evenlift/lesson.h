@@ -1,5 +1,5 @@
-// Lessons that a teacher writes in a text editor (docs/lessons.md): what to open, and words for the
-// steps to show.
+// Lessons that a teacher writes in a text editor (docs/lessons.md). A lesson says what to open, which
+// steps to show, and what to say at each.
 //
 //   # a comment
 //   title: Equal arms, equal loads
@@ -15,14 +15,14 @@
 //
 // First the settings, one to a line. `title` and one of `polygon` (the name of a sample) and `link`
 // (a share link) must be there; `teams`, `metric`, `min-ratio`, `com`, `weight` and `seed` are
-// those of `evenlift place` and go before what the link carries; `predict: yes` has the learner
-// guess. Then, for each step to show in the order of the lesson, its address in brackets and the
-// words. Addresses, counted as captions count, from 1:
+// those of `evenlift place` and override what the link carries; `predict: yes` makes the learner
+// guess. The steps follow in the order in which the lesson shows them, each with its address in
+// brackets and its words. Addresses count from 1, as captions do:
 //   KIND or KIND N   a step's kind as `evenlift trace --json` names it, and its number: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           what becomes of that pair of edges
 //   edges A B        the same by the edges' numbers
-//   step N           by its number in the whole trace: not robust, where the polygon changes
+//   step N           its number in the whole trace, which changes with the polygon
 //   end              the last step
 #pragma once
 
@@ -31,6 +31,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "evenlift/document.h"
@@ -40,20 +41,36 @@
 
 namespace evenlift {
 
-// Bounds; beyond them a clear refusal.
+// Bounds. What is beyond them is refused.
 inline constexpr std::size_t max_lesson_bytes = 1u << 16;
 inline constexpr std::size_t max_lesson_steps = 200;
 inline constexpr std::size_t max_lesson_title = 100;   // bytes
 inline constexpr std::size_t max_lesson_words = 1000;  // bytes, of one step
 
-// Where a lesson stops.
-struct StepAddress {
-  enum class By : std::uint8_t { kind, vertex, edges, number, end };
-  By by = By::end;
-  StepKind kind = StepKind::polygon;  // with By::kind
-  std::uint32_t item = 0;             // from 0: of the kind, vertex, edge a or step
-  std::uint32_t other = 0;            // edge b
+// Where a lesson stops. All indices count from 0.
+namespace at {
+struct Kind {
+  StepKind kind = StepKind::polygon;
+  std::uint32_t item = 0;
+  bool operator==(const Kind&) const = default;
 };
+struct Vertex {  // the ray from that vertex
+  std::uint32_t vertex = 0;
+  bool operator==(const Vertex&) const = default;
+};
+struct Edges {  // what becomes of the pair of these two edges
+  std::uint32_t a = 0, b = 0;
+  bool operator==(const Edges&) const = default;
+};
+struct Number {  // in the whole trace
+  std::uint32_t step = 0;
+  bool operator==(const Number&) const = default;
+};
+struct End {
+  bool operator==(const End&) const = default;
+};
+}  // namespace at
+using StepAddress = std::variant<at::Kind, at::Vertex, at::Edges, at::Number, at::End>;
 
 // A setting of the lesson's own, as it is written.
 struct GivenSetting {
@@ -76,19 +93,21 @@ struct Lesson {
   std::vector<LessonStep> steps;  // at least one
 };
 
-// Reads a lesson. Total: any bytes give a lesson or an error, whose place is a line. UTF-8, lines
-// ending in \n or \r\n. Whether the link or polygon opens and the steps exist is not asked here.
+// Reads a lesson in UTF-8 with lines that end in \n or \r\n. Any bytes give a lesson or an error,
+// whose place is a line. Does not check that the link or polygon opens or that the steps exist.
 // O(bytes).
 Result<Lesson> parse_lesson(std::string_view text);
 
-// The document that the lesson is about: its link's, or `sample`, the document of the sample that
-// it names, which the caller has read; with the lesson's own settings. The errors of decode_link.
+// The document that the lesson is about, with the lesson's own settings: its link's document, or
+// else `sample`, which the caller has read by the lesson's `polygon`. The errors are decode_link's.
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample);
 
-// The step's number; nothing if the trace has no such step. O(K) with edges or a vertex, else O(1).
+// The number of the step in the trace; nothing if the trace has no such step. O(K) for edges and
+// vertices, otherwise O(1).
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address);
 
-// The first step of the lesson that the trace does not have, as an error at its line.
+// An error at the line of the first step that the trace does not have; nothing if it has them all.
+// As find_step for each step.
 std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace);
 
 }  // namespace evenlift

@@ -1,12 +1,11 @@
-// The lesson's data: the algorithm as a row of steps, each had at once from its number.
+// The lesson's data: random access to the steps of the algorithm.
 //
-// A trace belongs to one placement. It holds what the stages found on the way (chords from
-// vertices, edge-pairs and what became of each, contacts) and a table of blocks of like steps, so
-// that the kind and the item of step k are a matter of a few additions. Nothing accumulates by
-// playing: what is known after step k is progress_at(trace, k), counts of what has been dealt with; the
-// arrays that they count are the trace's and the placement's own. What only one step needs (the
-// score of every candidate, the regions that a few contacts leave) look_at() computes with the
-// stages' own functions. No step is computed a second way for being taught.
+// A trace belongs to one placement. It holds what the stages found on the way (chords from vertices,
+// edge-pairs and what became of each, contacts) and a short table of blocks of similar steps, from
+// which step(k) is found in O(1). Playing the steps accumulates nothing: progress_at(trace, k) says
+// how much of the trace's and the placement's arrays is known after step k, and look_at() computes
+// what only one step needs (every candidate's score, the regions that a few contacts leave) with the
+// stages' own functions.
 //
 // A program that shows a lesson keeps the placement, its trace and the detail of the current step:
 //
@@ -44,8 +43,8 @@ enum class Chapter : std::uint8_t {
 };
 inline constexpr std::uint32_t chapter_count = 9;
 
-// What a step is about. `item` of a step counts from 0 among the steps of its kind; what it numbers
-// is said here ("1" where there is only one).
+// What a step is about. The `item` of a step counts from 0 among the steps of its kind. The comments
+// say what it numbers; "1" means that there is only one such step.
 enum class StepKind : std::uint8_t {
   polygon,       // 1
   centroid,      // 1: how it is found
@@ -87,10 +86,10 @@ struct Step {
   bool operator==(const Step&) const = default;
 };
 
-// No index.
+// Stands for "none" in arrays of indices.
 inline constexpr std::uint32_t no_index = ~std::uint32_t{0};
 
-// More steps are refused: nobody would watch them, and a browser would not hold them.
+// Longer traces are refused: nobody would watch them, and a browser could not hold them.
 inline constexpr std::uint32_t max_trace_steps = 1u << 20;
 
 struct Trace {
@@ -98,8 +97,8 @@ struct Trace {
   Polygon polygon;
   Vec2 centre = Vec2::Zero();  // the placement's centre of mass
 
-  // Chapter 2. A ray's chords are ray_chords[begins[i]] to before begins[i + 1]: first those that
-  // were listed at an earlier ray already, whose `vertex` is their other end, then its own.
+  // Chapter 2. The chords of ray i are chords[begins[i] .. begins[i + 1]). Those that were already
+  // listed at an earlier ray come first; their `vertex` is their other end.
   struct Rays {
     std::vector<std::uint32_t> vertices;  // in the order found
     std::vector<std::uint32_t> begins;    // one more
@@ -110,15 +109,15 @@ struct Trace {
   // Chapter 4, area, circle and distance only.
   std::vector<EdgePair> pairs;
   std::vector<OppositeVertices> opposite;
-  // The sources of candidates: source i is pair i, or opposite vertices i - pairs.size(). For each
-  // the candidate that it led to, or no_index.
+  // Candidates come from sources: source i is pair i, or opposite vertices i - pairs.size(). For each
+  // source this is the candidate that it led to, or no_index.
   std::vector<std::uint32_t> candidate_of_source;
-  // For each candidate the source whose chord stands, and the first source that led to it.
+  // For each candidate the source whose chord was kept, and the first source that led to it.
   std::vector<std::uint32_t> source_of_candidate, first_source_of_candidate;
 
   std::vector<Contact> contacts;
 
-  // Runs of like steps: item i takes the steps first + i * kinds and on, one of each kind.
+  // A run of similar steps: item i takes `kinds` steps, one of each kind, from first + i * kinds on.
   struct Block {
     std::uint32_t first = 0, items = 0, first_item = 0, kinds = 1;
     std::array<StepKind, 3> kind{};
@@ -132,7 +131,7 @@ struct Trace {
   Step step(std::uint32_t k) const;
   // Number of steps of a kind that a trace has: its items are 0 .. count - 1. O(1).
   std::uint32_t count(StepKind kind) const;
-  // The number of a step; nothing if there is none such. O(1).
+  // The number of a step; nothing if the trace has no such step. O(1).
   std::optional<std::uint32_t> find(StepKind kind, std::uint32_t item) const;
   // The first step of a chapter; nothing if this trace has no such chapter. O(1).
   std::optional<std::uint32_t> chapter_begin(Chapter chapter) const;
@@ -140,7 +139,7 @@ struct Trace {
   bool by_candidates() const;
 };
 
-// Whether C lies outside of the polygon, its boundary being inside; exact. O(n).
+// Whether C lies outside of the polygon. Its boundary counts as inside. Exact. O(n).
 bool centre_is_outside(const Trace& trace);
 
 // The team and the end (0: r1, 1: r2) that a contact belongs to. O(1).
@@ -151,17 +150,17 @@ inline RobotIndex robot_of(const Contact& contact) {
   return {contact.point / 2, contact.point % 2};
 }
 
-// The trace of a placement that place() gave. Refused where there are more than max_trace_steps
-// steps. The cost of place() without the selection: O(n log n + K log K) for K edge-pairs and
-// opposite vertices.
+// The trace of a placement that place() returned. An error if it would have more than
+// max_trace_steps steps. Costs as much as place() without the selection: O(n log n + K log K) for K
+// edge-pairs and opposite vertices.
 Result<Trace> make_trace(const Placement& placement);
 
-// The step of `trace` that is nearest to a step of another trace (before an edit): the same kind
-// and item, else the last of that kind, else the beginning of its chapter or of the next there is.
-// O(1).
+// The step of `trace` that is nearest to a step of another trace, from before an edit: the step with
+// the same kind and item, else the last of that kind, else the beginning of its chapter or of the
+// next chapter that exists. O(1).
 std::uint32_t nearest_step(const Trace& trace, const Step& step);
 
-// What is known after step k: counts, from the beginning, of what has been dealt with.
+// What is known after step k, as counts from the beginning of the trace's and placement's arrays.
 struct Progress {
   std::uint32_t rays = 0;
   bool slopes = false;
@@ -169,27 +168,27 @@ struct Progress {
   std::uint32_t sources = 0;     // pairs and, after all of these, opposite vertices decided
   bool merged = false;           // from here on the placement's own candidates
   std::uint32_t teams = 0;       // teams taken
-  std::uint32_t base_teams = 0;  // teams that H is the hull of
+  std::uint32_t base_teams = 0;  // teams whose robots H is the hull of
   std::uint32_t shares = 0;      // teams whose loads are known
   bool coverage = false;
   std::uint32_t cuts = 0;  // contacts whose normal lines have cut the regions
   bool closure = false;    // all that place() reports
   bool operator==(const Progress&) const = default;
 };
-// A pure function of k. O(1).
+// Depends on k alone. Candidate c is known if `merged`, or else if first_source_of_candidate[c] <
+// `sources`. O(1).
 Progress progress_at(const Trace& trace, std::uint32_t k);
 
-// Candidate c is known after step k if progress_at(k).merged, or else if first_source_of_candidate[c] <
-// progress_at(k).sources. H of the first `teams` teams: O(teams log teams).
+// The lifting base H of the first `teams` teams. O(teams log teams).
 Points lifting_base(const Trace& trace, std::uint32_t teams);
 
 // What became of an edge-pair.
 enum class Outcome : std::uint8_t {
-  bisecting,     // C bisects a chord in the sections: the candidate
-  nearer_end,    // it does not: the end of larger ratio is the candidate
-  too_uneven,    // or is not, its ratio being below the minimum
-  midpoint,      // parallel: the chord between the midpoints
-  parallel_low,  // parallel, the ratio all along below the minimum
+  bisecting,     // C bisects a chord between the sections, which is the candidate
+  nearer_end,    // C bisects none; the end with the larger ratio is the candidate
+  too_uneven,    // C bisects none, and even the better end is below the minimum ratio
+  midpoint,      // the edges are parallel; the chord between the middles is the candidate
+  parallel_low,  // the edges are parallel, and their ratio is below the minimum
 };
 std::string_view name(Outcome outcome);
 
@@ -197,12 +196,12 @@ struct PairDetail {
   EdgePair pair;
   PairVerdict verdict;
   Outcome outcome = Outcome::bisecting;
-  // The section's ends: the part of a is from a[0] to a[1], that of b from b[0] to b[1], a[i] and
-  // b[i] being the ends of the vertex-chord ends[i].
+  // The section of edge a goes from a[0] to a[1], that of edge b from b[0] to b[1]. The chord
+  // ends[i] connects a[i] and b[i].
   std::array<Vec2, 2> a{Vec2::Zero(), Vec2::Zero()}, b{Vec2::Zero(), Vec2::Zero()};
   std::array<Chord, 2> ends;
-  // Edge b reflected through C; where the line of a meets its line, which is an end of the chord
-  // that C bisects (perhaps far outside); nothing where they are parallel.
+  // Edge b reflected through C, and where its line meets the line of a: an end of the chord that C
+  // bisects, perhaps far outside. Nothing if the edges are parallel.
   std::array<Vec2, 2> reflected{Vec2::Zero(), Vec2::Zero()};
   std::optional<Vec2> meeting;
   std::uint32_t nearer = 0;  // the end of larger ratio: 0 or 1
@@ -223,15 +222,15 @@ struct OppositeDetail {
 // Of trace.opposite[index]. O(1).
 OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index);
 
-// How far an end of a candidate would push out H.
+// How much one end of a candidate would widen H.
 struct EndGain {
   bool outside = false;                       // of H; if not, it gains nothing
   Vec2 h1 = Vec2::Zero(), h2 = Vec2::Zero();  // the edge of H that C sees it beyond
   Vec2 p = Vec2::Zero();                      // the end
   double value = 0;                           // f(p)
 };
-// The key at which a candidate was out; of the winner's choice, the key that told it from the last
-// of the others.
+// The key at which a candidate dropped out. For the choice as a whole: the key that told the winner
+// from the last of the others.
 enum class DecidedBy : std::uint8_t { only_one, first_key, ratio, length, order };
 struct Score {
   double value = 0;    // of a further team; of a first one its length (or ratio, with `most_even`)
@@ -251,17 +250,18 @@ struct TeamScores {
   Rule rule = Rule::score;
   Points base;  // H before
   std::vector<Score> of_candidate;
-  // The candidates not taken yet, the winner first, then by what they lost: the last to tie first.
+  // The candidates that are not taken yet: the winner, then the others, the later they dropped out the
+  // earlier.
   std::vector<std::uint32_t> ranking;
   DecidedBy decided_by = DecidedBy::only_one;
 };
-// For the choice of team `team`; traces by_candidates() only. With at most exact_score_budget
-// products of candidates and vertices every score is exact; beyond, only those that compete, as the
-// selection has them. O(K log K) and the scores.
+// The scores for the choice of team `team`, in traces by_candidates() only. Every score is exact if
+// candidates times vertices are at most exact_score_budget; beyond that, only the scores that the
+// selection itself evaluated are. O(K log K) plus the cost of the scores.
 TeamScores look_at_scores(const Trace& trace, std::uint32_t team);
 inline constexpr std::uint64_t exact_score_budget = 1u << 22;
 
-// All that a step shows and that is not in the trace itself; empty what it is not about.
+// What a step shows beyond the trace itself. Members that the step is not about are empty.
 struct StepDetail {
   std::uint32_t number = 0;
   Step step;
@@ -269,14 +269,14 @@ struct StepDetail {
   std::optional<OppositeDetail> opposite;  // opposite
   std::optional<TeamScores> scores;        // scores, team: by candidates
   Points base_before, base;                // scores, team, base: H without and with the team
-  FreeRegion clockwise, counterclockwise;  // contacts, cut: what is left after it
-  bool clockwise_before = true, counterclockwise_before = true;  // whether there was one before it
+  FreeRegion clockwise, counterclockwise;  // contacts, cut: what is left after the step
+  bool clockwise_before = true, counterclockwise_before = true;  // whether a region was left before
 };
-// O(1), but: scores and team as look_at_scores; base O(teams log teams); contacts and cut O(c^2) at
-// worst for c contacts so far.
+// O(1), except: `scores` and `team` cost as much as look_at_scores; `base` O(teams log teams);
+// `contacts` and `cut` O(c^2) at worst for c contacts so far.
 StepDetail look_at(const Trace& trace, std::uint32_t k);
 
-// What there is to draw, and to tell about when the pointer is over it.
+// What a figure means. The comment says its shape, and what its item and value are.
 enum class FigureKind : std::uint8_t {
   object,       // the polygon (area)
   triangle,     // a vertex and an edge; value: its share of the area, negative where it folds back
@@ -316,15 +316,14 @@ struct Figure {
   std::optional<std::uint32_t> item;  // what FigureKind says
   double value = 0;
 };
-// What the step is about, back to front. O(size of it): n, K candidates, or the chords of a ray;
-// the chords of all rays for `slopes`.
+// The figures of a step, back to front. O(number of points in them).
 std::vector<Figure> figures(const Trace& trace, const StepDetail& detail);
 
 // The chords of all rays in order of slope, each once: indices into rays.chords. O(their number).
 std::vector<std::uint32_t> chords_by_slope(const Trace& trace);
 
-// What the metric measures for a candidate: its triangles clipped to P, circles or arms. `scores`
-// of further teams. O(n).
+// What the metric measures for a candidate: triangles clipped to P, circles, or arms. `scores` are
+// those of a further team, not of the first. O(n).
 std::vector<Figure> gain_figures(const Trace& trace, const TeamScores& scores,
                                  std::uint32_t candidate);
 
@@ -344,10 +343,9 @@ struct Question {
   QuestionKind kind = QuestionKind::nearer_end;
   std::uint32_t answer = 0;
 };
-// Ask before step detail.number is shown, while step number - 1 is. Nothing if it is no choice.
-// O(1).
+// The question to ask before step detail.number is shown. Nothing if the step is not a choice. O(1).
 std::optional<Question> question(const Trace& trace, const StepDetail& detail);
-// The same without the detail: is step k a choice? O(1).
+// Whether step k is a choice, without its detail. O(1).
 bool is_choice(const Trace& trace, std::uint32_t k);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// "Why not this one?" Why a chord through C is not among the teams, as data; the words are in
-// output/trace_words.h.
+// "Why not this one?" says as data why a chord through C is not among the teams. The words for it are
+// in output/trace_words.h.
 #pragma once
 
 #include <cstdint>
@@ -42,19 +42,21 @@ struct WhyNot {
 // choice, the last one before (the first, before any). The cost of look_at_scores.
 WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate);
 
-// The same for an edge-pair's chord. O(1) or that of why_not.
+// Like why_not, for the chord of an edge-pair. O(1), or the cost of why_not if the pair's candidate
+// was kept.
 WhyNot why_not_pair(const Trace& trace, std::uint32_t k, std::uint32_t pair);
 
-// The chords through C along the line of `direction`, other than zero: one for each boundary point
-// ahead and each behind. At most most_chords_through. O(n log n).
+// The chords through C along the line of `direction`: one for each boundary point ahead of C with
+// each one behind, at most most_chords_through. None if the direction is zero. O(n log n).
 inline constexpr std::size_t most_chords_through = 256;
 std::vector<Chord> chords_through(const Trace& trace, const Vec2& direction);
 
-// The shortest of the chords through C and `point` that reaches it, or the longest if none does;
-// nothing where there is none, or at C itself. O(n log n).
+// Of the chords through C and `point` the shortest that reaches the point, or the longest if none
+// does. Nothing if there is no chord, or if the point is C itself. O(n log n).
 std::optional<Chord> chord_at(const Trace& trace, const Vec2& point);
 
-// Why this chord (of chords_through or chord_at, or nothing) is no team. O(n + K) besides why_not.
+// Why a chord of chords_through or chord_at is not a team; with nothing, why there is no chord.
+// O(n + K), besides the cost of why_not.
 WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Chord>& chord);
 
 }  // namespace evenlift

@@ -9,6 +9,29 @@ bool on_edges(const EdgePair& pair, std::uint32_t a, std::uint32_t b) {
   return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
 }
 
+struct Finder {
+  const Trace& trace;
+
+  std::optional<std::uint32_t> operator()(const at::Kind& address) const {
+    return trace.find(address.kind, address.item);
+  }
+  std::optional<std::uint32_t> operator()(const at::Vertex& address) const {
+    for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i)
+      if (trace.rays.vertices[i] == address.vertex) return trace.find(StepKind::ray, i);
+    return std::nullopt;
+  }
+  std::optional<std::uint32_t> operator()(const at::Edges& address) const {
+    for (std::uint32_t i = 0; i < trace.pairs.size(); ++i)
+      if (on_edges(trace.pairs[i], address.a, address.b)) return trace.find(StepKind::outcome, i);
+    return std::nullopt;
+  }
+  std::optional<std::uint32_t> operator()(const at::Number& address) const {
+    if (address.step < trace.size()) return address.step;
+    return std::nullopt;
+  }
+  std::optional<std::uint32_t> operator()(const at::End&) const { return trace.size() - 1; }
+};
+
 }  // namespace
 
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample) {
@@ -21,25 +44,7 @@ Result<Document> lesson_document(const Lesson& lesson, const Document& sample) {
 }
 
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address) {
-  switch (address.by) {
-    case StepAddress::By::kind:
-      return trace.find(address.kind, address.item);
-    case StepAddress::By::vertex:
-      for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i)
-        if (trace.rays.vertices[i] == address.item) return trace.find(StepKind::ray, i);
-      return std::nullopt;
-    case StepAddress::By::edges:
-      for (std::uint32_t i = 0; i < trace.pairs.size(); ++i)
-        if (on_edges(trace.pairs[i], address.item, address.other))
-          return trace.find(StepKind::outcome, i);
-      return std::nullopt;
-    case StepAddress::By::number:
-      if (address.item < trace.size()) return address.item;
-      return std::nullopt;
-    case StepAddress::By::end:
-      break;
-  }
-  return trace.size() - 1;
+  return std::visit(Finder{trace}, address);
 }
 
 std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace) {

@@ -146,40 +146,32 @@ class Reader {
     finish_step();
     if (line.back() != ']') return refuse("a step's address ends in ]");
     if (lesson_.steps.size() == max_lesson_steps) return refuse("a lesson has at most 200 steps");
-    LessonStep step;
-    step.line = line_;
-    if (!read_address(trimmed(line.substr(1, line.size() - 2)), step.address))
+    const auto address = read_address(trimmed(line.substr(1, line.size() - 2)));
+    if (!address)
       return refuse(
           "expected the address of a step, such as [centre], [vertex 3], [pair 2], [edges 4 7], [team 2] or [end]");
-    lesson_.steps.push_back(std::move(step));
+    lesson_.steps.push_back({*address, {}, line_});
     gap_ = false;
   }
 
-  // A word and up to two numbers from 1.
-  static bool read_address(std::string_view text, StepAddress& address) {
+  // A word and up to two numbers from 1; nothing for anything else.
+  static std::optional<StepAddress> read_address(std::string_view text) {
     std::array<std::uint32_t, 2> numbers{};
     std::size_t count = 0;
     const std::string_view word = next_word(text);
     for (; !text.empty(); ++count) {
       const auto number = read_whole(next_word(text));
       if (count == numbers.size() || !number || *number < 1 || *number > ~std::uint32_t{0})
-        return false;
+        return std::nullopt;
       numbers[count] = static_cast<std::uint32_t>(*number - 1);
     }
-    address.item = numbers[0];
-    address.other = numbers[1];
-    if (word == "end") return count == 0;
-    address.by = StepAddress::By::edges;
-    if (word == "edges") return count == 2;
-    address.by = StepAddress::By::vertex;
-    if (word == "vertex") return count == 1;
-    address.by = StepAddress::By::number;
-    if (word == "step") return count == 1;
-    address.by = StepAddress::By::kind;
+    if (word == "end" && count == 0) return at::End{};
+    if (word == "edges" && count == 2) return at::Edges{numbers[0], numbers[1]};
+    if (word == "vertex" && count == 1) return at::Vertex{numbers[0]};
+    if (word == "step" && count == 1) return at::Number{numbers[0]};
     const auto kind = step_kind_from_name(word == "pair" ? "outcome" : word);
-    if (!kind) return false;
-    address.kind = *kind;
-    return count < 2;
+    if (!kind || count == 2) return std::nullopt;
+    return at::Kind{*kind, numbers[0]};
   }
 
   static std::string_view next_word(std::string_view& text) {

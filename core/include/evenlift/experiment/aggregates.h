@@ -16,11 +16,11 @@ struct Statistics {
       deviation;  // standard deviation of a sample (divided by n - 1); none of one
 };
 
-// Mean and deviation of values, at least one, added up in their order. O(n).
+// Mean and deviation of at least one value, added up in order. O(n).
 Statistics statistics(const std::vector<double>& values);
 
-// A method with a number of teams, over all polygons on which the algorithm can place that many and
-// the method did.
+// The averages of a method with a number of teams, over all polygons on which the algorithm can place
+// that many teams and the method did.
 struct Aggregate {
   Method method = Method::area;
   std::uint32_t teams = 0;
@@ -29,9 +29,9 @@ struct Aggregate {
   Statistics load_max;         // kg
   Statistics max_share;        // 0.5 .. 1 (5.5, 5.6)
   Statistics coverage;         // 0 .. 1 (5.7, 5.8)
-  // Of the polygons, those that some method closes with some number of teams, be it in one random
-  // sample; and of these the part in form closure, 0 .. 1 (5.11). The same by the thesis's own
-  // test.
+  // `closable` is the number of polygons that at least one placement of any method closes, and
+  // `form_closure` the fraction of those that this method closes (figure 5.11). The other two are the
+  // same by the thesis's own, weaker test.
   std::uint32_t closable = 0, no_area_possible = 0;
   std::optional<double> form_closure, no_area;
 };
@@ -41,7 +41,7 @@ struct Aggregate {
 bool closable(const PolygonResult& result);
 bool no_area_possible(const PolygonResult& result);
 
-// Of the results of one set: by method, then teams. O(rows).
+// The aggregates of one set's results, by method, then by teams. O(rows).
 std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results);
 
 // The aggregates of one set.

@@ -1,4 +1,4 @@
-// The algorithm as one, where the thesis speaks of "our algorithm": the mean of its three metrics.
+// What the thesis calls "our algorithm": the mean of the three metrics.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace evenlift::experiment {
 
-// A value of an aggregate; none where it has none.
+// Picks a value of an aggregate; nothing if the aggregate does not have it.
 using Pick = std::optional<double> (*)(const Aggregate&);
 std::optional<double> pick_spread(const Aggregate& a);
 std::optional<double> pick_share(const Aggregate& a);
@@ -20,9 +20,9 @@ std::optional<double> pick_closure(const Aggregate& a);
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t teams, Pick pick);
 
-// How many times as large as the algorithm's spread with that many teams the method's is; none
-// where one of them has none, and where the algorithm's loads are even to within τ of their mean.
-// For objects of experiment_weight. O(rows).
+// The ratio of the method's spread to the algorithm's with that many teams, for objects of
+// experiment_weight. Nothing if either is missing, or if the algorithm's loads are even to within τ
+// of their mean. O(rows).
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
                                    std::uint32_t teams);
 
@@ -30,7 +30,7 @@ struct Range {
   double least = 0, most = 0;
 };
 
-// The least and the greatest spread_times for 1 .. most_teams teams; none if there is none.
+// The least and the greatest spread_times for 1 .. most_teams teams; nothing if there is none.
 // O(rows most_teams).
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
                                   std::uint32_t most_teams);

@@ -1,5 +1,5 @@
-// Every number that the text of the thesis's chapter 5 (and its repetition in 6.1) states, next to
-// the same number on the measured polygons.
+// Every number that chapter 5 of the thesis states in its text (and 6.1 repeats), beside the same
+// number on the measured polygons.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct Claim {
   std::string ours;     // the same from the data; "—" where the data have none
 };
 
-// Of one set: `results` sorted, `aggregates` of them. The same claims in the same order for every
-// set. O(rows).
+// The claims of one set from its sorted `results` and their `aggregates`. Every set has the same
+// claims in the same order. O(rows).
 std::vector<Claim> make_claims(const std::vector<PolygonResult>& results,
                                const std::vector<Aggregate>& aggregates);
 

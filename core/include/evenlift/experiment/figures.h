@@ -31,16 +31,16 @@ struct Figure {
   std::vector<FigureSeries> series;  // by method; none without values
 };
 
-// As many teams as at least a fifth of the polygons with candidates can place, so that no average
-// of a chart is one of few; 0 without any. O(rows).
+// The largest number of teams that at least a fifth of the polygons with candidates can place, so
+// that no point of a chart averages only a few polygons. 0 without polygons. O(rows).
 std::uint32_t most_teams_shown(const std::vector<Aggregate>& aggregates);
 
 // Figures 5.3 to 5.8 and 5.11 of one set, up to most_teams_shown. O(rows).
 std::vector<Figure> make_figures(const SetAggregates& set);
 
-// What 5.1 measures of one polygon, against the number of robots, with every method: the greatest
-// load, the difference of loads, coverage, and form closure (of random placements the part of the
-// samples in form closure). `settings` are those with which it was measured. O(rows).
+// What section 5.1 measures of one polygon with every method, against the number of robots: the
+// greatest load, the difference of loads, coverage, and form closure (for random placements the
+// fraction of samples in form closure). `settings` are those of the measurements. O(rows).
 std::vector<Figure> make_polygon_figures(const PolygonResult& result,
                                          const ExperimentSettings& settings);
 

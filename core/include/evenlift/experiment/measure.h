@@ -22,14 +22,14 @@ inline constexpr std::uint32_t max_experiment_teams = 10000;
 struct ExperimentSettings {
   double min_ratio = 0.8;       // minimum load ratio, 0 .. 1, both included
   std::uint32_t samples = 200;  // random placements of each polygon, 1 .. max_samples
-  // Polygons on which the algorithm can place more are measured with up to so many, 1 ..
-  // max_experiment_teams: the time grows with the square.
+  // Every polygon is measured with at most this many teams, 1 .. max_experiment_teams: the time
+  // grows with the square.
   std::uint32_t most_teams = 1000;
   double weight = experiment_weight;  // of the object, kg; above 0
   bool operator==(const ExperimentSettings&) const = default;
 };
 
-// Whether settings are in range; the error's place names the option. O(1).
+// An error if a setting is out of its range; its place names the option. O(1).
 std::optional<InputError> check_settings(const ExperimentSettings& settings);
 
 // A polygon ready to be measured.
@@ -39,18 +39,18 @@ struct Subject {
   std::vector<Candidate> candidates;  // as many teams as the algorithm can place
 };
 
-// Validates a document and finds its candidates; errors as place(). The document's settings do not
-// matter. O(n log n + K log K) for K edge-pairs.
+// Validates a document and finds its candidates. The errors are those of place(). The document's
+// settings do not matter. O(n log n + K log K) for K edge-pairs.
 Result<Subject> prepare(const Document& document, double min_ratio);
 
-// One method with one number of teams on one polygon; of random placements the averages.
+// One method with one number of teams on one polygon. Random placements are averaged.
 struct Measurement {
   Method method = Method::area;
   std::uint32_t teams = 0;    // 1 .. number of candidates
   std::uint32_t samples = 1;  // placements averaged; 1 for all methods but random
   double coverage = 0;        // 0 .. 1
   double form_closure = 0;    // part of the placements in form closure, 0 .. 1; 0 or 1 of one
-  double no_area = 0;         // the same of the thesis's own test, that no region of free rotation
+  double no_area = 0;         // the same by the thesis's own test: that no region of free rotation
                               // centres has an area
   double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, kg
   double spread = 0;                                 // load_max - load_min, kg (figure 5.3)
@@ -60,12 +60,11 @@ struct Measurement {
   bool operator==(const Measurement&) const = default;
 };
 
-// Measures one method with 1, 2, ... teams, as many as the algorithm can place (one for each
-// candidate) and settings allow, also for distributed and random placements, which do not need
-// them. A number of teams that a method cannot place (distributed and random, C on the boundary) is
-// left out. The random sample k = 1 .. samples is random_teams with seed k, whose first t teams are
-// its placement of t teams. The same values as place() reports. For t teams in all: O(t^2) loads,
-// and coverage and closure once for each team.
+// Measures one method with 1, 2, ... teams: as many as there are candidates and settings allow, for
+// distributed and random placements, too. A number of teams that a method cannot place is left out
+// (distributed and random, with C on the boundary). The random sample k = 1 .. samples is
+// random_teams with seed k, whose first t teams are its placement of t teams. The values are those
+// that place() reports. For t teams: O(t^2) loads, and coverage and closure once for each team.
 std::vector<Measurement> measure(const Subject& subject, Method method,
                                  const ExperimentSettings& settings);
 

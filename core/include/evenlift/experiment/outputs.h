@@ -1,4 +1,4 @@
-// All that an experiment says, made of the polygons' results.
+// Everything that an experiment reports, from the polygons' results.
 #pragma once
 
 #include <string>
@@ -17,10 +17,10 @@ struct Outputs {
   std::vector<SetClaims> claims;                             // none of a single polygon
 };
 
-// Of sets of polygons, each with its averages. O(rows).
+// The outputs of sets of polygons, each with its averages. O(rows).
 Outputs make_outputs(const std::vector<ResultSet>& sets);
 
-// Of one polygon by itself: its measurements and make_polygon_figures. O(rows).
+// The outputs of one polygon: its measurements and make_polygon_figures. O(rows).
 Outputs make_polygon_outputs(const PolygonResult& result, const ExperimentSettings& settings);
 
 // {"measurements", "aggregates", "polygons": the CSV files as strings; "thesis": the table in

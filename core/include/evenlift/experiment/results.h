@@ -1,5 +1,5 @@
-// The measurements of many polygons, and their text: the tidy CSV, and the part files that an
-// interrupted or shared run is put together from.
+// The measurements of many polygons, and their texts: tidy CSV, and the part files from which an
+// interrupted or shared run is put together.
 #pragma once
 
 #include <cstdint>
@@ -29,10 +29,11 @@ using Times = std::vector<std::pair<std::string, double>>;
 // 16 hexadecimal digits that tell texts apart (FNV-1a, 64 bits). O(bytes).
 std::string fingerprint(std::string_view bytes);
 
-// Of all that a polygon's result depends on: settings, centre of mass and vertices. O(n).
+// The fingerprint of everything that a polygon's result depends on: settings, centre of mass and
+// vertices. O(n).
 std::string fingerprint(const Document& document, const ExperimentSettings& settings);
 
-// Stands for the fingerprint of what could not be read.
+// The fingerprint of a file that could not be read.
 inline constexpr const char* refused_fingerprint = "refused";
 
 // A result without measurements yet. O(1).
@@ -50,7 +51,7 @@ struct ResultSet {
 // Divides sorted results into their sets, which keep their order. O(n).
 std::vector<ResultSet> group_by_set(std::vector<PolygonResult> results);
 
-// One finished polygon as text, ending in a newline; O(rows).
+// One finished polygon. write_part gives it as text that ends in a newline. O(rows).
 struct Part {
   ExperimentSettings settings;
   std::string fingerprint;  // of its input
@@ -60,7 +61,7 @@ struct Part {
 };
 std::string write_part(const Part& part);
 
-// Reads what write_part wrote, exactly; none for anything else, also if a line is missing.
+// Reads exactly what write_part wrote. Nothing for any other text, such as one that lacks a line.
 // O(bytes).
 std::optional<Part> read_part(std::string_view text);
 

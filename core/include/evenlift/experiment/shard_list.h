@@ -1,4 +1,4 @@
-// The list of polygons that a finished shard of an experiment leaves, for those who merge.
+// The list of polygons that a finished shard of an experiment leaves for the merge.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ struct ShardList {
   std::vector<Entry> entries;
 };
 
-// As text, and back; none for what write_shard_list did not write. O(entries).
+// The list as text, and back. Reading gives nothing for what write_shard_list did not write.
+// O(entries).
 std::string write_shard_list(const ShardList& list);
 std::optional<ShardList> read_shard_list(std::string_view text);
 

@@ -21,7 +21,7 @@ struct CapacityInJson {
 std::string placement_json(const Placement& placement, bool with_candidates,
                            const std::optional<CapacityInJson>& capacity = std::nullopt);
 
-// What a link holds: polygon, centre_of_mass (if its own) and the settings that it carries.
+// What a link holds: the polygon, the centre of mass if it is not the centroid, and the settings.
 std::string document_json(const Document& document);
 
 }  // namespace evenlift

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,13 @@ enum class Role : std::uint8_t {
 
 struct Shape {
   Role role = Role::object;
-  Points points;           // closed area (3 or more), segment (2) or spot (1)
-  std::int32_t team = -1;  // for chords and robots: index of the team
-  double load = 0;         // for robots
+  Points points;                      // closed area (3 or more), segment (2) or spot (1)
+  std::optional<std::uint32_t> team;  // index of the team, of chords and robots
+  double load = 0;                    // for robots
 };
 
-// Back to front, only what the overlays ask for. Of more than `most_lines` candidates, or chords,
-// every second, third … one is shown: nobody could tell them apart. O(output).
+// What the overlays ask for, back to front. If there are more than `most_lines` candidates or chords,
+// only every second, third and so on is shown: nobody could tell them apart. O(output).
 std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
                                 std::size_t most_lines = SIZE_MAX);
 

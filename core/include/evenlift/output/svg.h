@@ -1,4 +1,4 @@
-// A placement as an SVG picture for reports: self-contained, no scripts, no fonts to load.
+// A placement as an SVG picture for reports. It is self-contained: no scripts, no fonts to load.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace evenlift {
 
 // Polygon, H, chords, robots with their loads, centre of mass and the two closure regions (hatched,
 // so that they are told apart without colour), fitted with a margin; a caption and a <title>/<desc>
-// in words. Same bytes on every platform. O(output).
+// in words. The same bytes on every platform. O(output).
 std::string placement_svg(const Placement& placement);
 
 }  // namespace evenlift

@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// Longer traces are not printed as a whole: more steps, or more candidates compared in all choices
-// together. The error says which.
+// Bounds of a trace that is printed as a whole: its steps, and the candidates compared in all its
+// choices together. The error says which bound it exceeds.
 inline constexpr std::uint32_t most_printed_steps = 50000;
 inline constexpr std::uint64_t most_printed_comparisons = 1u << 21;
 std::optional<InputError> check_printed_size(const Trace& trace);
@@ -21,7 +21,7 @@ std::optional<InputError> check_printed_size(const Trace& trace);
 // step.
 std::string trace_json(const Trace& trace);
 
-// The same to read: a numbered list of captions and formulas under the chapters' titles.
+// The trace for people: a numbered list of captions and formulas under the chapters' titles.
 std::string trace_list(const Trace& trace);
 
 }  // namespace evenlift

@@ -1,7 +1,6 @@
 // The lesson in words: captions with this polygon's own numbers, formulas with the numbers filled
-// in, the algorithm as pseudo-code, and answers to "why not this one?". Plain English, UTF-8, the
-// same bytes on every platform; vertices, edges, candidates and teams are counted from 1, as people
-// do.
+// in, the algorithm as pseudo-code, and answers to "why not this one?". All texts are plain English
+// in UTF-8, the same bytes on every platform. Vertices, edges, candidates and teams count from 1.
 #pragma once
 
 #include <string>
@@ -23,20 +22,20 @@ std::string caption(const Trace& trace, const StepDetail& detail);
 // where there is nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
-// The algorithm in our own words, a statement a line, two spaces of indentation a level; `metric`
-// is the placement's. O(1).
+// The algorithm in our own words for one method. Each line is a statement, indented by two spaces for
+// each level. O(1).
 std::vector<std::string_view> pseudo_code(Method method);
 
 // Which of these lines the step carries out, from 0. O(1).
 std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);
 
-// What a learner is asked before the step is shown. `question` is that of the detail. O(1).
+// What a learner is asked before the step is shown: question(trace, detail) in words. O(1).
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question);
 
 // Why a chord is no team, or which one it is, with the numbers. O(1).
 std::string why_not_text(const Trace& trace, const WhyNot& answer);
 
-// What a shape is, for the pointer over it: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7 of
+// What a figure is, shown when the pointer is over it: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7 of
 // 100". O(1).
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure);
 

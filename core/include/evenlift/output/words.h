@@ -1,11 +1,9 @@
-// Numbers and results in words for people: for the program, the page, pictures, lessons and
-// experiments alike, so that all of them say the same. Plain English, UTF-8, the same bytes on
-// every platform.
+// Numbers and results in words. The program, the page, pictures, lessons and experiments all use
+// them, so that all say the same. Texts are plain English in UTF-8, the same bytes on every platform.
 //
-// A number is rounded as people do it with the decimal that shortest() prints: to the nearest, a
-// half away from zero. So 2.345 is 2.35 with two decimals, although its double is a little less.
-// Minus is "−", and never stands before a zero. Between a number and its unit is U+00A0, which
-// keeps them on one line.
+// A number is rounded as people round the decimal that shortest() prints: to the nearest, and a half
+// away from zero. So 2.345 is 2.35 with two decimals, although its double is a little less. The minus
+// sign is "−", and zero never has one. A no-break space (U+00A0) parts a number from its unit.
 #pragma once
 
 #include <array>
@@ -28,12 +26,12 @@ std::string plain(double value);
 // With `digits` significant digits, zeros at the end left out: "0.00167", "1.67e−21".
 std::string significant(double value, int digits);
 
-// How many decimals show `largest`, and smaller values of its kind, to three significant digits of
-// it; at most 9.
+// The number of decimals, at most 9, that shows `largest` with three significant digits. Smaller
+// values of the same kind get as many.
 int decimals_for(double largest);
 
-// A value among others of its kind of which `largest` is the largest: to three significant digits
-// of that one, so that all of them line up.
+// A value with decimals_for(largest), where `largest` is the largest value of a column: so all of
+// them line up.
 std::string amount(double value, double largest);
 
 // A load or weight with its unit: "16.7 kg".
@@ -42,9 +40,8 @@ std::string kilograms(double value, double largest);
 // "15.2–18.1 kg", or one number where both look the same.
 std::string kilograms(double low, double high, double largest);
 
-// A share of 1 as a percentage: "81 %". Only nothing is "0 %" and only all of it "100 %", each
-// within tolerance; what would be rounded to them is "< 1 %" or "> 99 %" (with one decimal "< 0.1
-// %").
+// A share of 1 as a percentage: "81 %". Only 0 is "0 %" and only 1 is "100 %", both within tolerance;
+// what would be rounded to them is "< 1 %" or "> 99 %" (with one decimal "< 0.1 %").
 std::string percentage(double share, int decimals = 0);
 
 // "1 team", "3 teams".
@@ -56,12 +53,12 @@ std::string ratio_in_words(double ratio);
 // A point that somebody gave: to six significant digits, "(3.5, −2)".
 std::string given_point(const Vec2& point);
 
-// "(3.5, −2.0)" with so many decimals; and how many show where something is on a polygon: four
-// significant digits of its size, at most 9.
+// "(3.5, −2.0)" with a fixed number of decimals. coordinate_decimals() is the number that shows where
+// something is on a polygon: four significant digits of the polygon's size, at most 9.
 std::string point_in_words(const Vec2& point, int decimals);
 int coordinate_decimals(const Points& vertices);  // O(n)
 
-// --- A placement. All O(1) unless it is said.
+// --- A placement. O(1) unless stated otherwise.
 
 // "6 robots carry 15.2–18.1 kg each (100 kg in all)." or "No team can be placed."
 std::string loads_in_words(const Placement& placement);
@@ -79,14 +76,14 @@ std::string closure_in_words(const Placement& placement);
 // "turn either way and slide"; empty if nothing is free.
 std::string free_motions_in_words(const Closure& closure);
 
-// What follows loads_in_words: the other three, one after another.
+// The sentences that follow loads_in_words: shortage, coverage and closure.
 std::string detail_in_words(const Placement& placement);
 
-// All of it: the result in a few sentences.
+// The whole result in a few sentences: loads_in_words and detail_in_words.
 std::string verdict(const Placement& placement);
 
-// With a capacity of one robot: who carries more, and how many robots are needed, if the plan for
-// it is known. O(teams).
+// Which robots carry more than one can, and how many robots are needed if the plan for that is
+// known. O(teams).
 std::string capacity_in_words(const Placement& placement, double capacity,
                               const CapacityPlan* plan);
 
@@ -98,7 +95,7 @@ struct Fact {
 };
 std::vector<Fact> facts_in_words(const Placement& placement);
 
-// A team's numbers; of both robots r1 first. The decimals are coordinate_decimals(). O(1).
+// A team's numbers, with those of r1 before those of r2. O(1).
 struct TeamInWords {
   std::string ratio, length;
   std::array<std::string, 2> at, loads;  // loads without their unit

@@ -37,18 +37,18 @@ std::vector<Shape> make_picture(const Placement& placement, const Overlays& over
     add_area(shapes, Role::counterclockwise, placement.closure.counterclockwise.clipped);
   if (overlays.lifting_base) add_area(shapes, Role::lifting_base, placement.lifting_base);
   if (overlays.candidates) add_candidates(shapes, placement, most_lines);
-  const auto teams = static_cast<std::int32_t>(placement.teams.size());
+  const auto teams = static_cast<std::uint32_t>(placement.teams.size());
   if (overlays.chords) {
-    const auto step = static_cast<std::int32_t>(stride(placement.teams.size(), most_lines));
-    for (std::int32_t i = 0; i < teams; i += step) {
-      const Chord& chord = placement.teams[static_cast<std::size_t>(i)].chord;
+    const auto step = static_cast<std::uint32_t>(stride(placement.teams.size(), most_lines));
+    for (std::uint32_t i = 0; i < teams; i += step) {
+      const Chord& chord = placement.teams[i].chord;
       shapes.push_back({Role::chord, {chord.r1.position, chord.r2.position}, i});
     }
   }
   shapes.push_back({Role::centre_of_mass, {placement.centre_of_mass}});
   // The first teams, which matter most, lie on top.
-  for (std::int32_t i = teams; i-- > 0;) {
-    const Team& team = placement.teams[static_cast<std::size_t>(i)];
+  for (std::uint32_t i = teams; i-- > 0;) {
+    const Team& team = placement.teams[i];
     shapes.push_back({Role::robot, {team.chord.r1.position}, i, team.loads[0]});
     shapes.push_back({Role::robot, {team.chord.r2.position}, i, team.loads[1]});
   }
