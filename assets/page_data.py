@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""The polygons and lessons of this folder as the JSON files that the page fetches.
+
+  page_data.py samples FOLDER samples.json [opening_sample.inc]
+  page_data.py lessons FOLDER POLYGONS lessons.json polygons.json
+
+FOLDER/index.txt lists its files by name and title; headings, after the first, are groups.
+opening_sample.inc is the first polygon as a C++ string literal: the page opens on it.
+"""
+import json
+import re
+import sys
+from pathlib import Path
+
+
+def read(path):
+    return path.read_text(encoding="utf-8").replace("\r", "")
+
+
+def listed(folder):
+    """(name, title, group) for each file of the index, in its order."""
+    group, seen = "", False
+    for line in read(folder / "index.txt").splitlines():
+        if line.startswith("#"):
+            group = line.lstrip("# ") if seen else ""  # the first is the heading of the file itself
+        elif line.strip():
+            seen = True
+            name, title = line.split(maxsplit=1)
+            yield name, title, group
+
+
+def write_lines(path, brackets, entries):
+    """One entry on a line: a change of one polygon is a change of one line."""
+    path.write_text(f"{brackets[0]}\n" + ",\n".join(f"  {entry}" for entry in entries) + f"\n{brackets[1]}\n",
+                    encoding="utf-8")
+
+
+def text_of(value):
+    return json.dumps(value, ensure_ascii=False)
+
+
+def samples(folder, target, opening=None):
+    entries = [{"name": name, "group": group, "title": title, "text": read(folder / f"{name}.txt")}
+               for name, title, group in listed(folder)]
+    write_lines(target, "[]", map(text_of, entries))
+    if opening:
+        opening.write_text(f'R"polygon({entries[0]["text"]})polygon"\n', encoding="utf-8")
+
+
+def lesson(folder, polygons, name, title):
+    text = read(folder / f"{name}.txt")
+    polygon = re.search(r"^polygon:\s*([a-z0-9-]+)", text, re.MULTILINE)
+    return {"name": name, "title": title, "stops": len(re.findall(r"^\[", text, re.MULTILINE)), "text": text,
+            "polygon": read(polygons / f"{polygon[1]}.txt") if polygon else ""}
+
+
+def lessons(folder, polygons, target, polygons_target):
+    write_lines(target, "[]", (text_of(lesson(folder, polygons, name, title)) for name, title, _ in listed(folder)))
+    # All samples by name, for lessons that come from elsewhere.
+    files = sorted(file for file in polygons.glob("*.txt") if file.name != "index.txt")
+    write_lines(polygons_target, "{}", (f"{text_of(file.stem)}: {text_of(read(file))}" for file in files))
+
+
+if __name__ == "__main__":
+    {"samples": samples, "lessons": lessons}[sys.argv[1]](*map(Path, sys.argv[2:]))
