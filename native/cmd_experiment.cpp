@@ -67,7 +67,7 @@ experiment::Shard shard_of(const Options& options) {
   return {static_cast<std::uint32_t>(*i), static_cast<std::uint32_t>(*n)};
 }
 
-// All files of a finished experiment. The same parts, the same bytes.
+// Writes all files of a finished experiment. The same parts give the same bytes.
 std::string write_results(std::vector<experiment::Part> parts, const ExperimentFolder& folder) {
   const experiment::ExperimentSettings settings =
       parts.empty() ? experiment::ExperimentSettings{} : parts.front().settings;

@@ -8,7 +8,7 @@
 namespace evenlift::native {
 namespace {
 
-// A link is made of what can be placed: whoever opens it sees a result.
+// Only a document that can be placed becomes a link: whoever opens it sees a result.
 void check(const Document& document, const Input& input, const SettingOptions& options) {
   if (const std::optional<InputError> error = check_settings(document.settings))
     throw options.failure(input.source, *error);

@@ -12,7 +12,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// Characters, of UTF-8.
+// The number of characters in UTF-8.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
@@ -69,7 +69,7 @@ std::string candidate_table(const Placement& placement) {
   return table(rows);
 }
 
-// What was asked for and what came of it, a line each.
+// The settings and the results, one on each line.
 std::string facts(const Placement& placement) {
   const Settings& settings = placement.settings;
   std::vector<std::pair<std::string, std::string>> lines = {

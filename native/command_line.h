@@ -20,7 +20,7 @@ class CommandLine {
   ~CommandLine();
 
   void positional(std::string& into, const std::string& name, const std::string& help);
-  // Any number of them, also none.
+  // Any number of arguments, perhaps none.
   void positionals(std::vector<std::string>& into, const std::string& name,
                    const std::string& help);
   void value(std::optional<std::string>& into, const std::string& option, const std::string& name,

@@ -24,12 +24,12 @@ class ExperimentFolder {
   // The part of a polygon, if it is there, whole, and of this fingerprint and these settings.
   std::optional<experiment::Part> find(const experiment::ShardList::Entry& entry,
                                        const experiment::ExperimentSettings& settings) const;
-  // Whole or not at all. Safe for several threads and programs at once.
+  // Writes a part, whole or not at all. Safe for several threads and programs at once.
   void keep(const experiment::Part& part) const;
 
-  // Notes that a shard is done. What was noted of another division of the work no longer counts.
+  // Notes that a shard is done. Notes about another division of the work no longer count.
   void finish(const experiment::ShardList& list) const;
-  // What was noted. Throws Failure if a list cannot be read.
+  // The finished shards. Throws Failure if a list cannot be read.
   std::vector<experiment::ShardList> finished() const;
 
  private:

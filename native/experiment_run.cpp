@@ -52,7 +52,7 @@ Work refuse(const PolygonFile& file, const Failure& failure,
   part.fingerprint = experiment::refused_fingerprint;
   part.result.set = file.set;
   part.result.polygon = file.name;
-  // Without the path, which is another on the next machine.
+  // The name without its path, which differs between machines.
   const std::size_t path = failure.where.rfind(file.path, 0) == 0 ? file.path.size() : 0;
   const std::string place = failure.where.substr(std::min(path + 2, failure.where.size()));
   part.result.problem = (path == 0 || place.empty() ? "" : place + ": ") + failure.what;
@@ -83,7 +83,7 @@ Work work_on(const PolygonFile& file, const experiment::ExperimentSettings& sett
   }
 }
 
-// Large ones first, so that the threads end together.
+// The largest polygons go first, so that the threads end together.
 std::vector<std::size_t> by_size(const std::vector<PolygonFile>& files) {
   std::vector<std::uintmax_t> sizes;
   for (const PolygonFile& file : files) {

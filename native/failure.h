@@ -11,7 +11,7 @@ namespace evenlift::native {
 inline constexpr int bad_input_status = 2;  // of usage or of what was read
 inline constexpr int other_status = 1;      // anything else, such as a file that cannot be written
 
-// Thrown by commands, caught by main, which prints `evenlift: WHERE: WHAT`.
+// Commands throw it; main catches it and prints `evenlift: WHERE: WHAT`.
 struct Failure {
   int status = bad_input_status;
   std::string where;  // a file and the place in it, or an option as it is typed
@@ -22,10 +22,10 @@ struct Failure {
 // if it says not where.
 void print_failure(const Failure& failure);
 
-// What the system says of an error, as part of a sentence: "no such file or directory".
+// The system's words for an error, as part of a sentence: "no such file or directory".
 std::string system_message(const std::error_code& error);
 
-// An error in what `source` (a file's name, "standard input", "link") holds.
+// An error in the contents of `source`: a file's name, "standard input" or "link".
 Failure bad_input(const std::string& source, const InputError& error);
 
 }  // namespace evenlift::native

@@ -55,7 +55,7 @@ void write_all(std::FILE* file, std::string_view text, const std::string& name) 
 Input read_input(const std::string& file) {
   if (file == "-")
     return {"standard input", parsed(read_all(stdin, "standard input"), "standard input")};
-  // A file may be called "1.dat": what exists is a file.
+  // A file may be called "1.dat", so whatever exists is taken as a file.
   if (!exists(file) && (looks_like_link(file) || file.find('#') != std::string::npos)) {
     Result<Document> document = decode_link(file);
     if (!document) throw bad_input("link", document.error());

@@ -9,14 +9,14 @@
 
 namespace evenlift::native {
 
-// What FILE holds: a path, "-" for standard input, or a share link. Throws Failure.
+// The contents of FILE, which is a path, "-" for standard input, or a share link. Throws Failure.
 struct Input {
   std::string source;  // what to call it in an error: the path, "standard input" or "link"
   Document document;
 };
 Input read_input(const std::string& file);
 
-// What a file holds, up to max_text_bytes and one; nothing if it cannot be read.
+// The contents of a file, cut after max_text_bytes + 1; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::string& path);
 
 // Replaces the file by `text` or leaves it as it was: writes beside it and renames. What is no

@@ -22,7 +22,7 @@ std::uint64_t whole_option(const std::string& option, const std::string& text,
 void setting_option(Setting setting, const std::string& text, Document& document);
 double capacity_option(const std::string& text);
 
-// What was typed; nothing where an option was not given and the file's or the default value stands.
+// What was typed. An option that was not given is empty: the file's value or the default applies.
 struct SettingOptions {
   std::optional<std::string> teams, metric, min_ratio, com, weight, seed;
 

@@ -35,7 +35,7 @@ void Progress::done(const std::string& name) {
   draw(name);
 }
 
-// Fits into 80 columns.
+// The bar fits into 80 columns.
 void Progress::draw(const std::string& name) const {
   if (!shown_) return;
   constexpr std::size_t width = 30;

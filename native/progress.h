@@ -15,7 +15,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // One more is done, of that name.
+  // Counts one more polygon as done, and shows its name.
   void done(const std::string& name);
 
  private:

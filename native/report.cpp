@@ -103,7 +103,7 @@ std::string value_text(const experiment::Figure& figure, double value) {
   return figure.unit == "%" ? fixed(100 * value, 1) : fixed(value, 2);
 }
 
-// A row for each number of robots, a column for each method.
+// A table with a row for each number of robots and a column for each method.
 std::string data_table(const experiment::Figure& figure) {
   std::set<std::uint32_t> robots;
   std::string head = "<th scope=\"col\">robots</th>";
@@ -189,7 +189,7 @@ struct Blank {
   std::string name, content;
 };
 
-// The template with its blanks filled; what is filled in is not looked at again.
+// Fills the template's blanks. What is filled in is not searched for blanks again.
 std::string filled(const std::string& form, const std::vector<Blank>& blanks) {
   std::string out;
   for (std::size_t at = 0; at < form.size();) {

@@ -77,7 +77,7 @@ void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
     CHECK((detail.outcome == Outcome::midpoint || detail.outcome == Outcome::parallel_low));
     return;
   }
-  // The bisecting chord is in the sections just if 1 lies between g0 and g1: exactly.
+  // The bisecting chord is in the sections if and only if 1 lies between g0 and g1: exactly.
   CHECK((detail.outcome == Outcome::bisecting) == ((g0 - 1) * (g1 - 1) <= 0));
   REQUIRE(detail.meeting);
   if (detail.outcome == Outcome::bisecting) {

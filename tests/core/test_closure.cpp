@@ -193,7 +193,7 @@ TEST_CASE("outside the hull of the wrenches the margin is minus the distance", "
   CHECK(wrench_margin({{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}) == Approx(0).margin(1e-12));
 }
 
-TEST_CASE("wrenches that agree but for rounding leave the margin as it is", "[closure]") {
+TEST_CASE("wrenches that agree except for rounding leave the margin as it is", "[closure]") {
   const std::vector<Wrench> exact{{1, 0, 0},     {-1, 0, 0},     {0, 1, 0},
                                   {0, -1, 0},    {0, 0, 1},      {0, 0, -1},
                                   {0.5, 0.5, 0}, {-0.5, 0, 0.5}, {0.25, 0.75, 0}};
@@ -232,7 +232,8 @@ TEST_CASE("the margin never changes with the order of the wrenches", "[closure]"
   CHECK(inside > 30);
 }
 
-TEST_CASE("half-planes have a common point just if some corner or strip lies in all", "[closure]") {
+TEST_CASE("half-planes have a common point if and only if some corner or strip lies in all",
+          "[closure]") {
   const auto plane = [](double x, double y, double bound) {
     return HalfPlane{Vec2(0, 0), Vec2(x, y), bound};
   };

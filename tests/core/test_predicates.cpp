@@ -170,7 +170,7 @@ TEST_CASE("predicates are right on points that are nearly in line", "[predicates
   }
 }
 
-TEST_CASE("predicates are right on points that mirror each other, but for a hair", "[predicates]") {
+TEST_CASE("predicates are right on points that mirror each other almost exactly", "[predicates]") {
   int zeros = 0;
   check_all(
       [&](std::mt19937_64& e) {

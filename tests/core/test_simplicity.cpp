@@ -75,7 +75,7 @@ Points careless_chain(std::mt19937_64& engine) {
 
 }  // namespace
 
-TEST_CASE("a chain is called simple just if no two edges meet, over thousands of chains",
+TEST_CASE("a chain is called simple if and only if no two edges meet, over thousands of chains",
           "[simplicity]") {
   std::mt19937_64 engine(1);
   int simple = 0, not_simple = 0;

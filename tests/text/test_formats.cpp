@@ -57,7 +57,7 @@ std::string ring_of(std::size_t n, const char* open, const char* between, const 
 // --- numbers
 // ---------------------------------------------------------------------------------------
 
-TEST_CASE("numbers are written as ECMAScript writes them, but for -0", "[formats][numbers]") {
+TEST_CASE("numbers are written as ECMAScript writes them, except -0", "[formats][numbers]") {
   const std::pair<double, const char*> numbers[] = {
       {0, "0"},
       {-0.0, "-0.0"},

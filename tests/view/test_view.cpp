@@ -272,7 +272,7 @@ TEST_CASE("the verdict is a sentence", "[view]") {
   CHECK(verdict(state).mood == Mood::not_quite);
 }
 
-TEST_CASE("no two actions share a key, but for the lesson's arrows", "[view]") {
+TEST_CASE("no two actions share a key, except the lesson's arrows", "[view]") {
   std::vector<Key> seen;
   for (const Action& a : actions()) {
     for (const Key& key : a.keys) {

@@ -1,5 +1,5 @@
-// Lessons that a teacher writes in a text editor (docs/lessons.md). A lesson says what to open, which
-// steps to show, and what to say at each.
+// Lessons that a teacher writes in a text editor (docs/lessons.md). A lesson says what to open,
+// which steps to show, and what to say at each.
 //
 //   # a comment
 //   title: Equal arms, equal loads

@@ -1,11 +1,11 @@
 // The lesson's data: random access to the steps of the algorithm.
 //
-// A trace belongs to one placement. It holds what the stages found on the way (chords from vertices,
-// edge-pairs and what became of each, contacts) and a short table of blocks of similar steps, from
-// which step(k) is found in O(1). Playing the steps accumulates nothing: progress_at(trace, k) says
-// how much of the trace's and the placement's arrays is known after step k, and look_at() computes
-// what only one step needs (every candidate's score, the regions that a few contacts leave) with the
-// stages' own functions.
+// A trace belongs to one placement. It holds what the stages found on the way (chords from
+// vertices, edge-pairs and what became of each, contacts) and a short table of blocks of similar
+// steps, from which step(k) is found in O(1). Playing the steps accumulates nothing:
+// progress_at(trace, k) says how much of the trace's and the placement's arrays is known after step
+// k, and look_at() computes what only one step needs (every candidate's score, the regions that a
+// few contacts leave) with the stages' own functions.
 //
 // A program that shows a lesson keeps the placement, its trace and the detail of the current step:
 //
@@ -43,8 +43,8 @@ enum class Chapter : std::uint8_t {
 };
 inline constexpr std::uint32_t chapter_count = 9;
 
-// What a step is about. The `item` of a step counts from 0 among the steps of its kind. The comments
-// say what it numbers; "1" means that there is only one such step.
+// What a step is about. The `item` of a step counts from 0 among the steps of its kind. The
+// comments say what it numbers; "1" means that there is only one such step.
 enum class StepKind : std::uint8_t {
   polygon,       // 1
   centroid,      // 1: how it is found
@@ -109,15 +109,16 @@ struct Trace {
   // Chapter 4, area, circle and distance only.
   std::vector<EdgePair> pairs;
   std::vector<OppositeVertices> opposite;
-  // Candidates come from sources: source i is pair i, or opposite vertices i - pairs.size(). For each
-  // source this is the candidate that it led to, or no_index.
+  // Candidates come from sources: source i is pair i, or opposite vertices i - pairs.size(). For
+  // each source this is the candidate that it led to, or no_index.
   std::vector<std::uint32_t> candidate_of_source;
   // For each candidate the source whose chord was kept, and the first source that led to it.
   std::vector<std::uint32_t> source_of_candidate, first_source_of_candidate;
 
   std::vector<Contact> contacts;
 
-  // A run of similar steps: item i takes `kinds` steps, one of each kind, from first + i * kinds on.
+  // A run of similar steps: item i takes `kinds` steps, one of each kind, from first + i * kinds
+  // on.
   struct Block {
     std::uint32_t first = 0, items = 0, first_item = 0, kinds = 1;
     std::array<StepKind, 3> kind{};
@@ -155,9 +156,9 @@ inline RobotIndex robot_of(const Contact& contact) {
 // edge-pairs and opposite vertices.
 Result<Trace> make_trace(const Placement& placement);
 
-// The step of `trace` that is nearest to a step of another trace, from before an edit: the step with
-// the same kind and item, else the last of that kind, else the beginning of its chapter or of the
-// next chapter that exists. O(1).
+// The step of `trace` that is nearest to a step of another trace, from before an edit: the step
+// with the same kind and item, else the last of that kind, else the beginning of its chapter or of
+// the next chapter that exists. O(1).
 std::uint32_t nearest_step(const Trace& trace, const Step& step);
 
 // What is known after step k, as counts from the beginning of the trace's and placement's arrays.
@@ -250,8 +251,8 @@ struct TeamScores {
   Rule rule = Rule::score;
   Points base;  // H before
   std::vector<Score> of_candidate;
-  // The candidates that are not taken yet: the winner, then the others, the later they dropped out the
-  // earlier.
+  // The candidates that are not taken yet: the winner, then the others, the later they dropped out
+  // the earlier.
   std::vector<std::uint32_t> ranking;
   DecidedBy decided_by = DecidedBy::only_one;
 };
@@ -343,7 +344,8 @@ struct Question {
   QuestionKind kind = QuestionKind::nearer_end;
   std::uint32_t answer = 0;
 };
-// The question to ask before step detail.number is shown. Nothing if the step is not a choice. O(1).
+// The question to ask before step detail.number is shown. Nothing if the step is not a choice.
+// O(1).
 std::optional<Question> question(const Trace& trace, const StepDetail& detail);
 // Whether step k is a choice, without its detail. O(1).
 bool is_choice(const Trace& trace, std::uint32_t k);

@@ -1,5 +1,5 @@
-// "Why not this one?" says as data why a chord through C is not among the teams. The words for it are
-// in output/trace_words.h.
+// "Why not this one?" says as data why a chord through C is not among the teams. The words for it
+// are in output/trace_words.h.
 #pragma once
 
 #include <cstdint>

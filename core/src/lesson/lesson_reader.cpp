@@ -77,7 +77,7 @@ class Reader {
     read_words(line);
   }
 
-  // A line before the first step: a name and its value.
+  // Reads a line before the first step: a name and its value.
   void read_heading(std::string_view line) {
     if (line.empty()) return;
     const std::size_t colon = line.find(':');
@@ -112,7 +112,7 @@ class Reader {
 
   void take_link(std::string_view value, Setting) { lesson_.link = value; }
 
-  // A setting of the algorithm, as everywhere: it is only tried here.
+  // A setting of the algorithm is read here only to see whether it can be.
   void take_setting(std::string_view value, Setting setting) {
     Document tried;
     if (read_setting(setting, value, tried)) return refuse(requirement(setting));

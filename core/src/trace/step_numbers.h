@@ -10,7 +10,8 @@
 
 namespace evenlift {
 
-// Collects the numbers of one step. The step's row in steps.cpp names the function that knows which.
+// Collects the numbers of one step. The step's row in steps.cpp names the function that knows
+// which.
 class StepNumbers {
  public:
   StepNumbers(const Trace& trace, const StepDetail& detail)

@@ -10,8 +10,8 @@
 namespace evenlift {
 namespace {
 
-// The rays in the order of the sweep that finds the chords. It lists a chord between two vertices
-// at the forward one; at the backward one it is named again.
+// The rays in the order of the sweep that finds the chords. The sweep lists a chord between two
+// vertices at the forward vertex; here the backward vertex gets it, too.
 Trace::Rays make_rays(const Polygon& polygon, const Vec2& centre,
                       const std::vector<VertexChord>& chords) {
   const RadialView view(polygon, centre);
@@ -223,7 +223,7 @@ std::uint32_t nearest_step(const Trace& trace, const Step& step) {
 }
 
 Progress progress_at(const Trace& trace, std::uint32_t k) {
-  // Steps of a kind up to k.
+  // The number of steps of a kind up to step k.
   const auto number = [&](StepKind kind) {
     std::uint32_t steps = 0;
     for (const Trace::Block& block : trace.blocks) {
@@ -259,8 +259,8 @@ Points lifting_base(const Trace& trace, std::uint32_t teams) {
   return convex_hull(std::move(points), near_distance(trace.polygon.diagonal()));
 }
 
-// The sweep turns from the direction of the x axis to the left; slopes run from the vertical, which
-// is last, to it. So the order is that of the sweep, begun after the vertical.
+// The sweep turns left from the direction of the x axis, whereas slopes rise from just after the
+// vertical to the vertical itself. So the order is that of the sweep, begun after the vertical.
 std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
   std::vector<std::uint32_t> falling, others;
   for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i) {
@@ -268,7 +268,7 @@ std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
     const Vec2 u = trace.polygon.vertex(vertex) - trace.centre;
     const bool falls = u.x() * u.y() < 0 && !is_vertical(u);
     for (std::uint32_t c = trace.rays.begins[i]; c < trace.rays.begins[i + 1]; ++c) {
-      // Listed at an earlier ray already?
+      // Otherwise an earlier ray has listed it.
       const VertexChord& chord = trace.rays.chords[c];
       if (chord.vertex == vertex) (falls ? falling : others).push_back(c);
     }

@@ -1,4 +1,4 @@
-// What one step shows besides the trace itself, its numbers, and which steps a learner could guess.
+// What one step shows beyond the trace itself, and which steps a learner could guess.
 #include <algorithm>
 
 #include "evenlift/predicates.h"

@@ -1,5 +1,5 @@
-// The details of an edge-pair and of two opposite vertices: what the stage of candidates decided
-// about them, and from what.
+// The details of an edge-pair and of two opposite vertices: what the candidate stage decided about
+// them, and why.
 #include "candidates/pair_candidate.h"
 #include "evenlift/predicates.h"
 #include "evenlift/trace.h"
@@ -51,11 +51,11 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
   detail.ends = {begin.chord, end.chord};
   detail.reflected = {2 * centre - b.first, 2 * centre - b.last};
   if (!detail.verdict.parallel) detail.meeting = centre + bisecting_offset(centre, a, b);
-  // As the stage compares them: from g alone.
+  // The candidate stage compares the ends by g alone, too.
   const auto evenness = [](double g) { return g < 1 ? g : 1 / g; };
   detail.nearer = evenness(detail.verdict.g0) > evenness(detail.verdict.g1) ? 0 : 1;
 
-  // Without a minimum, what was refused is what the pair would have.
+  // With a minimum ratio of 0 the pair would have this candidate.
   if (detail.verdict.candidate) {
     detail.chosen = detail.verdict.candidate->chord;
   } else {

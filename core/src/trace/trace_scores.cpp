@@ -1,4 +1,4 @@
-// The detail of a choice: every candidate's score, from the selection's own gain functions.
+// The detail of a choice: the score of every candidate, by the selection's own gain functions.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -18,8 +18,8 @@ struct Key {
   DecidedBy decided_by;  // the answer where candidates differ in it
 };
 
-// The keys of each rule, in the order of the enumeration. With two of them used up by a first team,
-// its third tells nothing more.
+// The keys of each rule, in the order of the enumeration. A first team has only two different keys;
+// its third repeats one of them and tells nothing new.
 constexpr Key keys_of_rule[3][3] = {
     {{Quantity::length, DecidedBy::first_key},
      {Quantity::ratio, DecidedBy::ratio},
@@ -32,8 +32,8 @@ constexpr Key keys_of_rule[3][3] = {
      {Quantity::length, DecidedBy::length}},
 };
 
-// A tournament as the selection holds it: at each key those that tie with the best stay. `stage` is
-// how many keys a candidate survived.
+// The selection's tournament: at each key the candidates that tie with the best stay in. A
+// candidate's `stage` is the number of keys that it survived.
 class Tournament {
  public:
   Tournament(const std::vector<Candidate>& candidates, TeamScores& scores, double floor)

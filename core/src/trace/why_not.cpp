@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// The choice that a question at step k is about.
+// The team whose choice a question at step k is about.
 std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
   const Step step = trace.step(k);
   if (step.kind == StepKind::scores || step.kind == StepKind::team || step.kind == StepKind::base)
@@ -100,7 +100,7 @@ std::optional<Chord> chord_at(const Trace& trace, const Vec2& point) {
   std::optional<Chord> best;
   bool reaches = false;
   for (const Chord& chord : chords_through(trace, direction)) {
-    // The end on the point's side.
+    // The arm of the end on the point's side.
     const double arm = points_right(direction) ? chord.arm2 : chord.arm1;
     const bool reaches_it = arm >= wanted - near_distance(trace.polygon.diagonal());
     const double size = chord.arm1 + chord.arm2, best_size = best ? best->arm1 + best->arm2 : 0;
@@ -130,7 +130,8 @@ WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Ch
     return answer;
   }
 
-  // The pairs that both ends lie on: one, or several if an end is at a vertex. The best tells most.
+  // Both ends may lie on several pairs if an end is at a vertex. The pair with the best chord tells
+  // most.
   answer.why = Why::no_pair;
   for (std::uint32_t i = 0; i < trace.pairs.size(); ++i) {
     const EdgePair& pair = trace.pairs[i];

@@ -19,8 +19,8 @@ struct Statistics {
 // Mean and deviation of at least one value, added up in order. O(n).
 Statistics statistics(const std::vector<double>& values);
 
-// The averages of a method with a number of teams, over all polygons on which the algorithm can place
-// that many teams and the method did.
+// The averages of a method with a number of teams, over all polygons on which the algorithm can
+// place that many teams and the method did.
 struct Aggregate {
   Method method = Method::area;
   std::uint32_t teams = 0;
@@ -30,8 +30,8 @@ struct Aggregate {
   Statistics max_share;        // 0.5 .. 1 (5.5, 5.6)
   Statistics coverage;         // 0 .. 1 (5.7, 5.8)
   // `closable` is the number of polygons that at least one placement of any method closes, and
-  // `form_closure` the fraction of those that this method closes (figure 5.11). The other two are the
-  // same by the thesis's own, weaker test.
+  // `form_closure` the fraction of those that this method closes (figure 5.11). The other two are
+  // the same by the thesis's own, weaker test.
   std::uint32_t closable = 0, no_area_possible = 0;
   std::optional<double> form_closure, no_area;
 };

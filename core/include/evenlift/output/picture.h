@@ -30,8 +30,8 @@ struct Shape {
   double load = 0;                    // for robots
 };
 
-// What the overlays ask for, back to front. If there are more than `most_lines` candidates or chords,
-// only every second, third and so on is shown: nobody could tell them apart. O(output).
+// What the overlays ask for, back to front. If there are more than `most_lines` candidates or
+// chords, only every second, third and so on is shown: nobody could tell them apart. O(output).
 std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
                                 std::size_t most_lines = SIZE_MAX);
 

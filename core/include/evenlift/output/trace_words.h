@@ -22,8 +22,8 @@ std::string caption(const Trace& trace, const StepDetail& detail);
 // where there is nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
-// The algorithm in our own words for one method. Each line is a statement, indented by two spaces for
-// each level. O(1).
+// The algorithm in our own words for one method. Each line is a statement, indented by two spaces
+// for each level. O(1).
 std::vector<std::string_view> pseudo_code(Method method);
 
 // Which of these lines the step carries out, from 0. O(1).
@@ -35,8 +35,8 @@ std::string question_text(const Trace& trace, const StepDetail& detail, const Qu
 // Why a chord is no team, or which one it is, with the numbers. O(1).
 std::string why_not_text(const Trace& trace, const WhyNot& answer);
 
-// What a figure is, shown when the pointer is over it: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7 of
-// 100". O(1).
+// What a figure is, shown when the pointer is over it: "candidate 4, ratio 0.951", "team 2, robot
+// 1: 15.7 of 100". O(1).
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure);
 
 }  // namespace evenlift

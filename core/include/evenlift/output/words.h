@@ -1,9 +1,11 @@
 // Numbers and results in words. The program, the page, pictures, lessons and experiments all use
-// them, so that all say the same. Texts are plain English in UTF-8, the same bytes on every platform.
+// them, so that all say the same. Texts are plain English in UTF-8, the same bytes on every
+// platform.
 //
-// A number is rounded as people round the decimal that shortest() prints: to the nearest, and a half
-// away from zero. So 2.345 is 2.35 with two decimals, although its double is a little less. The minus
-// sign is "−", and zero never has one. A no-break space (U+00A0) parts a number from its unit.
+// A number is rounded as people round the decimal that shortest() prints: to the nearest, and a
+// half away from zero. So 2.345 is 2.35 with two decimals, although its double is a little less.
+// The minus sign is "−", and zero never has one. A no-break space (U+00A0) parts a number from its
+// unit.
 #pragma once
 
 #include <array>
@@ -40,8 +42,8 @@ std::string kilograms(double value, double largest);
 // "15.2–18.1 kg", or one number where both look the same.
 std::string kilograms(double low, double high, double largest);
 
-// A share of 1 as a percentage: "81 %". Only 0 is "0 %" and only 1 is "100 %", both within tolerance;
-// what would be rounded to them is "< 1 %" or "> 99 %" (with one decimal "< 0.1 %").
+// A share of 1 as a percentage: "81 %". Only 0 is "0 %" and only 1 is "100 %", both within
+// tolerance; what would be rounded to them is "< 1 %" or "> 99 %" (with one decimal "< 0.1 %").
 std::string percentage(double share, int decimals = 0);
 
 // "1 team", "3 teams".
@@ -53,8 +55,8 @@ std::string ratio_in_words(double ratio);
 // A point that somebody gave: to six significant digits, "(3.5, −2)".
 std::string given_point(const Vec2& point);
 
-// "(3.5, −2.0)" with a fixed number of decimals. coordinate_decimals() is the number that shows where
-// something is on a polygon: four significant digits of the polygon's size, at most 9.
+// "(3.5, −2.0)" with a fixed number of decimals. coordinate_decimals() is the number that shows
+// where something is on a polygon: four significant digits of the polygon's size, at most 9.
 std::string point_in_words(const Vec2& point, int decimals);
 int coordinate_decimals(const Points& vertices);  // O(n)
 

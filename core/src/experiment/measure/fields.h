@@ -1,5 +1,5 @@
-// Reads the fields of a row one after another; and settings as fields, which parts and shard lists
-// hold.
+// Reads the fields of a row one after another, and the settings that parts and shard lists hold as
+// fields.
 #pragma once
 
 #include <cstdint>

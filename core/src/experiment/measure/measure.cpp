@@ -31,7 +31,7 @@ class Growing {
 
   const std::vector<LiftingPoint>& points() const { return points_; }
 
-  // All but form closure.
+  // Everything except form closure.
   Measurement measured() {
     Measurement m;
     m.teams = static_cast<std::uint32_t>(chords_.size());
@@ -92,7 +92,7 @@ std::vector<Measurement> measure_selected(const Subject& subject, Method method,
   return rows;
 }
 
-// Equal angles: every number of teams is a placement of its own.
+// With equal angles every number of teams has a placement of its own.
 std::vector<Measurement> measure_distributed(const Subject& subject,
                                              const ExperimentSettings& settings) {
   std::vector<Measurement> rows;
@@ -109,8 +109,8 @@ std::vector<Measurement> measure_distributed(const Subject& subject,
   return rows;
 }
 
-// The least number of teams that passes, or one more than there are. More teams never fail where
-// fewer pass, so a search by halves finds it.
+// The least number of teams that passes, or one more than there are teams. More teams never fail
+// where fewer pass, so bisection finds it.
 std::size_t first_passing(const Subject& subject, const std::vector<LiftingPoint>& points,
                           Test test) {
   std::size_t fails = 0, passes = points.size() / 2 + 1;

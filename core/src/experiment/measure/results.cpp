@@ -10,8 +10,8 @@
 namespace evenlift::experiment {
 namespace {
 
-// Changes whenever the same polygon gives other rows, or rows look different: older parts are then
-// measured anew.
+// Increase it whenever the same polygon gives other rows or the rows look different: older parts
+// are then measured again.
 constexpr const char* part_format = "evenlift experiment 2";
 
 const csv::Row measurement_columns = {"set",     "polygon",   "method",    "teams",
@@ -171,7 +171,7 @@ std::optional<Part> read_part(std::string_view text) {
                                            : false;
     if (!read) return std::nullopt;
   }
-  // There are other ways to write the same numbers; no others were written.
+  // The same numbers can be written in other ways, but write_part writes them in this one.
   if (write_part(part) != text) return std::nullopt;
   return part;
 }

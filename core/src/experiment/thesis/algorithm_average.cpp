@@ -7,7 +7,7 @@
 namespace evenlift::experiment {
 namespace {
 
-// Whether a spread is none but for rounding: loads of 100 kg that differ by less than τ of their
+// Whether a spread is zero except for rounding: the loads of 100 kg differ by less than τ of their
 // mean.
 bool is_even(double spread, std::uint32_t teams) {
   return spread <= tau * experiment_weight / (2.0 * teams);

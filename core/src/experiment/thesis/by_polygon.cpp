@@ -35,7 +35,7 @@ std::optional<double> algorithm_coverage(const PolygonResult& result, std::uint3
   return sum / 3;
 }
 
-// The most teams that were measured.
+// The largest number of teams that was measured.
 std::uint32_t most_teams(const PolygonResult& result) {
   std::uint32_t most = 0;
   for (const Measurement& m : result.measurements)

@@ -10,7 +10,7 @@
 
 namespace evenlift::experiment {
 
-// How often, out of how many.
+// A number of cases out of all cases.
 struct Count {
   std::uint32_t yes = 0, of = 0;
 };
@@ -25,8 +25,8 @@ inline constexpr std::uint32_t any_number = ~std::uint32_t{0};
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
                   std::uint32_t most_vertices = any_number);
 
-// Of the polygons where they do not all choose the same second team, those where their coverages
-// then differ by less than `difference` of the polygon.
+// Counts the polygons on which the three metrics choose different second teams, and among them
+// those on which the coverages still differ by less than `difference` of the polygon.
 Count alike_coverage(const std::vector<PolygonResult>& results, double difference);
 
 // For each polygon with two teams or more the mean, over 2 .. its most teams, of the coverage of

@@ -44,7 +44,7 @@ void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t tea
   }
 }
 
-// The thesis adds and takes half the mean difference to and from the mean load.
+// The thesis adds half the mean difference to the mean load, and subtracts it.
 template <std::size_t n>
 void add_ranges(std::vector<Claim>& claims, const Rows& rows, std::uint32_t teams,
                 const Stated (&stated)[n]) {
@@ -73,7 +73,7 @@ void add_shares(std::vector<Claim>& claims, const Rows& rows) {
   }
 }
 
-// The fewest robots of whose greatest loads the average is within the capacity.
+// The fewest robots whose greatest load is within the capacity, on average.
 std::string robots_needed(const Rows& rows, Method method, double capacity) {
   const Aggregate* least = nullptr;
   for (const Aggregate& a : rows)

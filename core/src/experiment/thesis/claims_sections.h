@@ -12,7 +12,7 @@ namespace evenlift::experiment::claims {
 using Results = std::vector<PolygonResult>;
 using Rows = std::vector<Aggregate>;
 
-// Where there is no number.
+// The cell of a claim that has no number.
 inline constexpr const char* none = "—";
 
 std::string percent(double share, int decimals = 0);
@@ -21,7 +21,7 @@ std::string rate(const Count& count);  // "56 % (63 of 113)"
 std::string with_deviation(const std::string& value, const std::optional<double>& deviation,
                            double scale, int decimals, const char* unit);
 
-// Each adds its claims. `most_teams` as the charts show.
+// Each function adds its claims. `most_teams` is the largest number of teams that the charts show.
 void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_teams);  // 5.3
 void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows& rows,
                   std::uint32_t most_teams);                                             // 5.4

@@ -32,8 +32,8 @@ std::string times(const Range& range) {
   return least == most ? least : least + " to " + most;
 }
 
-// Which method's values vary most between the polygons, and which least, by the greatest deviation
-// with any number of teams.
+// Says which method's values vary most between the polygons, and which least. The greatest
+// deviation with any number of teams decides.
 template <class Write>
 std::string deviations(const Rows& rows, std::uint32_t most_teams, Pick pick, Write write) {
   const Aggregate* greatest[std::size(all_methods)] = {};

@@ -9,7 +9,7 @@
 
 namespace evenlift::experiment {
 
-// Of aggregates with 1 .. most_teams teams. O(rows most_teams).
+// A sentence from the aggregates with 1 .. most_teams teams. O(rows most_teams).
 using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
                                  std::uint32_t most_teams);
 
@@ -27,7 +27,7 @@ std::string in_percent(double share);
 std::string of_robots(std::uint32_t teams);  // "6 robots"
 // How a method's placements came about: "by area", "at equal angles".
 std::string by(Method method);
-// "1, 2 and 3"; empty of none.
+// "1, 2 and 3"; empty if there are none.
 std::string listed(const std::vector<std::string>& items);
 
 }  // namespace evenlift::experiment

@@ -1,4 +1,4 @@
-// JSON as this project writes it: pieces of text that are put together from the inside out.
+// Writes JSON as this project lays it out. Pieces of text are put together from the inside out.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace evenlift::json {
 
-// Name and value, the value being JSON already.
+// A name, and a value that is JSON already.
+// Where to write the loads beside each robot, outside the object where there is room, on nothing
 using Member = std::pair<std::string_view, std::string>;
 
 std::string number(double value);         // the fewest digits that read back to the same double

@@ -29,7 +29,7 @@ std::string figure_json(const Figure& figure) {
   return json::object(members);
 }
 
-// Without the polygon itself, which is the same in all.
+// All figures except the polygon itself, which is the same in every step.
 std::string objects_json(const Trace& trace, const StepDetail& detail, std::size_t& left_out) {
   std::vector<std::string> items;
   for (const Figure& figure : figures(trace, detail)) {

@@ -8,7 +8,7 @@
 namespace evenlift::labels {
 namespace {
 
-// Costs in units of "one pixel farther away".
+// Costs are in units of "one pixel farther away".
 constexpr double cost_of_edge = 60;
 constexpr double cost_of_inside = 40;
 constexpr double cost_of_chord = 25;
@@ -84,7 +84,7 @@ Box beside(const Box& owner, const Vec2& size, double distance, const Vec2& dire
   return {at - size / 2, at + size / 2};
 }
 
-// What is near enough to a request to matter.
+// The obstacles that are near enough to a label to matter.
 struct Nearby {
   std::vector<Segment> edges, chords;
 };

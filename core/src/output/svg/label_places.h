@@ -1,5 +1,6 @@
 // Where to write the loads: beside each robot, outside the object where there is room, on nothing
-// else.
+// Finds a free place for each robot's load beside the robot, outside of the object where there is
+// room.
 #pragma once
 
 #include <optional>
@@ -29,9 +30,9 @@ struct Surroundings {
   std::vector<Box> marks;  // never covered; owners are among them or not, which changes nothing
 };
 
-// A box for each label in turn, or none where every place would cover a mark, an owner or another
-// label. Tries directions all round and a few distances, takes the cheapest, and goes over all
-// labels a second time when the others are known. O(labels (n + labels + chords)).
+// A box for each label in turn; nothing for a label if every place would cover a mark, an owner or
+// another label. Tries all directions and a few distances, takes the cheapest place, and goes over
+// all labels a second time when the others are known. O(labels (n + labels + chords)).
 std::vector<std::optional<Box>> place(const std::vector<Request>& requests,
                                       const Surroundings& around);
 

@@ -9,12 +9,12 @@ void add_area(std::vector<Shape>& shapes, Role role, const Points& points) {
   if (!points.empty()) shapes.push_back({role, points});
 }
 
-// Every how manyth of `count` is shown.
+// Of `count` lines every stride-th is shown.
 std::size_t stride(std::size_t count, std::size_t most) {
   return count <= most ? 1 : (count - 1) / most + 1;
 }
 
-// Candidates in their order, but those that teams took.
+// Adds the candidates that no team took, in their order.
 void add_candidates(std::vector<Shape>& shapes, const Placement& placement, std::size_t most) {
   std::vector<bool> taken(placement.candidates.size(), false);
   for (const std::int64_t i : placement.team_candidates)

@@ -16,7 +16,7 @@ namespace evenlift {
 namespace svg {
 namespace {
 
-// More loads than these nobody could read; the JSON has them.
+// Nobody could read more loads than these. The JSON has them all.
 constexpr std::size_t most_labels = 150;
 
 class Drawing {
@@ -32,7 +32,7 @@ class Drawing {
   }
 
   std::string finished() {
-    // One after another: what has been drawn tells the later steps what to avoid and to explain.
+    // Draws step by step: what is drawn tells later steps what to avoid and what to explain.
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
       drawing += drawn(shape);
@@ -129,7 +129,7 @@ class Drawing {
                                  attribute("cy", area[0].y()) + attribute("r", 5) + look);
   }
 
-  // A disc, or a longer one for several numbers.
+  // A disc, or a rounded box for several numbers.
   labels::Box disc(const Stand& stand) const {
     const double needed = text_width(stand.numbers, number_size_, 0.6) + 0.9 * disc_;
     const Vec2 half(std::max(disc_, needed / 2), disc_);
@@ -193,7 +193,7 @@ class Drawing {
   double number_size_ = 0, label_size_ = 0, chord_width_ = 0;
   double largest_load_ = 0;
   std::vector<Stand> stands_;
-  // Known once drawn:
+  // Known once they are drawn:
   Points outline_;
   std::vector<labels::Segment> chords_;
   Shown shown_;

@@ -16,7 +16,7 @@ struct Caption {
   double height = 0;  // in pixels
 };
 
-// At `top` pixels from above, `width` wide.
+// Its top is `top` pixels from above, and it is `width` pixels wide.
 Caption make_caption(const Placement& placement, const Shown& shown, double top, double width);
 
 // The fill of a region: hatched at +45 degrees (clockwise) or -45, so that they differ without
@@ -24,7 +24,7 @@ Caption make_caption(const Placement& placement, const Shown& shown, double top,
 std::string region_fill(bool clockwise);
 std::string fills();
 
-// The draughtsman's mark of a centre of mass: a disc with two opposite quarters filled.
+// The usual sign for a centre of mass: a disc with two opposite quarters filled.
 std::string centre_mark(const Vec2& at, double radius);
 
 }  // namespace evenlift::svg

@@ -23,11 +23,11 @@ std::string path(const Points& points, bool closed);  // the attribute d
 std::string text(const Vec2& at, double size, std::string_view words,
                  std::string_view attributes = "");
 
-// An estimate on the generous side: the font is the reader's, and there are no metrics here.
+// A generous estimate: the font is the reader's, and its metrics are unknown.
 // `average` is the width of a character in units of the size.
 double text_width(std::string_view words, double size, double average = 0.56);
 
-// Broken at blanks into lines of at most `width`, as far as words allow.
+// The words broken at blanks into lines of at most `width`. A longer word keeps a line of its own.
 std::vector<std::string> wrapped(std::string_view words, double size, double width);
 
 }  // namespace evenlift::svg

@@ -1,4 +1,4 @@
-// Where things lie in the SVG picture: pixels, y down.
+// Places in the SVG picture, in pixels with y down.
 #pragma once
 
 #include "evenlift/vec.h"
@@ -20,7 +20,7 @@ struct Paper {
 // The part of a convex area, segment or spot (in pixels) that lies on the ground. O(points).
 Points clipped(Points area, const Paper& paper);
 
-// An outline (in pixels) without vertices that nobody could tell from the one before. O(n).
+// The outline (in pixels) without the vertices that nobody could tell from the one before. O(n).
 Points visible(const Points& outline);
 
 }  // namespace evenlift::svg

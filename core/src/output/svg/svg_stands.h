@@ -1,4 +1,4 @@
-// The robots of a picture: one disc each, or one for several that stand almost at one place.
+// The robots of a picture. Each has a disc; several at almost the same place share one.
 #pragma once
 
 #include <string>

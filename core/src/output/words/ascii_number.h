@@ -1,4 +1,4 @@
-// Numbers as they are rounded for people (words.h), for texts that programs read: "-" for minus.
+// Numbers that are rounded as for people (words.h) but read by programs: minus is "-".
 #pragma once
 
 #include <string>

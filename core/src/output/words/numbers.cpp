@@ -116,7 +116,7 @@ std::string count_of(std::size_t n, const char* one, const char* many) {
 std::string ratio_in_words(double ratio) { return fixed(ratio, 3); }
 
 std::string given_point(const Vec2& point) {
-  // What rounding has left of a zero is written as one.
+  // A number that is rounded to zero is written without a minus.
   const double least = 1e-9 * point.cwiseAbs().maxCoeff();
   const auto coordinate = [&](double value) {
     return significant(std::fabs(value) < least ? 0 : value, 6);

@@ -1,4 +1,4 @@
-// A sentence or three for each step.
+// One to three sentences for each kind of step.
 #include "output/words/step_captions.h"
 
 #include <algorithm>
@@ -157,7 +157,7 @@ std::string StepCaptions::outcome() const {
   return text + same_chord(*pair.candidate);
 }
 
-// Where the chord that stands for a candidate comes from.
+// Says where the chord that was kept for a candidate comes from.
 std::string StepCaptions::same_chord(std::uint32_t candidate) const {
   const std::uint32_t source = trace_.source_of_candidate[candidate];
   if (source < trace_.pairs.size())
@@ -239,7 +239,8 @@ std::string StepCaptions::ranking(const TeamScores& scores) const {
   return text + (order.size() > most ? ", and so on." : ".");
 }
 
-// The nearest value before the i-th of a ranking that differs from it; of the first, the next.
+// The value of a ranking that the i-th is to be told apart from: the nearest earlier one that
+// differs from it, or for the first the next one.
 double StepCaptions::neighbour(const TeamScores& scores, std::size_t i) {
   const auto value = [&](std::size_t j) { return scores.of_candidate[scores.ranking[j]].value; };
   for (std::size_t j = i; j-- > 0;)

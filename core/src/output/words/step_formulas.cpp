@@ -59,7 +59,7 @@ std::string StepFormulas::centroid() const {
               {point_text(trace_, trace_.polygon.centroid())});
 }
 
-// Of several chords the most even one.
+// The ratio of the most even chord of a ray.
 std::string StepFormulas::ray() const {
   const std::uint32_t begin = trace_.rays.begins[item_], end = trace_.rays.begins[item_ + 1];
   if (begin == end) return {};

@@ -1,4 +1,4 @@
-// Questions, answers, and what a shape is.
+// Questions, answers, and what a figure is.
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
 #include "output/words/trace_text.h"

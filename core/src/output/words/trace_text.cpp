@@ -13,7 +13,7 @@ namespace {
 constexpr int most_decimals = 9;
 constexpr double least_fixed = 1e-5;  // below, fixed() would show hardly a digit
 
-// About four significant digits, none after the point of a large number.
+// About four significant digits. Large numbers have no decimals.
 int decimals_shown(double scale) { return scale >= 1e4 ? 0 : decimals_for(scale) + 1; }
 
 std::string rounded(double value, int decimals, double scale) {
