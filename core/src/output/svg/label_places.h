@@ -1,4 +1,3 @@
-// Where to write the loads: beside each robot, outside the object where there is room, on nothing
 // Finds a free place for each robot's load beside the robot, outside of the object where there is
 // room.
 #pragma once
