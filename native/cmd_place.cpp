@@ -2,6 +2,7 @@
 
 #include "commands.h"
 #include "evenlift/output/json.h"
+#include "evenlift/output/markup.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
@@ -12,22 +13,16 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// The number of characters in UTF-8.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
-
 // Columns two spaces apart, as wide as they need, to the right; the first row are headings.
 std::string table(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], character_count(row[i]));
   std::string text;
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i)
-      text += "  " + std::string(widths[i] - width(row[i]), ' ') + row[i];
+      text += "  " + std::string(widths[i] - character_count(row[i]), ' ') + row[i];
     text += "\n";
   }
   return text;
@@ -80,10 +75,10 @@ std::string facts(const Placement& placement) {
                                                       coordinate_decimals(placement.vertices)));
   for (const Fact& fact : facts_in_words(placement)) lines.emplace_back(fact.label, fact.value);
   std::size_t widest = 0;
-  for (const auto& [label, value] : lines) widest = std::max(widest, width(label));
+  for (const auto& [label, value] : lines) widest = std::max(widest, character_count(label));
   std::string text;
   for (const auto& [label, value] : lines)
-    text += "  " + label + std::string(widest + 2 - width(label), ' ') + value + "\n";
+    text += "  " + label + std::string(widest + 2 - character_count(label), ' ') + value + "\n";
   return text;
 }
 

@@ -8,6 +8,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { asset, evenlift, load, phone, root, set, startBrowser, state } from "./browser.mjs";
 import { allClosed, drop, openWindow } from "./windows.mjs";
+import { fixed } from "../../web/charts/numbers.js";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const some = ["square", "star", "hammer", "thesis-sample"];
@@ -20,6 +21,13 @@ before(async () => {
 after(() => {
   rmSync(folder, { recursive: true, force: true });
   return browser.close();
+});
+
+// The examples of tests/text/test_words.cpp, and where toFixed() differs from the program.
+test("numbers are rounded as the program rounds them", () => {
+  const examples = [[2.345, 2, "2.35"], [1.005, 2, "1.01"], [0.25, 1, "0.3"], [9.995, 2, "10.00"], [-0.04, 1, "0.0"], [-2.5, 0, "−3"],
+    [1.5e-7, 2, "0.00"], [0, 2, "0.00"], [100, 1, "100.0"], [99.95, 1, "100.0"], [1234.5, 0, "1235"]];
+  for (const [value, decimals, text] of examples) assert.equal(fixed(value, decimals), text);
 });
 
 // What the program makes of paths: its files by name.
@@ -148,7 +156,7 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
   }
   // Its curves are these rows.
   const drawn = await window.locator(".plot svg").nth(2).locator(".dots-area > *").evaluateAll((all) => all.map((sign) => sign.getAttribute("aria-label")));
-  assert.deepEqual(drawn, rows.filter(({ method }) => method === "area").map(({ robots, coverage }) => `area: ${(100 * coverage).toFixed(1)} % with ${robots} robots`));
+  assert.deepEqual(drawn, rows.filter(({ method }) => method === "area").map(({ robots, coverage }) => `area: ${fixed(100 * coverage, 1)} % with ${robots} robots`));
   // They are there again when it is opened again, until the polygon is another one.
   await page.keyboard.press("Escape");
   await allClosed(page);
@@ -337,7 +345,7 @@ test("the program's report has the same charts, and needs nothing else", async (
     const drawn = await page.locator(`[data-figure="${figure.id}"][data-set="${figure.set}"] .plot svg`).evaluate((svg) => [...svg.querySelectorAll("[class^=dots-] > *")].map((sign) => sign.getAttribute("aria-label")));
     assert.equal(drawn.length, figure.series.flatMap(({ points }) => points).length, figure.id);
     const [first] = figure.series[0].points;
-    const value = figure.unit === "%" ? (100 * first[1]).toFixed(1) : first[1].toFixed(2);
+    const value = figure.unit === "%" ? fixed(100 * first[1], 1) : fixed(first[1], 2);
     assert.ok(drawn[0].includes(`${value} ${figure.unit} with ${first[0]} robots`), drawn[0]);
   }
   await page.evaluate(axe);

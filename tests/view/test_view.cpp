@@ -21,6 +21,7 @@
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/json.h"
+#include "evenlift/plane.h"
 #include "evenlift/stability.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
@@ -422,17 +423,17 @@ TEST_CASE("two methods stand side by side and follow the same polygon", "[view]"
   Page page;
   page.press({"k"});
   page.frame();
-  REQUIRE(page.app.state.other);
-  CHECK(page.app.state.other->settings.method == Method::circle);
+  REQUIRE(page.app.state.second);
+  CHECK(page.app.state.second->settings.method == Method::circle);
   const Layout places = layout(page.app.state);
   CHECK(places.first.right == places.second.left);
   // A drag in the second picture moves the one polygon.
   const Vec2 offset(places.second.left - places.first.left, places.second.top - places.first.top);
   page.drag({400, 150}, {420, 180}, offset);
   CHECK(length(page.app.state.document.vertices[2] - Vec2(420, 180)) < 2);
-  CHECK(page.app.state.other->vertices == page.app.state.placement->vertices);
+  CHECK(page.app.state.second->vertices == page.app.state.placement->vertices);
   for (int i = 0; i < 4; ++i) page.press({"k"});
-  CHECK_FALSE(page.app.state.compared);
+  CHECK_FALSE(page.app.state.second_method);
 }
 
 TEST_CASE("a capacity tells how many robots are needed and who carries too much", "[view]") {
@@ -604,7 +605,7 @@ TEST_CASE("a lesson is traced once when it is opened, and its steps compute noth
     const Count count;
     const Document at = changed(state, "step=5");
     CHECK_FALSE(try_edit(state, at));
-    CHECK(state.lesson.at == 5);
+    CHECK(state.walkthrough.at == 5);
     CHECK(count.placements() == 0);
     CHECK(count.traces() == 1);
   }
@@ -614,7 +615,7 @@ TEST_CASE("a lesson is traced once when it is opened, and its steps compute noth
       const Document to = changed(state, change);
       CHECK_FALSE(try_edit(state, to));
     }
-    CHECK_FALSE(lesson_is_open(state));
+    CHECK_FALSE(walkthrough_is_open(state));
     CHECK_FALSE(state.placed.settings.step);
     CHECK(count.placements() + count.traces() == 0);
   }
@@ -622,14 +623,14 @@ TEST_CASE("a lesson is traced once when it is opened, and its steps compute noth
     const Count count;
     const Document both = changed(state, "teams=2\nstep=3");
     CHECK_FALSE(try_edit(state, both));
-    CHECK(state.lesson.at == 3);
+    CHECK(state.walkthrough.at == 3);
     CHECK(count.placements() == 1);
     CHECK(count.traces() == 1);
   }
   {
     const Count count;
     const std::string text = "title: One stop\npolygon: l\nteams: 2\n\n[team 2]\nDone.\n";
-    CHECK_FALSE(open_script(state, text, l_shape));
+    CHECK_FALSE(open_lesson(state, text, l_shape));
     CHECK(words_of_stop(state) == "Done.");
     CHECK(count.placements() == 1);
     CHECK(count.traces() == 1);
@@ -663,14 +664,16 @@ TEST_CASE("what is shown is changed without computing anything, and is no step o
 TEST_CASE("no way leads to a method beside itself", "[view]") {
   Page page;
   AppState& state = page.app.state;
-  const auto parted = [&] { return !state.compared || *state.compared != settings(state).method; };
+  const auto parted = [&] {
+    return !state.second_method || *state.second_method != settings(state).method;
+  };
   page.press({"k"});
-  REQUIRE(state.compared == Method::circle);
+  REQUIRE(state.second_method == Method::circle);
   page.press({"m"});  // takes the method that is compared: the two change sides
   CHECK(settings(state).method == Method::circle);
-  CHECK(state.compared == Method::area);
-  REQUIRE(state.other);
-  CHECK(state.other->settings.method == Method::area);
+  CHECK(state.second_method == Method::area);
+  REQUIRE(state.second);
+  CHECK(state.second->settings.method == Method::area);
   page.press({"z", true});
   CHECK(parted());
   const Document edited = changed(state, "metric=distance");
@@ -680,7 +683,7 @@ TEST_CASE("no way leads to a method beside itself", "[view]") {
   CHECK(parted());
   commands = {Compare{Method::distance}};
   apply(state, commands);
-  CHECK_FALSE(state.compared);
+  CHECK_FALSE(state.second_method);
   commands = {Compare{Method::area}};
   apply(state, commands);
   page.open(document(l_shape));

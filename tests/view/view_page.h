@@ -78,7 +78,8 @@ class Page {
                             static_cast<float>(app.state.screen.height));
     io.DeltaTime = 1.0f / 60;
     ImGui::NewFrame();
-    draw_frame(app, pointer);
+    advance(app, pointer, ImGui::GetTime());
+    draw_frame(app);
     ImGui::Render();
     settle(app);
   }

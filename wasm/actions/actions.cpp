@@ -15,7 +15,7 @@ bool editing(const AppState& s) { return !s.screen.embed; }
 
 bool has_teams_number(const AppState& s) { return editing(s) && s.placement.has_value(); }
 
-// From "max" one step down is the number of teams that there are.
+// If all teams were asked for, one step down begins at the number that was placed.
 std::uint32_t teams_now(const AppState& s) {
   return settings(s).teams.value_or(
       static_cast<std::uint32_t>(s.placement ? s.placement->teams.size() : 3));
@@ -67,19 +67,19 @@ bool drawing(const AppState& s) { return s.tool == Tool::draw; }
 bool can_close(const AppState& s) { return drawing(s) && s.drawing.points.size() >= 3; }
 bool on_parts(const AppState& s) { return editing(s) && s.tool == Tool::parts; }
 
-bool in_lesson(const AppState& s) { return lesson_is_open(s); }
+bool in_walkthrough(const AppState& s) { return walkthrough_is_open(s); }
 bool can_teach(const AppState& s) { return s.placement && !s.refusal && s.tool != Tool::draw; }
-void begin_or_end_lesson(const AppState& s, Commands& out) {
-  if (in_lesson(s))
-    out.push_back(CloseLesson{});
+void begin_or_end_walkthrough(const AppState& s, Commands& out) {
+  if (in_walkthrough(s))
+    out.push_back(CloseWalkthrough{});
   else
-    out.push_back(OpenLesson{});
+    out.push_back(OpenWalkthrough{});
 }
 bool can_go_on(const AppState& s) {
   const Timeline t = timeline(s);
-  return in_lesson(s) && (t.at + 1 < t.count || s.lesson.ask);
+  return in_walkthrough(s) && (t.at + 1 < t.count || s.walkthrough.ask);
 }
-bool can_go_back(const AppState& s) { return in_lesson(s) && timeline(s).at > 0; }
+bool can_go_back(const AppState& s) { return in_walkthrough(s) && timeline(s).at > 0; }
 template <int by>
 void move_step(const AppState&, Commands& out) {
   out.push_back(MoveSteps{by});
@@ -88,10 +88,10 @@ template <int by>
 void move_chapter(const AppState&, Commands& out) {
   out.push_back(MoveChapters{by});
 }
-bool on_whole(const AppState& s) { return editing(s) && s.tool == Tool::whole; }
+bool transforming(const AppState& s) { return editing(s) && s.tool == Tool::transform; }
 bool on_vertex(const AppState& s) { return on_parts(s) && s.selected.has_value(); }
 
-// While drawing, a step is a vertex.
+// While a polygon is drawn, undo takes back one vertex.
 bool can_undo(const AppState& s) {
   return drawing(s) ? !s.drawing.points.empty() : s.history.can_undo();
 }
@@ -124,11 +124,11 @@ void insert_vertex(const AppState& s, Commands& out) {
   out.push_back(InsertVertex{*s.selected, a + (b - a) / 2});
 }
 
-// The selected vertex, or the whole, by a dot of the ground.
-bool can_nudge(const AppState& s) { return on_vertex(s) || on_whole(s); }
+// Moves the selected vertex, or the whole polygon, by a dot of the grid.
+bool can_nudge(const AppState& s) { return on_vertex(s) || transforming(s); }
 template <int x, int y>
 void nudge(const AppState& s, Commands& out) {
-  if (on_whole(s)) return out.push_back(moved_whole(s, x, y));
+  if (transforming(s)) return out.push_back(moved_polygon(s, x, y));
   const double step = grid_step(s.camera) / (s.snap.grid ? 1 : 10);
   const Vec2 to = s.document.vertices[*s.selected] + Vec2(x * step, y * step);
   out.push_back(MoveVertex{
@@ -138,11 +138,11 @@ void nudge(const AppState& s, Commands& out) {
 
 template <int steps>
 void turn(const AppState& s, Commands& out) {
-  out.push_back(turned_whole(s, steps));
+  out.push_back(turned_polygon(s, steps));
 }
 template <int tenths>
 void scale(const AppState& s, Commands& out) {
-  out.push_back(scaled_whole(s, tenths / 10.0));
+  out.push_back(scaled_polygon(s, tenths / 10.0));
 }
 
 template <bool Snap::*which>
@@ -152,21 +152,22 @@ void snap(const AppState& s, Commands& out) {
   out.push_back(SetSnap{changed});
 }
 
-// The next other method, and after the last one none.
-void next_compared(const AppState& s, Commands& out) {
+// The next method to compare with; after the last one, none.
+void next_second_method(const AppState& s, Commands& out) {
   const Method own = settings(s).method;
-  const auto from = s.compared
-                        ? std::find(std::begin(all_methods), std::end(all_methods), *s.compared) + 1
-                        : std::begin(all_methods);
+  const auto from =
+      s.second_method
+          ? std::find(std::begin(all_methods), std::end(all_methods), *s.second_method) + 1
+          : std::begin(all_methods);
   const auto next = std::find_if(from, std::end(all_methods), [&](Method m) { return m != own; });
   out.push_back(
       Compare{next == std::end(all_methods) ? std::nullopt : std::optional<Method>(*next)});
 }
 
-// Escape takes away the topmost thing that is in the way.
+// Escape closes the topmost thing that is open.
 bool anything_open(const AppState& s) {
   return s.list_open || s.help_open || s.selected || s.tool != Tool::parts ||
-         !s.notice.text.empty() || (in_lesson(s) && editing(s));
+         !s.notice.text.empty() || (in_walkthrough(s) && editing(s));
 }
 void dismiss(const AppState& s, Commands& out) {
   if (s.list_open)
@@ -175,8 +176,8 @@ void dismiss(const AppState& s, Commands& out) {
     out.push_back(SetHelpOpen{false});
   else if (!s.notice.text.empty())
     out.push_back(ShowNotice{});
-  else if (in_lesson(s))
-    out.push_back(CloseLesson{});
+  else if (in_walkthrough(s))
+    out.push_back(CloseWalkthrough{});
   else if (drawing(s) && !s.drawing.points.empty())
     out.push_back(TakePointBack{});
   else if (s.tool != Tool::parts)
@@ -189,31 +190,31 @@ void dismiss(const AppState& s, Commands& out) {
 const std::vector<Action> table = {
     {ActionId::samples, Icon::shapes, "Samples", "G", {{"g"}}, editing, show<browser::Dialog::samples>},
     {ActionId::draw, Icon::draw, "Draw", "D", {{"d"}}, editing, take<Tool::draw>},
-    {ActionId::lessons, Icon::lesson, "Lessons", "Shift+B", {{"B"}}, editing, show<browser::Dialog::lessons>},
-    {ActionId::lesson, Icon::lesson, "The algorithm step by step, on this object", "B", {{"b"}}, can_teach, begin_or_end_lesson},
+    {ActionId::lessons, Icon::board, "Lessons", "Shift+B", {{"B"}}, editing, show<browser::Dialog::lessons>},
+    {ActionId::walkthrough, Icon::board, "The algorithm step by step, on this object", "B", {{"b"}}, can_teach, begin_or_end_walkthrough},
     {ActionId::step_on, Icon::step_on, "Next step", "Right", {{"ArrowRight"}}, can_go_on, move_step<1>},
     {ActionId::step_back, Icon::step_back, "Step before", "Left", {{"ArrowLeft"}}, can_go_back, move_step<-1>},
-    {ActionId::next_chapter, Icon::chapter_on, "Next chapter", "Page down", {{"PageDown"}}, in_lesson, move_chapter<1>},
-    {ActionId::previous_chapter, Icon::chapter_back, "Chapter before", "Page up", {{"PageUp"}}, in_lesson, move_chapter<-1>},
-    {ActionId::first_step, Icon::first, "First step", "Home", {{"Home"}}, in_lesson,
+    {ActionId::next_chapter, Icon::chapter_on, "Next chapter", "Page down", {{"PageDown"}}, in_walkthrough, move_chapter<1>},
+    {ActionId::previous_chapter, Icon::chapter_back, "Chapter before", "Page up", {{"PageUp"}}, in_walkthrough, move_chapter<-1>},
+    {ActionId::first_step, Icon::first, "First step", "Home", {{"Home"}}, in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, 0)}); }},
-    {ActionId::last_step, Icon::last, "Last step", "End", {{"End"}}, in_lesson,
+    {ActionId::last_step, Icon::last, "Last step", "End", {{"End"}}, in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, timeline(s).count - 1)}); }},
-    {ActionId::play, Icon::play, "Play or pause the lesson", "Space", {{" "}}, in_lesson,
-     [](const AppState& s, Commands& out) { out.push_back(SetPlaying{!s.lesson.playing}); }},
-    {ActionId::faster, Icon::none, "Play faster or slower", "Up, down", {{"ArrowUp"}}, in_lesson,
-     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.lesson.speed * 2}); }},
-    {ActionId::slower, Icon::none, "Play slower", "", {{"ArrowDown"}}, in_lesson,
-     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.lesson.speed / 2}); }},
-    {ActionId::predict, Icon::none, "Predict before each choice", "Q", {{"q"}}, in_lesson,
-     [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.lesson.predict}); }},
+    {ActionId::play, Icon::play, "Play or pause the lesson", "Space", {{" "}}, in_walkthrough,
+     [](const AppState& s, Commands& out) { out.push_back(SetPlaying{!s.walkthrough.playing}); }},
+    {ActionId::faster, Icon::none, "Play faster or slower", "Up, down", {{"ArrowUp"}}, in_walkthrough,
+     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.walkthrough.speed * 2}); }},
+    {ActionId::slower, Icon::none, "Play slower", "", {{"ArrowDown"}}, in_walkthrough,
+     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.walkthrough.speed / 2}); }},
+    {ActionId::predict, Icon::none, "Predict before each choice", "Q", {{"q"}}, in_walkthrough,
+     [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.walkthrough.predict}); }},
     {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, editing, show<browser::Dialog::open>},
     {ActionId::save, Icon::save, "Save", "S", {{"s"}}, editing, show<browser::Dialog::save>},
     {ActionId::undo, Icon::undo, "Undo", "Ctrl+Z", {{"z", true}}, can_undo, undo},
     {ActionId::redo, Icon::redo, "Redo", "Ctrl+Shift+Z", {{"z", true, true}, {"y", true}}, can_redo, redo},
     {ActionId::copy_link, Icon::link, "Copy link", "Ctrl+C", {{"c", true}}, always, ask<CopyLink>},
     {ActionId::table, Icon::table, "Coordinates", "E", {{"e"}}, editing, show<browser::Dialog::table>},
-    {ActionId::whole, Icon::transform, "Move, turn or scale the whole", "W", {{"w"}}, editing, take<Tool::whole>},
+    {ActionId::transform, Icon::transform, "Move, turn or scale the whole", "W", {{"w"}}, editing, take<Tool::transform>},
     {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, can_close, ask<FinishDrawing>},
     {ActionId::next_vertex, Icon::none, "Select the next vertex", "V", {{"v"}}, on_parts, select_vertex<1>},
     {ActionId::previous_vertex, Icon::none, "Select the vertex before", "Shift+V", {{"V"}}, on_parts, select_vertex<-1>},
@@ -224,10 +225,10 @@ const std::vector<Action> table = {
     {ActionId::right, Icon::none, "Move to the right", "", {{"ArrowRight"}}, can_nudge, nudge<1, 0>},
     {ActionId::up, Icon::none, "Move up", "", {{"ArrowUp"}}, can_nudge, nudge<0, 1>},
     {ActionId::down, Icon::none, "Move down", "", {{"ArrowDown"}}, can_nudge, nudge<0, -1>},
-    {ActionId::turn_left, Icon::none, "Turn the whole by 15°", "[ ]", {{"["}}, on_whole, turn<1>},
-    {ActionId::turn_right, Icon::none, "Turn the whole clockwise", "", {{"]"}}, on_whole, turn<-1>},
-    {ActionId::larger, Icon::none, "Scale the whole", "{ }", {{"}"}}, on_whole, scale<11>},
-    {ActionId::smaller, Icon::none, "Make the whole smaller", "", {{"{"}}, on_whole, scale<9>},
+    {ActionId::turn_left, Icon::none, "Turn the whole by 15°", "[ ]", {{"["}}, transforming, turn<1>},
+    {ActionId::turn_right, Icon::none, "Turn the whole clockwise", "", {{"]"}}, transforming, turn<-1>},
+    {ActionId::larger, Icon::none, "Scale the whole", "{ }", {{"}"}}, transforming, scale<11>},
+    {ActionId::smaller, Icon::none, "Make the whole smaller", "", {{"{"}}, transforming, scale<9>},
     {ActionId::snap_grid, Icon::none, "Snap to the grid", "N", {{"n"}}, editing, snap<&Snap::grid>},
     {ActionId::snap_axis, Icon::none, "Snap to the axis", "X", {{"x"}}, editing, snap<&Snap::axis>},
     {ActionId::more_teams, Icon::plus, "One team more", "T", {{"t"}}, has_teams_number,
@@ -235,7 +236,7 @@ const std::vector<Action> table = {
     {ActionId::fewer_teams, Icon::minus, "One team fewer", "Shift+T", {{"T"}}, has_teams_number,
      [](const AppState& s, Commands& out) { set_teams(s, out, std::int64_t{teams_now(s)} - 1); }},
     {ActionId::next_method, Icon::none, "Next method", "M", {{"m"}}, editing, next_method},
-    {ActionId::compare, Icon::compare, "Compare with another method", "K", {{"k"}}, editing, next_compared},
+    {ActionId::compare, Icon::compare, "Compare with another method", "K", {{"k"}}, editing, next_second_method},
     {ActionId::experiment, Icon::none, "Compare all methods in charts", "Shift+K", {{"K"}}, editing,
      show<browser::Dialog::experiment>},
     {ActionId::higher_ratio, Icon::none, "Raise the minimum load ratio", ".", {{"."}}, editing,

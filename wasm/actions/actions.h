@@ -1,5 +1,5 @@
-// Everything that can be done by a key or a button, in one table: the toolbar, the keyboard and the
-// list under `?` read it.
+// Everything that a key or a button can do, in one table. The toolbar, the keyboard and the list of
+// keys read it.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ namespace evenlift::view {
 
 // clang-format off
 enum class ActionId : std::uint8_t {
-  samples, draw, lessons, lesson, whole, open, save, table, undo, redo, copy_link,
+  samples, draw, lessons, walkthrough, transform, open, save, table, undo, redo, copy_link,
   step_on, step_back, next_chapter, previous_chapter, first_step, last_step, play, faster, slower, predict,
   finish, next_vertex, previous_vertex, insert_vertex, remove_vertex,
   left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
@@ -27,14 +27,14 @@ enum class ActionId : std::uint8_t {
 struct Key {
   std::string_view name;
   bool command = false;
-  bool shift = false;  // looked at for named keys and with command; "?" says it by itself
+  bool shift = false;  // only compared together with `command`
 };
 
 struct Action {
   ActionId id;
   Icon icon;
   const char* label;
-  const char* shown;  // its key in words, "" for none of its own
+  const char* shown;  // its key in words; "" if it has none of its own
   Key keys[3];        // any of them
   bool (*enabled)(const AppState&);
   void (*run)(const AppState&, Commands&);
@@ -43,7 +43,7 @@ struct Action {
 const std::vector<Action>& actions();
 const Action& action(ActionId id);
 
-// The action of a key, if it has one that makes sense now; else null, and the key is the browser's.
+// The action of a key that can be done now; null if there is none, then the key is the browser's.
 const Action* action_for(const AppState& state, const Key& key);
 
 }  // namespace evenlift::view

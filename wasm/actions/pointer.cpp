@@ -18,17 +18,17 @@ Vec2 neighbour(const Points& points, std::size_t i, bool next) {
 }
 
 void press_parts(const AppState& state, const Pointer& pointer, Commands& commands) {
-  Pick under = pick(state, pointer.at, pointer.other);
+  Pick under = pick(state, pointer.at, pointer.second);
   if (under.kind == Pick::Kind::edge && pointer.double_pressed && !state.screen.embed) {
     const Vec2 at = rounded_to_pixels(state.camera, under.at);
     commands.push_back(InsertVertex{under.index, at});
     under = {Pick::Kind::vertex, under.index + 1, 0, at};  // and it can be dragged at once
   }
-  // A finger hovers over nothing: what it presses is what it asks about.
+  // A finger cannot hover, so a press also counts as hovering.
   if (pointer.touch) commands.push_back(SetHover{under});
   const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre;
   if (!grip) under.kind = Pick::Kind::ground;
-  // From here on `at` is how far the pointer is off what it holds, so that nothing jumps.
+  // From now on `at` is the offset from the pointer to what it holds, so that nothing jumps.
   under.at = grip ? Vec2(state.camera.to_screen(under.at) - pointer.at) : pointer.at;
   commands.push_back(SetHeld{under});
   if (under.kind == Pick::Kind::vertex) commands.push_back(SelectVertex{under.index});
@@ -37,11 +37,11 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
 void press(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (state.tool == Tool::parts) return press_parts(state, pointer, commands);
   Pick held{Pick::Kind::ground, 0, 0, pointer.at};
-  if (state.tool == Tool::whole) {
+  if (state.tool == Tool::transform) {
     if (const auto grip = grip_at(state, pointer.at)) {
       held.kind = Pick::Kind::frame;
       held.index = static_cast<std::size_t>(*grip);
-      commands.push_back(GripWhole{});
+      commands.push_back(GripPolygon{});
     }
   }
   commands.push_back(SetHeld{held});
@@ -49,7 +49,7 @@ void press(const AppState& state, const Pointer& pointer, Commands& commands) {
 
 void drag_ground(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.held;
-  // While drawing, a hand that shakes still places a vertex.
+  // While a polygon is drawn, a click of a shaking hand still places a vertex.
   if (state.tool == Tool::draw && pointer.moved < still) return;
   if (!(length(pointer.at - held.at) > 0)) return;
   commands.push_back(SetCamera{pan(state.camera, pointer.at - held.at)});
@@ -64,7 +64,7 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (pointer.moved < still && !state.edit_open) return;
   if (held.kind == Pick::Kind::frame) {
     commands.push_back(
-        dragged_whole(state, static_cast<FrameGrip>(held.index), held.at, pointer.at));
+        dragged_polygon(state, static_cast<FrameGrip>(held.index), held.at, pointer.at));
     return;
   }
   const Vec2 to = state.camera.to_world(pointer.at + held.at);
@@ -89,10 +89,10 @@ void click_drawing(const AppState& state, const Pointer& pointer, Commands& comm
   }
 }
 
-// An answer to the question, or a question of the learner's own.
-void click_lesson(const AppState& state, const Pointer& pointer, Commands& commands) {
+// A click answers the question; if there is none, it asks why not the chord there.
+void click_walkthrough(const AppState& state, const Pointer& pointer, Commands& commands) {
   commands.push_back(SelectVertex{});
-  if (state.lesson.ask) {
+  if (state.walkthrough.ask) {
     if (const auto choice = choice_at(state, pointer.at)) commands.push_back(Guess{*choice});
   } else {
     commands.push_back(AskWhy{state.camera.to_world(pointer.at)});
@@ -103,8 +103,8 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
   const bool clicked = state.held.kind == Pick::Kind::ground && pointer.moved < still;
   if (clicked && state.tool == Tool::draw) click_drawing(state, pointer, commands);
   // A click on the ground lets go of the selection; a pan does not.
-  else if (clicked && lesson_is_open(state))
-    click_lesson(state, pointer, commands);
+  else if (clicked && walkthrough_is_open(state))
+    click_walkthrough(state, pointer, commands);
   else if (clicked)
     commands.push_back(SelectVertex{});
   commands.push_back(EndEdit{});
@@ -112,7 +112,7 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
 }
 
 void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
-  // What the first finger had taken hold of is let go where it is.
+  // Releases what the first finger held, where it is.
   if (state.held.kind != Pick::Kind::none) release(state, pointer, commands);
   const Camera moved = pan(state.camera, pointer.pinch_moved);
   commands.push_back(SetCamera{zoom(moved, pointer.pinch_at, pointer.pinch_factor, 0, 1e300)});
@@ -128,22 +128,22 @@ void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool none = !pointer.present || pointer.over_panel;
   if (state.tool == Tool::draw)
     return hover_drawing(state, pointer, none || pointer.touch, commands);
-  // What a finger asked about stays until it asks about something else.
+  // What a finger pressed counts as hovered until it presses something else.
   if (pointer.touch && !none) return;
   if (none && pointer.touch && state.hover.kind == Pick::Kind::object) return;
   Pick under;
-  if (!none && state.tool == Tool::whole) {
+  if (!none && state.tool == Tool::transform) {
     if (const auto grip = grip_at(state, pointer.at)) {
       under.kind = Pick::Kind::frame;
       under.index = static_cast<std::size_t>(*grip);
     }
   } else if (!none) {
-    under = pick(state, pointer.at, pointer.other);
+    under = pick(state, pointer.at, pointer.second);
   }
   if (!(under == state.hover)) commands.push_back(SetHover{under});
-  if (lesson_is_open(state)) {
+  if (walkthrough_is_open(state)) {
     const auto figure = none ? std::nullopt : figure_at(state, pointer.at);
-    if (figure != state.lesson.hovered) commands.push_back(HoverFigure{figure});
+    if (figure != state.walkthrough.hovered) commands.push_back(HoverFigure{figure});
   }
 }
 

@@ -1,4 +1,4 @@
-// Pointer and touch for one frame, and what they do to the drawing.
+// The pointer and fingers in one frame, and the commands that they cause.
 #pragma once
 
 #include "state/command.h"
@@ -10,7 +10,7 @@ struct Pointer {
   Vec2 at = Vec2::Zero();   // CSS pixels
   bool present = false;     // over the canvas, or holding something
   bool touch = false;       // a finger: it hovers over nothing
-  bool other = false;       // over the picture of the method that is compared
+  bool second = false;      // over the picture of the second method
   bool over_panel = false;  // a panel or popup has it
   bool pressed = false, down = false, released = false, double_pressed = false;
   double moved = 0;  // farthest from where it was pressed, CSS pixels
@@ -21,7 +21,7 @@ struct Pointer {
   double pinch_factor = 1;
 };
 
-// Drags, pans, zooms, adds vertices, and says what is under the pointer.
+// Drags, pans, zooms, adds vertices, and finds what is under the pointer.
 void interact(const AppState& state, const Pointer& pointer, Commands& commands);
 
 }  // namespace evenlift::view

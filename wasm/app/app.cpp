@@ -12,38 +12,42 @@ namespace evenlift::view {
 
 namespace {
 
-// Both pictures show the same polygon: over the second, the pointer is where it would be over the
-// first.
+// Both pictures show the same polygon, so a pointer over the second picture is moved to the same
+// place in the first.
 Pointer over_one_picture(App& app, Pointer pointer) {
   const Layout places = layout(app.state);
   if (!pointer.down && !pointer.released) {
-    app.over_other = app.state.compared.has_value() && places.second.contains(pointer.at);
+    app.over_second = app.state.second_method.has_value() && places.second.contains(pointer.at);
   }
-  if (!app.over_other) return pointer;
+  if (!app.over_second) return pointer;
   const Vec2 back(places.first.left - places.second.left, places.first.top - places.second.top);
-  pointer.other = true;
+  pointer.second = true;
   pointer.at += back;
   pointer.pinch_at += back;
   return pointer;
 }
 
-void draw_picture(App& app, double now) {
-  follow(app.scene, app.state, *app.state.placement, now);
-  if (app.state.other) follow(app.other_scene, app.state, *app.state.other, now);
-  if (app.scene.progress < 1 || (app.state.other && app.other_scene.progress < 1))
+void draw_picture(App& app) {
+  const AppState& state = app.state;
+  const double now = ImGui::GetTime();
+  follow(app.scene, state, *state.placement, now);
+  if (state.second) follow(app.second_scene, state, *state.second, now);
+  if (app.scene.progress < 1 || (state.second && app.second_scene.progress < 1))
     browser::request_frame();
-  draw_canvas(app.state, app.scene, app.other_scene, layout(app.state));
+  draw_canvas(state, app.scene, app.second_scene, layout(state));
 }
 
 }  // namespace
 
-void draw_frame(App& app, const Pointer& pointer, bool picture) {
+void advance(App& app, const Pointer& pointer, double now) {
   frame_view(app.state);
   interact(app.state, over_one_picture(app, pointer), app.commands);
   settle(app);
-  const double now = ImGui::GetTime();
   turn_over(app.state, now);
-  if (picture) draw_picture(app, now);
+}
+
+void draw_frame(App& app, bool picture) {
+  if (picture) draw_picture(app);
   draw_panels(app.state, app.commands);
 }
 

@@ -1,4 +1,4 @@
-// One page: its state, what it draws from it, and what was asked for since.
+// One page: its state, what it draws of it, and the commands since.
 #pragma once
 
 #include "actions/pointer.h"
@@ -10,18 +10,23 @@ namespace evenlift::view {
 
 struct App {
   AppState state;
-  Scene scene, other_scene;
-  bool over_other = false;  // where the pointer was pressed, or hovers
+  Scene scene, second_scene;
+  bool over_second = false;  // the pointer hovers over the second picture, or was pressed there
   Commands commands;
 };
 
-// Everything between ImGui::NewFrame() and ImGui::Render(): what the pointer does takes effect at
-// once, what a panel asks for after the frame, by settle(). Without a `picture` only the panels are
-// laid out, to deal with input that came before a frame is due; that costs the same for every
-// polygon.
-void draw_frame(App& app, const Pointer& pointer, bool picture = true);
+// A frame has three parts, in this order; only the first and the last change the state.
 
-// Applies what was asked for. Returns whether another frame is due.
+// What the pointer and the time do to the state: it takes effect before anything is drawn. `now` is
+// in seconds. The cost of one placement at most.
+void advance(App& app, const Pointer& pointer, double now);
+
+// Draws the state, between ImGui::NewFrame() and ImGui::Render(). What a panel asks for becomes a
+// command. Without a `picture` only the panels are laid out, to deal with input that came before a
+// frame is due; that costs the same for every polygon.
+void draw_frame(App& app, bool picture = true);
+
+// Applies the commands. Returns whether there were any; then another frame is due.
 bool settle(App& app);
 
 }  // namespace evenlift::view

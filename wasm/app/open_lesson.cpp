@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-std::optional<InputError> open_script(AppState& state, const std::string& text,
+std::optional<InputError> open_lesson(AppState& state, const std::string& text,
                                       const std::string& polygon, bool join) {
   Result<Lesson> lesson = parse_lesson(text);
   if (!lesson) return lesson.error();

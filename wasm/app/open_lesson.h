@@ -1,4 +1,4 @@
-// Opens a ready-made lesson: its document, and then the walk through its steps.
+// Opens a ready-made lesson: its document, and the walkthrough with the lesson's script.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,10 @@
 
 namespace evenlift::view {
 
-// Opens a ready-made lesson; `polygon` is the text of the sample that it names, if it names one.
-// With `join` the document that is open stays, with its settings and at its step, if it has one:
-// the lesson gives its words to it, and it must be of the lesson's polygon. Says what is wrong, and
-// changes nothing, if it cannot be opened.
-std::optional<InputError> open_script(AppState& state, const std::string& text,
+// Opens a ready-made lesson. `polygon` is the text of the sample that the lesson names, if it names
+// one. With `join` the document that is open stays, with its settings and its step; it must be the
+// lesson's polygon. If the lesson cannot be opened, says why and changes nothing.
+std::optional<InputError> open_lesson(AppState& state, const std::string& text,
                                       const std::string& polygon, bool join = false);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// What the page opens with: the work of the last visit, a link, or a sample.
+// What the page shows first: a link, the work of the last visit, or a sample.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@ struct LastVisit {
   std::string_view draft;  // a link of what was being edited when it was refused
 };
 
-// Opens the link; if there is none or it cannot be read the work, with its draft as one more step;
-// if that cannot be read either the sample. A link is one step after the work, which undo leads
-// back to and which is not placed before. Returns why the link could not be read, or nothing. The
-// cost of one placement.
+// Opens the link. Without a link that can be read, opens the work, with its draft as a further step
+// of undo; without work that can be read, the sample. Undo leads from a link back to the work,
+// which is not placed before that. Returns why the link could not be read, or nothing. Costs one
+// placement.
 std::string open_page(AppState& state, const LastVisit& visit, std::string_view sample);
 
 }  // namespace evenlift::view

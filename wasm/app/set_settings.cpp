@@ -9,7 +9,7 @@
 namespace evenlift::view {
 namespace {
 
-// Reads one of the settings into `changed`.
+// Reads one setting into `changed`.
 std::optional<InputError> read(Setting setting, std::string_view text, Changeable& changed) {
   if (setting != Setting::capacity) return read_setting(setting, text, changed.document);
   const std::optional<double> capacity = read_capacity(text);

@@ -1,4 +1,4 @@
-// Settings as text: what window.evenlift.set() gives, and what the browser keeps.
+// Settings as text: what window.evenlift.set() passes, and what the browser keeps.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,20 @@
 
 namespace evenlift::view {
 
-// What set() can change.
+// The settings that set() can change.
 struct Changeable {
   Document document;
   std::optional<double> capacity;  // of one robot
 };
 
-// What was given with the changes of `lines` made, each a line `name=value` as settings_text.h
-// reads it; a capacity may be "none". The first line that cannot be read is the error; what only
-// place() can judge is not looked at. O(bytes).
+// Makes the changes of `lines`, each a line `name=value` as settings_text.h reads it; a capacity
+// may be "none". The first line that cannot be read is the error. What only place() can judge is
+// not checked here. O(bytes).
 Result<Changeable> with_settings(Changeable given, std::string_view lines);
 
-// What this browser keeps besides the document, as `name=value` lines; and from them. What cannot
-// be read is left at its default: another version of the page wrote it. O(bytes).
+// The preferences that the browser keeps besides the document, as `name=value` lines; and back.
+// What cannot be read keeps its default, as another version of the page may have written it.
+// O(bytes).
 struct Kept {
   bool motion = true;
   std::optional<double> capacity;

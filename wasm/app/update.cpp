@@ -22,15 +22,15 @@ void show(AppState& state, Notice notice) {
   state.notice = std::move(notice);
 }
 
-// A method beside itself would show nothing: where the document takes the method that is compared,
-// the two change sides.
+// Two pictures of one method would show no difference: if the document takes over the second
+// method, the two methods are exchanged.
 void part_methods(AppState& state, Method former) {
   const Method now = state.document.settings.method;
-  if (state.compared != now) return;
-  state.compared = former == now ? std::nullopt : std::optional<Method>(former);
+  if (state.second_method != now) return;
+  state.second_method = former == now ? std::nullopt : std::optional<Method>(former);
 }
 
-// Takes over what place() says of the document.
+// Takes over the placement of the document, or why it is refused.
 void adopt(AppState& state, Result<Placement> placement) {
   ++state.revision;
   part_methods(state, state.placed.settings.method);
@@ -49,21 +49,21 @@ void adopt(AppState& state, Result<Placement> placement) {
   browser::document_changed();
 }
 
-// What is shown beside the placement. The plan waits while something is dragged, as nobody reads it
-// then, and is made anew only if it can have changed.
+// Computes what is shown beside the placement. The capacity plan is computed only if it can have
+// changed, and not during a drag, when nobody reads it.
 void follow_up(AppState& state) {
   if (state.refusal) return;
-  state.other.reset();
-  if (state.compared) {
+  state.second.reset();
+  if (state.second_method) {
     Document document = state.placed;
-    document.settings.method = *state.compared;
+    document.settings.method = *state.second_method;
     // Methods that do not choose among candidates cannot take all of them.
     const bool all = !document.settings.teams;
     if (all)
       document.settings.teams =
           static_cast<std::uint32_t>(std::max<std::size_t>(state.placement->teams.size(), 1));
     if (Result<Placement> placement = compute_placement(document))
-      state.other = std::move(placement).value();
+      state.second = std::move(placement).value();
   }
   if (state.edit_open || !state.plan_due) return;
   state.plan.reset();
@@ -77,7 +77,7 @@ void recompute(AppState& state) {
   follow_placement(state);
 }
 
-// A selection or a grip on something that an undo or a new document took away is none.
+// Forgets a selection of, or a grip on, a vertex that no longer exists.
 void drop_stale_picks(AppState& state) {
   const std::size_t count = state.document.vertices.size();
   if (state.selected && *state.selected >= count) state.selected.reset();
@@ -95,22 +95,22 @@ void begin_edit(AppState& state, bool live) {
 
 void fit_view(AppState& state) { state.camera_follows = state.fit_due = true; }
 
-// Lets go of all that belonged to the document before.
+// Forgets what belonged to the former document.
 void forget_former(AppState& state) {
   if (state.tool == Tool::draw) state.tool = Tool::parts;
   state.drawing = {};
   state.selected.reset();
   state.hover = state.held = {};
-  // A lesson begins with the step that the document carries, if it carries one.
-  state.lesson.trace.reset();
-  state.lesson.script.reset();
-  state.lesson.playing = false;
-  state.lesson.visited.clear();
-  state.lesson.at = 0;
+  // The walkthrough begins with the document's step, if it has one.
+  state.walkthrough.trace.reset();
+  state.walkthrough.script.reset();
+  state.walkthrough.playing = false;
+  state.walkthrough.visited.clear();
+  state.walkthrough.at = 0;
   fit_view(state);
 }
 
-// Shows an opened document in place of the one that is open; what to undo is the caller's business.
+// Shows a document in place of the former one. The caller records the step of undo.
 void show_opened(AppState& state, Opened opened) {
   forget_former(state);
   state.document = std::move(opened.document);
@@ -124,7 +124,7 @@ void open(AppState& state, Opened opened) {
   show_opened(state, std::move(opened));
 }
 
-// The polygon that was drawn, with the settings in force.
+// Opens the polygon that was drawn, with the present settings.
 void finish_drawing(AppState& state) {
   Document drawn;
   drawn.vertices = state.drawing.points;
@@ -138,7 +138,7 @@ void finish_drawing(AppState& state) {
   open(state, std::move(polygon).value());
 }
 
-// Whether the camera shows all of the points, and not from afar.
+// Whether the camera shows all vertices, and not much smaller than they could be.
 bool well_shown(const AppState& state) {
   const Screen& screen = state.screen;
   const double best = fit(state.document.vertices, layout(state).room).scale;
@@ -151,13 +151,13 @@ bool well_shown(const AppState& state) {
 void step_back(AppState& state, Document document) {
   const bool other_shape = document.vertices.size() != state.document.vertices.size();
   state.edit_open = false;
-  // Where a lesson stands is no edit; but a document from before a ready-made one stands where it
-  // stood then.
-  if (state.lesson.script && state.history.depth() < state.lesson.script->depth)
-    state.lesson.script.reset();
+  // The step of the walkthrough is not undone, except when undo leaves a script: then the former
+  // step comes back.
+  if (state.walkthrough.script && state.history.depth() < state.walkthrough.script->depth)
+    state.walkthrough.script.reset();
   else
     document.settings.step = state.document.settings.step;
-  document.settings.overlays = state.document.settings.overlays;  // showing is no edit either
+  document.settings.overlays = state.document.settings.overlays;  // neither are the overlays
   state.document = std::move(document);
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);
@@ -221,7 +221,7 @@ struct Applier {
     recompute(state);
   }
   void operator()(OpenDocument& c) const { open(state, std::move(c.opened)); }
-  void operator()(const SetWhole& c) const {
+  void operator()(const SetPolygon& c) const {
     if (c.vertices == state.document.vertices) return;
     begin_edit(state, c.live);
     state.document.vertices = c.vertices;
@@ -240,7 +240,7 @@ struct Applier {
     if (state.history.can_redo()) step_back(state, state.history.redo(state.document));
   }
 
-  // Showing is not editing: it computes nothing, and there is nothing to undo. Links carry it.
+  // Overlays are no edit: they compute nothing and cannot be undone. Links carry them.
   void operator()(const Show& c) const {
     if (c.overlays == state.document.settings.overlays) return;
     state.document.settings.overlays = state.placed.settings.overlays = c.overlays;
@@ -248,16 +248,16 @@ struct Applier {
     browser::document_changed();
   }
   void operator()(const SetTool& c) const {
-    if (c.tool == Tool::draw && lesson_is_open(state)) close_lesson(state);
+    if (c.tool == Tool::draw && walkthrough_is_open(state)) close_walkthrough(state);
     state.tool = c.tool;
     if (!state.drawing.points.empty()) browser::document_changed();
     state.drawing = {};
     state.selected.reset();
     state.hover = state.held = {};
-    if (c.tool == Tool::draw) state.compared.reset();
+    if (c.tool == Tool::draw) state.second_method.reset();
     show(state, {});
   }
-  void operator()(const GripWhole&) const {
+  void operator()(const GripPolygon&) const {
     state.grip = {state.document.vertices, state.document.centre_of_mass};
   }
   void operator()(const AddPoint& c) const {
@@ -284,8 +284,8 @@ struct Applier {
     browser::document_changed();
   }
   void operator()(const FinishDrawing&) const { finish_drawing(state); }
-  void operator()(const OpenLesson&) const { open_lesson(state); }
-  void operator()(const CloseLesson&) const { close_lesson(state); }
+  void operator()(const OpenWalkthrough&) const { open_walkthrough(state); }
+  void operator()(const CloseWalkthrough&) const { close_walkthrough(state); }
   void operator()(const GoToStep& c) const { go_to_step(state, c.step); }
   void operator()(const MoveSteps& c) const { move_steps(state, c.by); }
   void operator()(const MoveChapters& c) const { move_chapters(state, c.by); }
@@ -294,16 +294,16 @@ struct Applier {
   void operator()(const SetPredict& c) const { set_predict(state, c.on); }
   void operator()(const Guess& c) const { guess(state, c.answer); }
   void operator()(const PointAtChoice& c) const {
-    if (state.lesson.ask) state.lesson.ask->pointed = c.choice;
+    if (state.walkthrough.ask) state.walkthrough.ask->pointed = c.choice;
   }
   void operator()(const AskWhy& c) const { ask_why(state, c.at); }
   void operator()(const Measure& c) const { measure(state, c.candidate); }
-  void operator()(const HoverFigure& c) const { state.lesson.hovered = c.figure; }
+  void operator()(const HoverFigure& c) const { state.walkthrough.hovered = c.figure; }
   void operator()(const LeaveScript&) const { leave_script(state); }
   void operator()(const SetDrawCursor& c) const { state.drawing.cursor = c.at; }
   void operator()(const SetSnap& c) const { state.snap = c.snap; }
   void operator()(const Compare& c) const {
-    state.compared = c.method == state.document.settings.method ? std::nullopt : c.method;
+    state.second_method = c.method == state.document.settings.method ? std::nullopt : c.method;
     state.hover = state.held = {};
     follow_up(state);
     ++state.revision;
@@ -368,7 +368,7 @@ bool apply(AppState& state, Commands& commands) {
 }
 
 void frame_view(AppState& state) {
-  // What is being drawn must not move under the hand.
+  // A polygon that is being drawn must not move under the hand.
   if (!state.camera_follows || state.edit_open || state.tool == Tool::draw) return;
   const Rect room = layout(state).room;
   if (!state.fit_due && room == state.fitted) return;
@@ -395,7 +395,7 @@ void resume_draft(AppState& state, Document draft) {
 
 namespace {
 
-// Whether an edited document differs in the lesson's step alone: then nothing is to be computed.
+// Whether only the step of the walkthrough differs in the edited document.
 bool only_steps(const AppState& state, const Document& edited) {
   Settings but_step = edited.settings;
   but_step.step = state.document.settings.step;
@@ -404,16 +404,17 @@ bool only_steps(const AppState& state, const Document& edited) {
          but_step == state.document.settings;
 }
 
-// Goes to another step of the lesson of the document that is open, or leaves the lesson.
+// Goes to another step of the open document's walkthrough, or closes the walkthrough.
 std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t> step) {
   std::optional<Trace> made;
-  if (step && !lesson_is_open(state)) {
+  if (step && !walkthrough_is_open(state)) {
     Result<Trace> trace = compute_trace(*state.placement);
     if (!trace) return trace.error();
     made = std::move(trace).value();
   }
   if (step) {
-    if (const auto problem = check_step(*step, made ? *made : *state.lesson.trace)) return problem;
+    if (const auto problem = check_step(*step, made ? *made : *state.walkthrough.trace))
+      return problem;
   }
   if (step && !made) {
     go_to_step(state, *step);

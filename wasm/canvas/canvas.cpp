@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "canvas/canvas_drawing.h"
-#include "canvas/canvas_lesson.h"
 #include "canvas/canvas_marks.h"
 #include "canvas/canvas_view.h"
+#include "canvas/canvas_walkthrough.h"
+#include "canvas/hint.h"
 #include "canvas/painter.h"
 #include "walkthrough/walkthrough.h"
 
@@ -15,10 +16,7 @@ namespace {
 
 Rect window_of(const AppState& state) { return {0, 0, state.screen.width, state.screen.height}; }
 
-constexpr std::size_t most_dashed =
-    300;  // beyond that, thin lines: dashes by the ten thousand are slow
-
-// A grid of dots at 1, 2 or 5 times a power of ten units, so that zooming can be felt.
+// The grid of dots, at 1, 2 or 5 times a power of ten units.
 void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
   const Camera& camera = state.camera;
   const double step = grid_step(camera);
@@ -36,26 +34,13 @@ void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
   }
 }
 
-void draw_region(const Painter& painter, const Shape& shape, Colour fill, Colour line,
-                 bool rising) {
-  if (shape.points.size() == 1) {
-    painter.list().AddCircle(painter.at(shape.points[0]), 6, line.packed(), 24, 2);
-  } else if (shape.points.size() == 2) {
-    painter.line(shape.points[0], shape.points[1], line, 3);
-  } else {
-    painter.fill_convex(shape.points, fill);
-    painter.hatch_convex(shape.points, rising, line.at(0.55f));
-    painter.outline(shape.points, line.at(0.7f), 1.2f);
-  }
-}
-
 bool named(const CanvasView& view, std::optional<std::uint32_t> team) {
   const Pick& hover = view.state.hover;
   return (hover.kind == Pick::Kind::chord || hover.kind == Pick::Kind::robot) &&
-         hover.other == view.other && team == hover.index;
+         hover.second == view.second && team == hover.index;
 }
 
-// H grows from what it was: the old one fades while the new one comes.
+// The lifting base; after a change the old one fades out while the new one fades in.
 void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const Theme& theme = view.theme;
   const float come = view.scene.progress;
@@ -79,7 +64,8 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
   }
 }
 
-void draw_shape(const Painter& painter, const CanvasView& view, const Shape& shape, bool dash) {
+void draw_shape(const Painter& painter, const CanvasView& view, const Shape& shape,
+                std::size_t candidates) {
   const Theme& theme = view.theme;
   switch (shape.role) {
     case Role::object:
@@ -89,16 +75,13 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
       draw_hull(painter, view, shape);
       break;
     case Role::clockwise:
-      draw_region(painter, shape, theme.clockwise, theme.clockwise_line, true);
+      painter.region(shape.points, theme.clockwise, theme.clockwise_line, true);
       break;
     case Role::counterclockwise:
-      draw_region(painter, shape, theme.counter, theme.counter_line, false);
+      painter.region(shape.points, theme.counter, theme.counter_line, false);
       break;
     case Role::candidate:
-      if (dash)
-        painter.dashes(shape.points[0], shape.points[1], theme.candidate, 1.2f);
-      else
-        painter.line(shape.points[0], shape.points[1], theme.candidate.at(0.5f), 1);
+      painter.candidate(shape.points[0], shape.points[1], theme.candidate, candidates);
       break;
     case Role::chord: {
       const bool hovered = named(view, shape.team);
@@ -116,11 +99,11 @@ void draw_picture(const Painter& painter, const CanvasView& view) {
   const std::vector<Shape>& shapes = view.scene.shapes;
   const auto candidates = std::count_if(shapes.begin(), shapes.end(),
                                         [](const Shape& s) { return s.role == Role::candidate; });
-  const bool dash = static_cast<std::size_t>(candidates) <= most_dashed;
-  for (const Shape& shape : shapes) draw_shape(painter, view, shape, dash);
+  for (const Shape& shape : shapes)
+    draw_shape(painter, view, shape, static_cast<std::size_t>(candidates));
 }
 
-// The outline of what is being edited, and where it is wrong.
+// The outline of a document that is refused, and the place of its fault.
 void draw_refused(const Painter& painter, const AppState& state, const Theme& theme) {
   const Points& vertices = state.document.vertices;
   painter.outline(vertices, theme.amber, 2);
@@ -143,9 +126,9 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
   const ImVec2 low(static_cast<float>(view.window.left), static_cast<float>(view.window.top));
   const ImVec2 high(static_cast<float>(view.window.right), static_cast<float>(view.window.bottom));
   list.PushClipRect(low, high, true);
-  const bool teaches = lesson_is_open(view.state) && view.current() && !view.other;
+  const bool teaches = walkthrough_is_open(view.state) && view.current() && !view.second;
   if (teaches) {
-    draw_lesson(Painter(list, view.camera, view.window), view);
+    draw_walkthrough(Painter(list, view.camera, view.window), view);
   } else if (view.placement) {
     const Painter painter(list, view.camera, view.window, view.current() ? 1.0f : 0.35f);
     draw_picture(painter, view);
@@ -157,8 +140,8 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
   list.PopClipRect();
 }
 
-// The two pictures of a comparison, a line between them and the method's name over each.
-void draw_both(ImDrawList& list, const CanvasView& first, const Scene& other,
+// The two pictures of a comparison, and a line between them.
+void draw_both(ImDrawList& list, const CanvasView& first, const Scene& second,
                const Layout& layout) {
   CanvasView left = first;
   left.window = layout.first;
@@ -166,9 +149,9 @@ void draw_both(ImDrawList& list, const CanvasView& first, const Scene& other,
   Camera camera = first.camera;
   camera.anchor +=
       Vec2(layout.second.left - layout.first.left, layout.second.top - layout.first.top);
-  const std::optional<Placement>& placement = first.state.other;
+  const std::optional<Placement>& placement = first.state.second;
   const CanvasView right{first.state, first.theme, layout,        placement ? &*placement : nullptr,
-                         other,       camera,      layout.second, true};
+                         second,      camera,      layout.second, true};
   draw_view(list, right);
   const ImU32 line = first.theme.panel_line.packed();
   const Rect& r = layout.second;
@@ -180,7 +163,7 @@ void draw_both(ImDrawList& list, const CanvasView& first, const Scene& other,
 
 }  // namespace
 
-void draw_canvas(const AppState& state, const Scene& scene, const Scene& other,
+void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
                  const Layout& layout) {
   const Theme& colours = theme(state);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -194,8 +177,8 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& other,
   const Placement* placement = state.placement ? &*state.placement : nullptr;
   const CanvasView view{state, colours,      layout,           placement,
                         scene, state.camera, window_of(state), false};
-  if (state.compared)
-    draw_both(list, view, other, layout);
+  if (state.second_method)
+    draw_both(list, view, second, layout);
   else
     draw_view(list, view);
   draw_hint(list, state, layout, colours);

@@ -8,8 +8,8 @@
 namespace evenlift::view {
 
 // Draws into Dear ImGui's background, under every panel.
-// `other` is the scene of the method that is compared.
-void draw_canvas(const AppState& state, const Scene& scene, const Scene& other,
+// `second` is the scene of the method that is compared.
+void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
                  const Layout& layout);
 
 }  // namespace evenlift::view

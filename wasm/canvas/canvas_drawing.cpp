@@ -30,6 +30,52 @@ std::string length_text(const AppState& state, const Vec2& from, const Vec2& to)
   return given_point(to) + " · " + fixed(length(to - from), decimals) + " long";
 }
 
+Rect window_of(const AppState& state) { return {0, 0, state.screen.width, state.screen.height}; }
+
+// Before the first vertex is placed.
+void draw_first_cursor(const Painter& painter, const AppState& state, const Theme& theme) {
+  const std::optional<Vec2>& cursor = state.drawing.cursor;
+  if (!cursor) return;
+  painter.list().AddCircleFilled(painter.at(*cursor), 4, theme.accent.packed(), 16);
+  draw_word(painter.list(), state.camera.to_screen(*cursor), window_of(state), theme,
+            theme.second_text, given_point(*cursor));
+}
+
+// The edges of the chain that cross another one.
+std::set<std::size_t> crossed_edges(const Points& chain) {
+  std::set<std::size_t> crossed;
+  for (const auto& [i, j] : crossings(chain)) {
+    crossed.insert(i);
+    crossed.insert(j);
+  }
+  return crossed;
+}
+
+void draw_chain(const Painter& painter, const AppState& state, const Theme& theme,
+                const Points& chain, const std::set<std::size_t>& crossed) {
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    const bool placed = i + 1 < state.drawing.points.size();
+    const Colour colour = crossed.count(i) ? theme.amber
+                          : placed         ? theme.object_outline
+                                           : theme.accent;
+    painter.line(chain[i], chain[i + 1], colour, crossed.count(i) ? 3.5f : 2);
+  }
+}
+
+// The vertices that are placed; a press on the first one would close the shape.
+void draw_placed(const Painter& painter, const Drawing& drawing, const Theme& theme, bool closing) {
+  ImDrawList& list = painter.list();
+  for (std::size_t i = 0; i < drawing.points.size(); ++i) {
+    const ImVec2 at = painter.at(drawing.points[i]);
+    const bool first = i == 0 && drawing.points.size() >= 3;
+    if (first)
+      list.AddCircleFilled(at, static_cast<float>(closing_reach),
+                           theme.accent.at(closing ? 0.45f : 0.18f).packed(), 32);
+    list.AddCircleFilled(at, 4.5f, theme.panel.packed(), 20);
+    list.AddCircle(at, 4.5f, (first ? theme.accent : theme.object_outline).packed(), 20, 2);
+  }
+}
+
 }  // namespace
 
 void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const Theme& theme,
@@ -48,55 +94,29 @@ void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const The
 
 void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme) {
   const Drawing& drawing = state.drawing;
-  ImDrawList& list = painter.list();
-  const Rect window{0, 0, state.screen.width, state.screen.height};
-  if (drawing.points.empty()) {
-    if (drawing.cursor) {
-      list.AddCircleFilled(painter.at(*drawing.cursor), 4, theme.accent.packed(), 16);
-      draw_word(list, state.camera.to_screen(*drawing.cursor), window, theme, theme.second_text,
-                given_point(*drawing.cursor));
-    }
-    return;
-  }
+  if (drawing.points.empty()) return draw_first_cursor(painter, state, theme);
   const bool closing = drawing.cursor && closes(state, state.camera.to_screen(*drawing.cursor));
   const Points chain = chain_with_cursor(state, closing);
-  std::set<std::size_t> crossed;
-  for (const auto& [i, j] : crossings(chain)) {
-    crossed.insert(i);
-    crossed.insert(j);
-  }
-  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    const bool placed = i + 1 < drawing.points.size();
-    const Colour colour = crossed.count(i) ? theme.amber
-                          : placed         ? theme.object_outline
-                                           : theme.accent;
-    painter.line(chain[i], chain[i + 1], colour, crossed.count(i) ? 3.5f : 2);
-  }
+  const std::set<std::size_t> crossed = crossed_edges(chain);
+  draw_chain(painter, state, theme, chain, crossed);
   // What would close it now.
   if (!closing && chain.size() >= 3) painter.dashes(chain.back(), chain.front(), theme.quiet, 1.2f);
-  for (std::size_t i = 0; i < drawing.points.size(); ++i) {
-    const ImVec2 at = painter.at(drawing.points[i]);
-    const bool first = i == 0 && drawing.points.size() >= 3;
-    if (first)
-      list.AddCircleFilled(at, static_cast<float>(closing_reach),
-                           theme.accent.at(closing ? 0.45f : 0.18f).packed(), 32);
-    list.AddCircleFilled(at, 4.5f, theme.panel.packed(), 20);
-    list.AddCircle(at, 4.5f, (first ? theme.accent : theme.object_outline).packed(), 20, 2);
-  }
+  draw_placed(painter, drawing, theme, closing);
   if (!drawing.cursor) return;
   const Vec2 spot = state.camera.to_screen(*drawing.cursor);
+  const Rect window = window_of(state);
   if (closing) {
-    draw_word(list, spot, window, theme, theme.accent, "Click to close the shape");
+    draw_word(painter.list(), spot, window, theme, theme.accent, "Click to close the shape");
   } else if (crossed.count(chain.size() - 2)) {
-    draw_word(list, spot, window, theme, theme.amber, "This edge would cross another");
+    draw_word(painter.list(), spot, window, theme, theme.amber, "This edge would cross another");
   } else {
-    draw_word(list, spot, window, theme, theme.second_text,
+    draw_word(painter.list(), spot, window, theme, theme.second_text,
               length_text(state, drawing.points.back(), *drawing.cursor));
   }
 }
 
 void draw_frame_grips(const Painter& painter, const AppState& state, const Theme& theme) {
-  const Rect frame = whole_frame(state);
+  const Rect frame = transform_frame(state);
   ImDrawList& list = painter.list();
   const ImVec2 low = vec({frame.left, frame.top}), high = vec({frame.right, frame.bottom});
   list.AddRect(low, high, theme.accent.at(0.6f).packed(), 4, 0, 1.5f);

@@ -1,4 +1,5 @@
-// The tools at work: the polygon being drawn, and the frame about the whole one.
+// What the tools show: the polygon that is being drawn, and the frame for moving, turning and
+// scaling.
 #pragma once
 
 #include "canvas/canvas_view.h"
@@ -8,7 +9,7 @@ namespace evenlift::view {
 void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme);
 void draw_frame_grips(const Painter& painter, const AppState& state, const Theme& theme);
 
-// A word in a box at a spot, kept inside the window.
+// A text in a box at a spot, moved so that it is inside the window.
 void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const Theme& theme,
                Colour colour, const std::string& text);
 

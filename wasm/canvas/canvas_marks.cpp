@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "canvas/canvas_drawing.h"
+#include "canvas/hint.h"
 #include "canvas/labels.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
@@ -25,12 +26,11 @@ bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index) {
   return state.hover.kind == kind && state.hover.index == index;
 }
 
-// A ring that can be taken hold of, or a dot; nothing where they would stand so close that they
-// hide the shape.
+// A ring to take hold of, or a dot; nothing where they would be so close that they hide the shape.
 void draw_vertices(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
-  if (state.tool == Tool::whole) return;  // the frame has the grips
+  if (state.tool == Tool::transform) return;  // the frame has the grips
   const Points& vertices = state.document.vertices;
   const std::size_t n = vertices.size();
   const Colour outline = state.refusal ? theme.amber : theme.object_outline;
@@ -67,7 +67,7 @@ void draw_edge_offer(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, theme.accent.packed(), 24, 1.5f);
 }
 
-// Marks shrink where robots stand close together.
+// With many robots their marks are smaller.
 struct RobotSize {
   float disc, ring;
   bool numbered, labelled;
@@ -129,8 +129,8 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
   }
 }
 
-// Where thousands stand, each is a dot, and one is enough for all that stand in the same spot: what
-// a frame draws is bounded by the window.
+// Thousands of robots are dots, and one dot is drawn for all of them in the same spot, so that the
+// window bounds what a frame draws.
 void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t teams) {
   constexpr double spot = 3;  // CSS pixels
   const Rect& window = view.window;
@@ -147,7 +147,7 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
     painter.list().AddRectFilled(vec(at.x() - 2, at.y() - 2), vec(at.x() + 2, at.y() + 2),
                                  colour.packed());
   };
-  // Those that carry too much first: they must not be hidden by others.
+  // Overloaded robots come first, so that no other hides them.
   for (const bool over : {true, false}) {
     for (std::size_t i = 0; i < teams; ++i) {
       const Team& team = view.placement->teams[i];
@@ -160,10 +160,10 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
   }
 }
 
-// Those that stand there already, with their loads once all are known.
-void draw_robots_of_lesson(const Painter& painter, const CanvasView& view) {
+// The robots placed up to the current step; their loads are written once all of them are known.
+void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
-  const Progress& known = view.state.lesson.known;
+  const Progress& known = view.state.walkthrough.known;
   if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
   const RobotSize size = robot_size(placement.teams.size());
   if (known.shares > 0 && known.shares == placement.teams.size() && size.labelled)
@@ -223,33 +223,26 @@ void draw_centre(const Painter& painter, const AppState& state, const Theme& the
                    theme.object);
 }
 
-// "It can slide this way": an arrow from the centre of mass.
+// An arrow from the centre of mass in a direction in which the object can slide.
 void draw_slide(const Painter& painter, const CanvasView& view) {
   const Closure& closure = view.placement->closure;
   if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
   const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
   const Vec2 along(closure.translation->x(), -closure.translation->y());
-  const Vec2 aside(-along.y(), along.x());
   const Vec2 tail = from + along * 16, head = from + along * 62;
   ImDrawList& list = painter.list();
-  const auto at = [](const Vec2& p) { return vec(p.x(), p.y()); };
-  for (const auto& [colour, width] :
-       {std::pair(view.theme.object, 7.0f), {view.theme.amber, 3.0f}}) {
-    list.AddLine(at(tail), at(head), colour.packed(), width);
-    const ImVec2 barbs[] = {at(head - along * 11 + aside * 8), at(head),
-                            at(head - along * 11 - aside * 8)};
-    list.AddPolyline(barbs, 3, colour.packed(), 0, width);
-  }
+  painter.arrow(tail, head, view.theme.object, 7);
+  painter.arrow(tail, head, view.theme.amber, 3);
   const Vec2 spot = head + along * 4;
   draw_text(list, Face::strong_label, vec(spot.x() + (along.x() < 0 ? -34 : 6), spot.y() - 7),
             view.theme.amber, "slides");
 }
 
-// Where a push tips the object, and how hard it must be.
+// How hard a push under the pointer must be to tip the object.
 void draw_push(const Painter& painter, const CanvasView& view) {
   const Pick& hover = view.state.hover;
   const Placement& placement = *view.placement;
-  if (hover.kind != Pick::Kind::object || hover.other != view.other || placement.teams.empty())
+  if (hover.kind != Pick::Kind::object || hover.second != view.second || placement.teams.empty())
     return;
   const double force = tipping_force(placement.lifting_base, placement.centre_of_mass,
                                      placement.settings.weight, hover.at);
@@ -261,13 +254,12 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   const std::string text =
       safe ? "Safe: no push here tips it"
            : "Tips if pushed down with " + kilograms(force, placement.settings.weight);
-  // In light and dark alike the box is the panel's colour, on which the base's dark green would not
-  // show.
+  // The box has the panel's colour, on which the lifting base's dark green could not be read.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)), view.window,
             view.theme, safe ? view.theme.text : view.theme.amber, text);
 }
 
-// Why a polygon is refused, at the spot.
+// Writes why a polygon is refused at the place of the fault.
 void draw_reason(const Painter& painter, const CanvasView& view) {
   const InputError& error = *view.state.refusal;
   const Points& vertices = view.state.document.vertices;
@@ -287,18 +279,15 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
   } else {
     return;
   }
-  std::string why = error.message;
-  if (!why.empty() && why[0] >= 'a' && why[0] <= 'z') why[0] = static_cast<char>(why[0] - 32);
   draw_word(painter.list(), view.camera.to_screen(spot), view.window, view.theme, view.theme.amber,
-            why);
+            capitalised(error.message));
 }
 
-// Whose picture it is, while methods are compared.
+// The method's name and result over its picture, while two methods are compared.
 void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
   const Placement& p = *view.placement;
-  std::string name(evenlift::name(p.settings.method));
-  name[0] = static_cast<char>(name[0] - 32);
+  const std::string name = capitalised(std::string(evenlift::name(p.settings.method)));
   std::string numbers = "no team";
   if (p.loads) {
     numbers = kilograms(p.loads->min, p.loads->max, p.loads->max) + " · " + percentage(p.coverage) +
@@ -316,88 +305,18 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
             view.theme.second_text, numbers);
 }
 
-std::string hint_of_lesson(const AppState& state) {
-  const LessonState& lesson = state.lesson;
-  if (lesson.ask) return "Press the one that you think it is";
-  if (lesson.hovered && *lesson.hovered < lesson.figures.size()) {
-    std::string text = figure_text(*lesson.trace, lesson.detail, lesson.figures[*lesson.hovered]);
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-      text[0] = static_cast<char>(text[0] - 32);
-    return text;
-  }
-  return "Click a chord, or anywhere: why not this one?";
-}
-
 }  // namespace
-
-std::string hint(const AppState& state) {
-  if (state.screen.embed) return {};
-  if (state.tool == Tool::draw)
-    return state.drawing.points.empty()
-               ? "Click to place the first vertex · drag to move the view"
-               : "Click to place vertices · click the first, or Enter, to close · Esc takes one back";
-  if (state.tool == Tool::whole)
-    return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do the same";
-  const bool holds = state.held.kind != Pick::Kind::none && state.held.kind != Pick::Kind::ground;
-  const Pick& at = holds ? state.held : state.hover;
-  if (lesson_is_open(state) && !state.refusal && at.kind != Pick::Kind::vertex &&
-      at.kind != Pick::Kind::centre)
-    return hint_of_lesson(state);
-  const Points& vertices = state.document.vertices;
-  switch (at.kind) {
-    case Pick::Kind::vertex:
-      if (at.index >= vertices.size()) return {};
-      return "Vertex " + std::to_string(at.index + 1) + " " + given_point(vertices[at.index]) +
-             " · drag to move, Delete to remove";
-    case Pick::Kind::centre:
-      return "Centre of mass " +
-             point_in_words(centre_of_mass(state), coordinate_decimals(vertices)) +
-             " · drag to move";
-    case Pick::Kind::edge:
-      return "Double-click the edge to add a vertex";
-    case Pick::Kind::robot:
-    case Pick::Kind::chord: {
-      const Placement* placement = current_placement(state, at.other);
-      if (!placement || at.index >= placement->teams.size()) return {};
-      const TeamInWords words =
-          team_in_words(*placement, at.index, coordinate_decimals(placement->vertices));
-      return "Team " + std::to_string(at.index + 1) + " · load ratio " + words.ratio + " · " +
-             words.loads[0] + " and " + words.loads[1] + "\u00A0kg · " + words.length + " apart";
-    }
-    case Pick::Kind::object:
-    case Pick::Kind::frame:
-    case Pick::Kind::none:
-    case Pick::Kind::ground:
-      break;
-  }
-  return "Drag a vertex or the centre of mass · scroll to zoom · ? for keys";
-}
-
-void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme) {
-  const std::string text = hint(state);
-  // A phone has neither the room nor the wheel that it speaks of.
-  if (text.empty() || !layout.wide || state.screen.finger || state.screen.height < 560) return;
-  const ImVec2 size = text_size(Face::label, text);
-  const double width = static_cast<double>(size.x);
-  // Beside the tools of the view, not under them.
-  const double left = std::max(layout.free.middle().x() - width / 2, layout.tools.right + 22);
-  const double top = state.screen.height - layout.margin - 24;
-  list.AddRectFilled(vec(left - 10, top - 5),
-                     vec(left + width + 10, top + static_cast<double>(size.y) + 5),
-                     theme.ground.at(0.85f).packed(), 8);
-  draw_text(list, Face::label, vec(left, top), theme.second_text, text);
-}
 
 void draw_marks(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
-  if (lesson_is_open(state) && view.current() && !view.other) {
+  if (walkthrough_is_open(state) && view.current() && !view.second) {
     draw_vertices(painter, view);
-    draw_robots_of_lesson(painter, view);
+    draw_robots_of_walkthrough(painter, view);
     draw_centre(painter, state, view.theme);
     return;
   }
   if (view.current()) draw_coverage(painter, view);
-  if (state.tool == Tool::whole) draw_frame_grips(painter, state, view.theme);
+  if (state.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
   if (view.current()) {
@@ -407,7 +326,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   draw_centre(painter, state, view.theme);
   if (view.current()) draw_push(painter, view);
   if (state.refusal) draw_reason(painter, view);
-  if (state.compared) draw_caption(painter, view);
+  if (state.second_method) draw_caption(painter, view);
 }
 
 }  // namespace evenlift::view

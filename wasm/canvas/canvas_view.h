@@ -1,4 +1,4 @@
-// One of the pictures on the canvas: the placement, or beside it that of another method.
+// One of the pictures on the canvas: the placement, or beside it that of a second method.
 #pragma once
 
 #include "canvas/painter.h"
@@ -12,11 +12,11 @@ struct CanvasView {
   const AppState& state;
   const Theme& theme;
   const Layout& layout;
-  const Placement* placement;  // null: there is none yet
+  const Placement* placement;  // null if there is none yet
   const Scene& scene;
   const Camera& camera;
-  Rect window;  // what of the canvas is this picture's
-  bool other;   // of the method that is compared
+  Rect window;  // the part of the canvas for this picture
+  bool second;  // whether it shows the second method
   bool current() const { return placement && !state.refusal; }
 };
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t most_spans = 400000;
 
-// A bit for each pixel and row: whether the outline was crossed on the way to it from the pixel
-// before an odd number of times.
+// A bit for each pixel: whether there is an odd number of crossings with the outline between the
+// previous pixel of its row and it.
 class Crossings {
  public:
   Crossings(const Rect& window, double pixel)
@@ -62,7 +62,7 @@ class Crossings {
     return at;
   }
 
-  // The first of `count` pixels whose middle lies at `offset` or beyond.
+  // The first of `count` pixels whose middle is at `offset` or to the right of it.
   std::int64_t middle_after(double offset, std::int64_t count) const {
     return static_cast<std::int64_t>(
         std::clamp(std::ceil(offset / pixel_ - 0.5), 0.0, static_cast<double>(count)));

@@ -1,5 +1,5 @@
-// A large polygon filled row by row of device pixels, with no triangles: their number, and the time
-// to find them, would grow beyond what a frame can bear. What this gives is as large as the window.
+// Fills a large polygon row by row of device pixels. Triangles would be too many, and take too long
+// to find, for a frame; the size of this result is bounded by the window.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-// Of one row of pixels, inside of the polygon; CSS pixels.
+// The part of a row of pixels that is inside the polygon, in CSS pixels.
 struct RowSpan {
   float left, right, top;
 };
@@ -17,9 +17,9 @@ struct RowFill {
   float height = 1;  // of a row
 };
 
-// What of the polygon the window shows, by the even-odd rule at the middle of each pixel; `pixel`
-// is the size of a device pixel. Where that gives too many spans for a picture (more than a few
-// hundred thousand) the rows are coarser. O(n + pixels + rows that the edges cross).
+// The part of the polygon that the window shows, by the even-odd rule at the middle of each pixel.
+// `pixel` is the size of a device pixel. If there would be more than a few hundred thousand spans,
+// the rows are coarser. O(n + pixels + rows that the edges cross).
 RowFill fill_rows(const Points& polygon, const Camera& camera, const Rect& window, double pixel);
 
 }  // namespace evenlift::view

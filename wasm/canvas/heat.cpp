@@ -5,20 +5,23 @@
 #include <iterator>
 #include <limits>
 
+#include "evenlift/plane.h"
+
 namespace evenlift::view {
 namespace {
 
-// A side of H: how far beyond it a point lies, in units of how far C lies within.
+// A side of the lifting base. Distances beyond it are in units of the distance of the centre of
+// mass inside it.
 struct Side {
   Vec2 a, along;
   double within;
   double beyond(const Vec2& p) const { return -cross(along, p - a) / within; }
 };
 
-// A base of thousands of corners is as good as round: its sides need not all be looked at.
+// A base with thousands of corners is as good as round: not all of its sides are needed.
 constexpr std::size_t most_sides = 1000;
 
-// Those sides that some vertex lies beyond: the others cut nothing off.
+// The sides that some vertex lies beyond; the others cut nothing off.
 std::vector<Side> cutting_sides(const Placement& placement) {
   std::vector<Side> sides;
   const Points& hull = placement.lifting_base;
@@ -34,28 +37,17 @@ std::vector<Side> cutting_sides(const Placement& placement) {
   return sides;
 }
 
-// What of a convex polygon lies at most `most` beyond the side.
-void cut(std::vector<Vec2>& area, const Side& side, double most, std::vector<Vec2>& kept) {
-  kept.clear();
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    const Vec2 &a = area[i], &b = area[i + 1 == area.size() ? 0 : i + 1];
-    const double at_a = most - side.beyond(a), at_b = most - side.beyond(b);
-    if (at_a >= 0) kept.push_back(a);
-    if ((at_a < 0) != (at_b < 0)) kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
-  }
-  area.swap(kept);
+// The part of a convex polygon that lies at most `most` beyond the side. `spare` is memory.
+void cut(Points& area, const Side& side, double most, Points& spare) {
+  clip(
+      area, [&](const Vec2& p) { return most - side.beyond(p); }, spare);
+  area.swap(spare);
 }
 
-// A rectangle that holds all of the polygon, counter-clockwise.
-Points box_around(const Points& polygon) {
-  Vec2 low = polygon[0], high = low;
-  for (const Vec2& p : polygon) {
-    low = {std::min(low.x(), p.x()), std::min(low.y(), p.y())};
-    high = {std::max(high.x(), p.x()), std::max(high.y(), p.y())};
-  }
-  const Vec2 more = high - low;
-  low -= more;
-  high += more;
+// A rectangle that holds all of the polygon with room to spare, counter-clockwise.
+Points frame_around(const Points& polygon) {
+  const Box box = bounding_box(polygon);
+  const Vec2 low = box.low - box.size(), high = box.high + box.size();
   return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
 }
 
@@ -64,14 +56,14 @@ HeatBand band(const Placement& placement, const std::vector<std::uint32_t>& tria
   HeatBand result{share, {}, {}};
   const double most = share > 0 ? 1 / share : std::numeric_limits<double>::infinity();
   if (triangles.empty() && share > 0) {
-    std::vector<Vec2> spare;
-    result.region = box_around(placement.vertices);
+    Points spare;
+    result.region = frame_around(placement.vertices);
     for (const Side& side : sides) {
       if (!result.region.empty()) cut(result.region, side, most, spare);
     }
     return result;
   }
-  std::vector<Vec2> area, spare;
+  Points area, spare;
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
     area.assign({placement.vertices[triangles[i]], placement.vertices[triangles[i + 1]],
                  placement.vertices[triangles[i + 2]]});

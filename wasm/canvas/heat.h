@@ -1,5 +1,5 @@
-// The force that tips the object as a heat map: how far out of the lifting base one can push how
-// hard.
+// The force that tips the object, as a heat map: outside the lifting base, how hard a push at each
+// point must be to tip it.
 #pragma once
 
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace evenlift::view {
 
-// The part of the polygon where a push of `share` times the weight is needed to tip, or more, as
-// triangles: three points each. The innermost, without a level, is where none tips.
+// The part of the polygon where only a push of at least `share` times the weight tips the object,
+// as triangles: three points each. The innermost band has an infinite share: no push there tips it.
 struct HeatBand {
   double share = 0;
   std::vector<Vec2> triangles;
-  // Of a polygon without triangles, which is filled by rows: the convex region, counter-clockwise,
-  // whose part within the polygon this is; none for all of it.
+  // For a polygon that is filled by rows: a convex region, counter-clockwise. The band is its part
+  // inside the polygon. If it is empty, the band is all of the polygon.
   Points region;
 };
 
-// From the outermost, which is all of the polygon (share 0), inwards: each is painted over the one
-// before. `triangles` are the polygon's, as triangulate() gives them, or none. Where a force tips
-// is an intersection of half-planes, the sides of H moved outwards (algorithm.md, Stability).
-// O(levels n h), h the sides of H beyond which some of the polygon lies.
+// The bands from the outermost (share 0, all of the polygon) inwards; each is painted over the one
+// before. `triangles` are the polygon's, from triangulate(), or none. A band is an intersection of
+// half-planes: the sides of the lifting base, moved outwards (algorithm.md, Stability).
+// O(levels n h), where h sides of the lifting base have some of the polygon beyond them.
 std::vector<HeatBand> heat_bands(const Placement& placement,
                                  const std::vector<std::uint32_t>& triangles);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/pick.h"
+#include "evenlift/plane.h"
 
 namespace evenlift::view {
 namespace {
@@ -22,7 +22,8 @@ Vec2 turned(const Vec2& v, double degrees) {
   return {v.x() * c - v.y() * s, v.x() * s + v.y() * c};
 }
 
-// The middle of a box of `size` that just clears a disc of radius `reach` in direction `u`.
+// The middle of a box of `size` that lies in direction `u` and just clears a disc of radius
+// `reach`.
 Vec2 beside(const Vec2& robot, const Vec2& u, const Vec2& size, double reach) {
   const double x = std::abs(u.x()) * size.x() / 2, y = std::abs(u.y()) * size.y() / 2;
   return robot + u * (reach + x + y);
@@ -40,7 +41,8 @@ double away(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
-// How much room there is about p: the distance to what the number must not cover, 0 outside.
+// The room about p: its distance to what the number must not cover; 0 outside of the object or
+// base.
 double clearance(const Placement& placement, const Vec2& p) {
   if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices, p)) return 0;
   double room = length(p - placement.centre_of_mass);
@@ -87,22 +89,18 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 }
 
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
-  // Beyond this there is no room for a number anyway, and looking for it would take long.
+  // With more than this there is no room for a number anyway, and the search would take long.
   if (placement.lifting_base.size() < 3 || placement.teams.size() > 40 ||
       placement.vertices.size() > 400)
     return {};
-  Vec2 low = placement.lifting_base[0], high = low;
-  for (const Vec2& p : placement.lifting_base) {
-    low = {std::min(low.x(), p.x()), std::min(low.y(), p.y())};
-    high = {std::max(high.x(), p.x()), std::max(high.y(), p.y())};
-  }
+  const Box box = bounding_box(placement.lifting_base);
   CoveragePlace best{before, clearance(placement, before)};
   double to_beat = best.room * 1.3;
   constexpr int steps = 28;
   for (int i = 1; i < steps; ++i) {
     for (int j = 1; j < steps; ++j) {
-      const Vec2 p(low.x() + (high.x() - low.x()) * i / steps,
-                   low.y() + (high.y() - low.y()) * j / steps);
+      const Vec2 p(box.low.x() + box.size().x() * i / steps,
+                   box.low.y() + box.size().y() * j / steps);
       const double room = clearance(placement, p);
       if (room > to_beat) {
         to_beat = room;

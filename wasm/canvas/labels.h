@@ -1,4 +1,6 @@
-// Where numbers stand in the drawing: a load beside its robot, coverage inside H.
+// Where numbers are written in the drawing: a load beside its robot, the coverage inside the
+// lifting base. This runs in every frame of a drag, so it tries few places; pictures in files take
+// the time to keep clear of edges and chords, too (core/src/output/svg/label_places.h).
 #pragma once
 
 #include <optional>
@@ -9,23 +11,23 @@
 
 namespace evenlift::view {
 
-// A box in CSS pixels, or nothing where there is no room.
+// A label that wants a place.
 struct LabelRequest {
   Vec2 robot;    // CSS pixels
-  Vec2 outward;  // unit, where there is likely to be room
+  Vec2 outward;  // unit vector towards where there is likely to be room
   Vec2 size;     // of the text with its padding
 };
 
-// One place for each request, beside its robot and clear of the other robots and labels, as far as
-// that goes, within `window` and not under `covered`. `reach` is the radius that a robot's mark
-// takes. O(n²) for n requests.
+// A box in CSS pixels for each request, or nothing where there is no room: beside its robot, clear
+// of the other robots and labels, within `window` and clear of `covered`. `reach` is the radius of
+// a robot's mark. O(n²) for n requests.
 std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests,
                                               const Rect& window, const Rect& covered,
                                               double reach);
 
-// The point inside both P and H farthest from chords, robots and outlines, and how far it is from
-// them, in polygon coordinates; `before` stands while it is nearly as good, so that the number does
-// not jump about. Room 0 where there is none.
+// The point inside both the polygon and the lifting base that is farthest from chords, robots and
+// outlines, and its distance to them, in polygon coordinates. While `before` is nearly as good it
+// is kept, so that the number does not jump. The room is 0 if there is no such point.
 struct CoveragePlace {
   Vec2 at = Vec2::Zero();
   double room = 0;

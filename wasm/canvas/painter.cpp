@@ -3,35 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "evenlift/plane.h"
 
 namespace evenlift::view {
 namespace {
 
 constexpr double margin = 40;  // CSS pixels beyond the window that are still drawn: widths, fringes
 
-// Dear ImGui keeps 40 bytes a point on the stack while it draws a line, and a polygon may have a
-// million points: a bounded number of them at a time.
+// Dear ImGui keeps 40 bytes for each point on the stack while it draws a line, and a polygon may
+// have a million points. So lines are drawn in pieces of at most this many points.
 constexpr std::size_t most_at_once = 4096;
 
-// Of fewer points all are drawn. Of more only those that can be told apart are: they lie farther
-// from each other than this share of a device pixel.
+// Of a polygon with more points than this only those are drawn that can be told apart: those
+// farther from each other than this share of a device pixel.
 constexpr std::size_t few = 2048;
 constexpr double same_spot = 0.25;
 
 ImVec2 vec(const Vec2& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y())}; }
-
-// Sutherland and Hodgman's step: what lies on the side where `inside` is at least 0.
-template <class Inside>
-Points cut(const Points& polygon, Inside inside) {
-  Points kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 &a = polygon[i], &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    const double at_a = inside(a), at_b = inside(b);
-    if (at_a >= 0) kept.push_back(a);
-    if ((at_a < 0) != (at_b < 0)) kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
-  }
-  return kept;
-}
 
 }  // namespace
 
@@ -92,7 +82,7 @@ void Painter::fill(const RowFill& rows, Colour colour, const Points& within) con
 }
 
 void Painter::triangles(const std::vector<Vec2>& corners, Colour colour) const {
-  // A bounded number at a time: Dear ImGui's indices may have 16 bits.
+  // In pieces, as Dear ImGui's indices may have 16 bits.
   constexpr std::size_t most = 3 * 4096;
   const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
   const ImU32 packed = colour.at(strength_).packed();
@@ -112,10 +102,9 @@ Points Painter::clipped(const Points& counter_clockwise) const {
   area.reserve(counter_clockwise.size() + 4);
   for (auto p = counter_clockwise.rbegin(); p != counter_clockwise.rend(); ++p)
     area.push_back(camera_.to_screen(*p));
-  area = cut(area, [&](const Vec2& p) { return p.x() - (window_.left - margin); });
-  area = cut(area, [&](const Vec2& p) { return window_.right + margin - p.x(); });
-  area = cut(area, [&](const Vec2& p) { return p.y() - (window_.top - margin); });
-  return cut(area, [&](const Vec2& p) { return window_.bottom + margin - p.y(); });
+  const Vec2 around(margin, margin);
+  return evenlift::clip(std::move(area), Box{Vec2(window_.left, window_.top) - around,
+                                             Vec2(window_.right, window_.bottom) + around});
 }
 
 double Painter::least_step() const { return same_spot * static_cast<double>(list_._FringeScale); }
@@ -123,7 +112,7 @@ double Painter::least_step() const { return same_spot * static_cast<double>(list
 void Painter::fill_convex(const Points& counter_clockwise, Colour colour) const {
   const Points area = clipped(counter_clockwise);
   if (area.size() < 3) return;
-  // The window bounds how many are left once those in the same spot are one.
+  // Points in the same spot are drawn once, so the window bounds their number.
   const double least = area.size() > few ? least_step() : -1;
   Vec2 last = area.back();
   for (const Vec2& p : area) {
@@ -142,7 +131,7 @@ void Painter::outline(const Points& polygon, Colour colour, float width, bool cl
                    width);
 }
 
-// In pieces that each begin where the last one ended, without what is beside the window.
+// Draws pieces that each begin where the last one ended, and leaves out what is beside the window.
 void Painter::long_outline(const Points& polygon, Colour colour, float width, bool closed) const {
   const ImU32 packed = colour.at(strength_).packed();
   const double least = least_step();
@@ -205,6 +194,35 @@ void Painter::dashes(const Vec2& a, const Vec2& b, Colour colour, float width) c
     list_.AddLine(vec(from + along * s), vec(from + along * std::min(s + dash, all)), packed,
                   width);
   }
+}
+
+void Painter::candidate(const Vec2& a, const Vec2& b, Colour colour, std::size_t count) const {
+  if (count <= most_dashed)
+    dashes(a, b, colour, 1.2f);
+  else
+    line(a, b, colour.at(0.5f), 1);
+}
+
+void Painter::region(const Points& counter_clockwise, Colour fill, Colour line_colour,
+                     bool rising) const {
+  if (counter_clockwise.size() == 1) {
+    list_.AddCircle(at(counter_clockwise[0]), 6, line_colour.packed(), 24, 2);
+  } else if (counter_clockwise.size() == 2) {
+    line(counter_clockwise[0], counter_clockwise[1], line_colour, 3);
+  } else {
+    fill_convex(counter_clockwise, fill);
+    hatch_convex(counter_clockwise, rising, line_colour.at(0.55f));
+    outline(counter_clockwise, line_colour.at(0.7f), 1.2f);
+  }
+}
+
+void Painter::arrow(const Vec2& tail, const Vec2& head, Colour colour, float width) const {
+  const Vec2 along = (head - tail) / length(head - tail), aside(-along.y(), along.x());
+  const ImU32 packed = colour.at(strength_).packed();
+  list_.AddLine(vec(tail), vec(head), packed, width);
+  const ImVec2 barbs[] = {vec(head - along * 11 + aside * 8), vec(head),
+                          vec(head - along * 11 - aside * 8)};
+  list_.AddPolyline(barbs, 3, packed, 0, width);
 }
 
 void Painter::hatch_convex(const Points& counter_clockwise, bool rising, Colour colour) const {

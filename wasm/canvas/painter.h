@@ -13,9 +13,12 @@
 
 namespace evenlift::view {
 
+// Dashes are slow to draw by the ten thousand: more lines than this are not dashed.
+inline constexpr std::size_t most_dashed = 300;
+
 class Painter {
  public:
-  // `strength` fades everything, for a result that is no longer current.
+  // `strength` below 1 fades everything: the result is no longer current.
   Painter(ImDrawList& list, const Camera& camera, const Rect& window, float strength = 1)
       : list_(list), camera_(camera), window_(window), strength_(strength) {}
 
@@ -24,7 +27,8 @@ class Painter {
 
   void fill(const Points& polygon, const std::vector<std::uint32_t>& triangles,
             Colour colour) const;
-  // What of a large polygon the window shows, filled by rows; `within` a convex area, if given.
+  // Fills the part of a large polygon that the window shows by rows; if `within` is given, only the
+  // part inside this convex area.
   RowFill rows(const Points& polygon) const;
   void fill(const RowFill& rows, Colour colour, const Points& within = {}) const;
   void triangles(const std::vector<Vec2>& corners, Colour colour) const;
@@ -32,7 +36,14 @@ class Painter {
   void outline(const Points& polygon, Colour colour, float width, bool closed = true) const;
   void line(const Vec2& a, const Vec2& b, Colour colour, float width) const;
   void dashes(const Vec2& a, const Vec2& b, Colour colour, float width) const;
-  // Lines at +45° (rising) or −45°, fixed to the plane, so that they do not swim when it is moved.
+  // A candidate's chord, one of `count`: dashed; or a thin line where there are more than
+  // most_dashed of them.
+  void candidate(const Vec2& a, const Vec2& b, Colour colour, std::size_t count) const;
+  // A region of rotation centres, which may have shrunk to a segment or a point.
+  void region(const Points& counter_clockwise, Colour fill, Colour line, bool rising) const;
+  // An arrow between two points on the screen, in CSS pixels.
+  void arrow(const Vec2& tail, const Vec2& head, Colour colour, float width) const;
+  // Hatches with lines at +45° (rising) or −45°. They are fixed to the plane and move with it.
   void hatch_convex(const Points& counter_clockwise, bool rising, Colour colour) const;
 
  private:
@@ -43,9 +54,9 @@ class Painter {
   // Whether the window may show something of a segment. O(1).
   bool seen(const Vec2& a, const Vec2& b) const;
   void long_outline(const Points& polygon, Colour colour, float width, bool closed) const;
-  // Points closer together, in CSS pixels, look like one.
+  // Points that are closer together than this, in CSS pixels, look like one.
   double least_step() const;
-  // From where to where a convex area reaches in each of the rows.
+  // The left and right end of a convex area in each of the rows.
   std::vector<std::pair<float, float>> reach(const Points& convex, float row_height) const;
 
   ImDrawList& list_;

@@ -25,7 +25,7 @@ Points hull_of(const std::vector<Shape>& shapes) {
   return hull == shapes.end() ? Points() : hull->points;
 }
 
-// Teams come and go with a little motion; what is dragged is followed at once.
+// A change of the teams is animated, except during a drag.
 void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>& before,
                   double now) {
   scene.progress = 1;
@@ -41,7 +41,7 @@ void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>&
   scene.progress = 0;
 }
 
-// What follows from the placement, whatever of it is shown.
+// Computes what depends on the placement, and not on the overlays.
 void follow_anew(Scene& scene, const AppState& state, const Placement& placement,
                  const std::vector<Shape>& before, double now) {
   const bool same_polygon = !before.empty() && before[0].points == placement.vertices;
@@ -59,7 +59,7 @@ void follow_anew(Scene& scene, const AppState& state, const Placement& placement
 }  // namespace
 
 void follow(Scene& scene, const AppState& state, const Placement& placement, double now) {
-  // Overlays are the document's even while it is refused; the placement is the last good one.
+  // Even while the document is refused its overlays are shown, with the last good placement.
   const Overlays& overlays = state.document.settings.overlays;
   const bool anew = scene.revision != state.revision;
   if (anew || !(scene.overlays == overlays)) {

@@ -6,8 +6,7 @@
 namespace evenlift::view {
 namespace {
 
-// A vertex in the ring that is left, and in the list sorted along the Z-order curve. Removed ones
-// stay in neither.
+// A vertex in the ring of those that are left, and in the list sorted along the Z-order curve.
 struct Node {
   Vec2 at;
   std::uint32_t vertex = 0, previous = 0, next = 0;
@@ -17,7 +16,7 @@ struct Node {
 
 double turn(const Node& a, const Node& b, const Node& c) { return cross(b.at - a.at, c.at - b.at); }
 
-// Bits of x spread to every other bit.
+// Spreads the bits of x to every second bit.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | (x << 8)) & 0x00FF00FFu;
   x = (x | (x << 4)) & 0x0F0F0F0Fu;
@@ -48,7 +47,7 @@ class Ears {
     std::size_t left = nodes_.size(), without_ear = 0;
     std::uint32_t i = 0;
     while (left > 2) {
-      // Rounding may leave no ear; then any corner has to do.
+      // Rounding may leave no ear; then any corner is cut off.
       const bool forced = without_ear > left;
       if (forced || is_ear(i)) {
         const Node ear = nodes_[i];
@@ -83,7 +82,7 @@ class Ears {
     }
     const double size = std::max(high.x() - low_.x(), high.y() - low_.y());
     to_grid_ = size > 0 ? 32767 / size : 0;
-    // Place along the curve and number in one integer, which the library can sort already.
+    // Position on the curve and index in one integer, so that integers are sorted.
     std::vector<unsigned long long> order(nodes_.size());
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
       nodes_[i].z = z_of(nodes_[i].at);
@@ -98,7 +97,7 @@ class Ears {
     }
   }
 
-  // A convex corner whose triangle holds no other vertex of the ring.
+  // Whether this is an ear: a convex corner whose triangle contains no other vertex of the ring.
   bool is_ear(std::uint32_t i) const {
     const Node &b = nodes_[i], &a = nodes_[b.previous], &c = nodes_[b.next];
     if (!(turn(a, b, c) > 0)) return false;

@@ -1,4 +1,4 @@
-// The browser, by way of web/host.js: each function here only hands over to the one of its name
+// Asks the browser through web/page/bindings.js: each function here calls the one of its name
 // there.
 #include "state/browser.h"
 
@@ -7,19 +7,19 @@
 #include <cstddef>
 #include <string>
 
-EM_JS(void, evenlift_document_changed, (), { Module["host"]["documentChanged"](); })
-EM_JS(void, evenlift_preferences_changed, (), { Module["host"]["preferencesChanged"](); })
+EM_JS(void, evenlift_document_changed, (), { Module["bindings"]["documentChanged"](); })
+EM_JS(void, evenlift_preferences_changed, (), { Module["bindings"]["preferencesChanged"](); })
 EM_JS(void, evenlift_copy_address, (const char* link),
-      { Module["host"]["copyAddress"](UTF8ToString(link)); })
+      { Module["bindings"]["copyAddress"](UTF8ToString(link)); })
 EM_JS(void, evenlift_open_dialog, (const char* name),
-      { Module["host"]["openDialog"](UTF8ToString(name)); })
+      { Module["bindings"]["openDialog"](UTF8ToString(name)); })
 EM_JS(void, evenlift_announce, (const char* text),
-      { Module["host"]["announce"](UTF8ToString(text)); })
-EM_JS(void, evenlift_open_page, (), { Module["host"]["openPage"](); })
-EM_JS(void, evenlift_measure_screen, (), { Module["host"]["measureScreen"](); })
-EM_JS(void, evenlift_schedule_frame, (), { Module["host"]["scheduleFrame"](); })
-EM_JS(void, evenlift_frame_after, (double seconds), { Module["host"]["frameAfter"](seconds); })
-EM_JS(void, evenlift_drop_frame_after, (), { Module["host"]["dropFrameAfter"](); })
+      { Module["bindings"]["announce"](UTF8ToString(text)); })
+EM_JS(void, evenlift_open_page, (), { Module["bindings"]["openPage"](); })
+EM_JS(void, evenlift_measure_screen, (), { Module["bindings"]["measureScreen"](); })
+EM_JS(void, evenlift_schedule_frame, (), { Module["bindings"]["scheduleFrame"](); })
+EM_JS(void, evenlift_frame_after, (double seconds), { Module["bindings"]["frameAfter"](seconds); })
+EM_JS(void, evenlift_drop_frame_after, (), { Module["bindings"]["dropFrameAfter"](); })
 
 namespace evenlift::view::browser {
 

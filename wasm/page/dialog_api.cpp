@@ -1,6 +1,6 @@
-// What the page's own windows (web/dialogs.js) ask of the program: samples, coordinates, files, QR
-// codes. Edits are commands, so each is a step of undo. Functions that may refuse return why as a
-// sentence, or nothing.
+// What the page's own windows (web/windows) ask of the program: samples, coordinates, files, QR
+// codes. Edits are commands, so each is one step of undo. A function that may refuse returns a
+// sentence that says why, or an empty text.
 #include <emscripten/emscripten.h>
 #include <qrcodegen.h>
 
@@ -22,6 +22,7 @@
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
+#include "evenlift/polygon.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/browser.h"
@@ -37,13 +38,13 @@ void carry_out(Commands commands) {
   browser::request_frame();
 }
 
-// Opens a polygon's text with the settings in force.
+// Opens a polygon's text with the present settings.
 std::string open_with_these_settings(std::string_view text) {
   Result<Document> read = read_polygon(text);
   if (!read) return sentence(read.error());
   Document document = std::move(read).value();
   document.settings = settings(app().state);
-  document.settings.step.reset();  // of another polygon's lesson
+  document.settings.step.reset();  // it belongs to the former polygon
   Result<Opened> polygon = opened(std::move(document));
   if (!polygon) return sentence(polygon.error());
   Commands commands;
@@ -52,7 +53,7 @@ std::string open_with_these_settings(std::string_view text) {
   return {};
 }
 
-// A coordinate as the formats write it, or why it is none.
+// A coordinate as the formats write it; or nothing, and `problem` says why it is none.
 std::optional<double> coordinate(std::string_view text, std::string& problem) {
   constexpr std::string_view blank = " \t\n\r";
   const std::size_t first = text.find_first_not_of(blank);
@@ -85,19 +86,33 @@ int index_of(const std::optional<std::size_t>& vertex) {
 
 using namespace evenlift::view;
 using evenlift::Document;
+using evenlift::read_polygon;
 using evenlift::Result;
 using evenlift::Vec2;
 
 extern "C" {
 
-// --- Samples, and text edited as a whole
+// --- Samples and text
 
-// Opens a polygon's text and keeps method, teams, ratio, weight and what is shown.
+// Opens a polygon's text; all settings stay.
 EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
   return hand_over(open_with_these_settings(text));
 }
 
-// --- Coordinates: of what is being edited, also while it is refused
+// The outline of a polygon's text for a small picture: a line `x y` for the centre of mass, then
+// one for each vertex. Nothing if the text cannot be read.
+EMSCRIPTEN_KEEPALIVE const char* page_outline(const char* text) {
+  Result<Document> read = read_polygon(text);
+  if (!read) return hand_over({});
+  const Result<evenlift::Polygon> polygon = evenlift::Polygon::create(read->vertices);
+  if (!polygon) return hand_over({});
+  std::string lines;
+  append_point(lines, read->centre_of_mass.value_or(polygon->centroid()));
+  for (const Vec2& vertex : read->vertices) append_point(lines, vertex);
+  return hand_over(std::move(lines));
+}
+
+// --- Coordinates of the document, also while it is refused
 
 EMSCRIPTEN_KEEPALIVE int page_vertex_count() {
   return static_cast<int>(app().state.document.vertices.size());
@@ -114,7 +129,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
   return hand_over(std::move(lines));
 }
 
-// `x y` of the centre of mass if it was given, else of the last centroid; and whether it was given.
+// The centre of mass `x y`: the one that was given, or the last centroid; and whether it was given.
 EMSCRIPTEN_KEEPALIVE const char* page_centre() {
   const AppState& state = app().state;
   std::string line;
@@ -131,8 +146,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
   return hand_over(state.refusal ? sentence(*state.refusal) : std::string());
 }
 
-// Sets one coordinate of a vertex, or with vertex -1 of the centre of mass; `axis` is 0 for x, 1
-// for y.
+// Sets one coordinate of a vertex, or of the centre of mass if `vertex` is -1. `axis` is 0 for x
+// and 1 for y.
 EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const char* text) {
   const AppState& state = app().state;
   const evenlift::Points& vertices = state.document.vertices;
@@ -153,11 +168,11 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const
 
 EMSCRIPTEN_KEEPALIVE void page_release_centre() { carry_out({ReleaseCentre{}}); }
 
-// The settings with which the polygon on the screen is placed, for the window of experiments.
+// The settings of the last good placement, for the window of experiments.
 EMSCRIPTEN_KEEPALIVE double page_min_ratio() { return app().state.placed.settings.min_ratio; }
 EMSCRIPTEN_KEEPALIVE double page_weight() { return app().state.placed.settings.weight; }
 
-// In the middle of the edge that begins at this vertex.
+// Inserts a vertex in the middle of the edge that begins at this one.
 EMSCRIPTEN_KEEPALIVE void page_insert_vertex(int after) {
   const evenlift::Points& vertices = app().state.document.vertices;
   if (after < 0 || after >= static_cast<int>(vertices.size())) return;
@@ -184,7 +199,7 @@ EMSCRIPTEN_KEEPALIVE int page_hovered_vertex() {
   return pick.kind == Pick::Kind::vertex ? static_cast<int>(pick.index) : -1;
 }
 
-// --- To share and to save: the last polygon that was accepted
+// --- Sharing and saving: the last document that was not refused
 
 EMSCRIPTEN_KEEPALIVE const char* page_wkt() {
   return hand_over(evenlift::write_wkt(app().state.placed));
@@ -193,15 +208,15 @@ EMSCRIPTEN_KEEPALIVE const char* page_geojson() {
   return hand_over(evenlift::write_geojson(app().state.placed));
 }
 
-// Why there is no link, or nothing.
+// Says why there is no link; nothing if there is one.
 EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
   const Result<std::string> link = evenlift::encode_link(app().state.placed);
   return hand_over(link ? std::string() : sentence(link.error()));
 }
 
 // A text as a QR code: a line of 0 and 1 (dark) for each row of modules, without the quiet zone.
-// Nothing if it is too long for one. Version and mask are chosen by the generator, and as much
-// error correction as the version has room for.
+// Nothing if it is too long. The generator chooses version and mask, and as much error correction
+// as the version has room for.
 EMSCRIPTEN_KEEPALIVE const char* page_qr(const char* text) {
   static std::array<std::uint8_t, qrcodegen_BUFFER_LEN_MAX> code, work;
   if (!qrcodegen_encodeText(text, work.data(), code.data(), qrcodegen_Ecc_LOW,
@@ -219,41 +234,43 @@ EMSCRIPTEN_KEEPALIVE const char* page_qr(const char* text) {
 
 // --- Lessons
 
-// The sample that a ready-made lesson names: its polygon's text goes to page_open_lesson(). Nothing
-// if it brings a link of its own, or cannot be read.
+// The sample that a ready-made lesson names; the text of its polygon is passed to
+// page_open_lesson(). Nothing if the lesson has a link instead, or cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
   return hand_over(lesson ? lesson->polygon : std::string());
 }
 
-// Opens a ready-made lesson; with `join` for the document that is open, which stays where it is.
-// Returns why it cannot be, or nothing.
+// Opens a ready-made lesson; with `join`, for the document that is open, which stays at its step.
+// Returns why it cannot be opened, or nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon, int join) {
   const std::optional<evenlift::InputError> problem =
-      open_script(app().state, text, polygon, join != 0);
+      open_lesson(app().state, text, polygon, join != 0);
   if (problem) return hand_over(sentence(*problem));
   frame_view(app().state);
   browser::request_frame();
   return hand_over({});
 }
 
-// The polygon that is open, step by step, where it was left; or, with `predict`, as a challenge
-// from its first step.
-EMSCRIPTEN_KEEPALIVE void page_begin_lesson(int predict) {
-  Commands commands{OpenLesson{}, LeaveScript{}, SetPredict{predict != 0}};
+// Opens the walkthrough of the open document at the step where it was left; or, with `predict`, as
+// a challenge from its first step.
+EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
+  Commands commands{OpenWalkthrough{}, LeaveScript{}, SetPredict{predict != 0}};
   if (predict) commands.push_back(GoToStep{0});
   carry_out(std::move(commands));
 }
 
-// In the lesson that is open.
+// Asks for a prediction before each choice of the open walkthrough.
 EMSCRIPTEN_KEEPALIVE void page_predict() { carry_out({SetPredict{true}}); }
 
-EMSCRIPTEN_KEEPALIVE int page_lesson_is_open() { return lesson_is_open(app().state) ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE int page_walkthrough_is_open() {
+  return walkthrough_is_open(app().state) ? 1 : 0;
+}
 
-// 0 if no ready-made lesson is open, 1 if its polygon was edited since, else 2.
+// 0 if no ready-made lesson is open, 1 if one is but its polygon was edited since, otherwise 2.
 EMSCRIPTEN_KEEPALIVE int page_script() {
   const AppState& state = app().state;
-  return !state.lesson.script ? 0 : script_is_true(state) ? 2 : 1;
+  return !state.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
 }
 
 }  // extern "C"

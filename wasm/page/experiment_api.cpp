@@ -1,5 +1,5 @@
-// The experiment for the page: a WebAssembly module of its own, for web/experiment_worker.js. It
-// knows the core, and nothing of the view.
+// The experiment for the page, as a WebAssembly module of its own that
+// web/experiment/experiment_worker.js loads. It uses the core and nothing of the view.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ experiment::PolygonResult refused(const std::string& set, const std::string& nam
   return result;
 }
 
-// A polygon's result, or why there is none; with a method, only of that one.
+// The result of a polygon, or why there is none; if a method is given, only for that one.
 experiment::PolygonResult measured(const std::string& set, const std::string& name,
                                    const char* text, std::optional<Method> only) {
   const Result<Document> document = read_polygon(text);
@@ -74,8 +74,8 @@ std::uint32_t whole_or_none(double value, std::uint32_t most) {
   return value >= 1 && value <= most ? static_cast<std::uint32_t>(value) : 0;
 }
 
-// The results by set and polygon, each polygon once: what was measured of it method by method is
-// put together.
+// The results by set and polygon. Results of one polygon that were measured method by method are
+// joined.
 std::vector<experiment::PolygonResult> take_collected() {
   std::vector<experiment::PolygonResult> parts = std::exchange(collected(), {}), whole;
   experiment::sort_results(parts);
@@ -100,7 +100,8 @@ std::vector<experiment::PolygonResult> take_collected() {
 
 extern "C" {
 
-// Settles how is measured from now on; the reason why not if settings are out of range, else empty.
+// Sets the settings of all measurements from now on. Returns which setting is out of range, or
+// nothing.
 EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
                                                   double most_teams) {
   using namespace evenlift;
@@ -112,29 +113,30 @@ EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double sampl
   return hand_over(error ? error->message : "");
 }
 
-// A polygon's part, as text (evenlift/experiment/results.h), with every method or the one named.
+// Measures a polygon, with all methods or the one named, and returns its part as text
+// (evenlift/experiment/results.h).
 EMSCRIPTEN_KEEPALIVE const char* experiment_measure(const char* set, const char* name,
                                                     const char* text, const char* method) {
   using namespace evenlift;
   return hand_over(part_of(measured(set, name, text, method_from_name(method))));
 }
 
-// The part of what could not be read at all.
+// The part of a polygon that could not be read.
 EMSCRIPTEN_KEEPALIVE const char* experiment_refuse(const char* set, const char* name,
                                                    const char* problem) {
   using namespace evenlift;
   return hand_over(part_of(refused(set, name, problem)));
 }
 
-// Takes a part to the results; 0 if it is none.
+// Adds a part to the results. Returns 0 if the text is not a part.
 EMSCRIPTEN_KEEPALIVE int experiment_add(const char* text) {
   std::optional<evenlift::experiment::Part> part = evenlift::experiment::read_part(text);
   if (part) evenlift::collected().push_back(std::move(part->result));
   return part ? 1 : 0;
 }
 
-// The results of the parts that were taken, as JSON (outputs_json), of a set's averages or of one
-// polygon by itself; begins anew after it.
+// The results of the parts that were added, as JSON (outputs_json): averages over sets, or the
+// results of a single polygon. Then there are no parts again.
 EMSCRIPTEN_KEEPALIVE const char* experiment_results(int one_polygon) {
   using namespace evenlift;
   std::vector<experiment::PolygonResult> results = take_collected();

@@ -1,4 +1,4 @@
-// How a text is given to JavaScript.
+// Returns texts to JavaScript.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace evenlift::view {
 
-// Keeps the text alive for JavaScript to read, until the next one is handed over.
+// Keeps the text alive for JavaScript until the next one is handed over.
 inline const char* hand_over(std::string text) {
   static std::string kept;
   kept = std::move(text);

@@ -1,13 +1,13 @@
-// The page's start-up and its frames: SDL2 gives events, Emscripten WebGL 2, Dear ImGui draws.
-// A frame is drawn only when something asked for one. Dear ImGui's own backend for SDL2 is not
-// used: it reads the mouse where it is now, not where it was pressed, draws at whole CSS pixels and
-// brings gamepads along.
+// The start of the page, and its frames: SDL2 gives the events, Emscripten WebGL 2, and Dear ImGui
+// draws. A frame is drawn only if something asked for one. Dear ImGui's own backend for SDL2 is not
+// used: it reads where the mouse is and not where it was pressed, draws at whole CSS pixels, and
+// contains code for gamepads.
 //
-// Order: what comes in is dealt with in the order in which it came, however long a frame takes. The
-// pointer's events wait in one queue (sdl_input.h). They are dealt with in passes: a pass lays out
-// the panels and lets the pointer act on them and on the drawing, up to its next press or release.
-// A frame makes as many passes as there is input and draws the last one. A key or a call, which is
-// answered at once, first makes the passes that are waiting (page_catch_up), without a picture.
+// All input is handled in the order in which it came, however long a frame takes. The pointer's
+// events wait in one queue (sdl_input.h) and are handled in passes: a pass lets the pointer act on
+// the drawing and on the panels, up to its next press or release. A frame makes as many passes as
+// the input needs, and draws the last one. A key or a call is answered at once; before that, the
+// waiting passes are made without a picture (page_catch_up).
 #include <SDL.h>
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
@@ -29,8 +29,8 @@
 namespace evenlift::view {
 namespace {
 
-// Dear ImGui needs more than one frame to settle: what a click opens is measured in the next one
-// and hovered in the one after.
+// Dear ImGui needs three frames after an input: what a click opens is measured in the second frame,
+// and the pointer hovers over it in the third.
 constexpr int frames_after_input = 3;
 
 struct Page {
@@ -63,9 +63,9 @@ void ask_for_frames(int count) {
   schedule();
 }
 
-// SDL_PollEvent() itself puts a sentinel into the queue: waking at that would never end. SDL stamps
-// events with the time at which it hears of them, which a slow frame delays; a press keeps the time
-// at which it was made, and the browser's own count of clicks.
+// SDL_PollEvent() itself puts a sentinel into the queue; a frame for that would cause the next one.
+// SDL gives an event the time at which it received it, and a slow frame delays that. So a press
+// keeps the time at which it was made, and the browser's count of clicks.
 int SDLCALL on_event(void*, SDL_Event* event) {
   if (event->type == SDL_MOUSEBUTTONDOWN)
     event->button.clicks = static_cast<Uint8>(std::clamp(page.press_clicks, 0, 255));
@@ -124,11 +124,11 @@ void show_cursor() {
   SDL_SetCursor(shown[shape]);
 }
 
-// What a press opens is measured in the next pass and can be hit in the one after.
+// What a press opens is measured in the next pass, and can be pressed in the one after.
 constexpr int passes_after_change = 2;
 void panels_change() { page.passes_due = passes_after_change; }
 
-// Deals with the next of the input. Draws, if it may, once none is left; returns whether it did.
+// Makes one pass. Draws, if it may, when no input is left. Returns whether it drew.
 bool pass(bool may_draw) {
   App& a = app();
   page.passing = true;
@@ -136,7 +136,8 @@ bool pass(bool may_draw) {
   const bool draws = may_draw && !page.input.waiting();
   const Pointer pointer = page.input.pointer();
   if (pointer.pressed || pointer.released) panels_change();
-  draw_frame(a, pointer, draws);
+  advance(a, pointer, ImGui::GetTime());
+  draw_frame(a, draws);
   if (draws)
     show_frame(theme(a.state).ground);
   else
@@ -155,7 +156,7 @@ void take_input() {
 void draw() {
   App& a = app();
   if (page.passing || page.context_lost || page.canvas_width <= 0 || !a.state.placement) return;
-  // Not every browser tells at once that the window went to another screen.
+  // Not every browser reports at once that the window was moved to another screen.
   if (emscripten_get_device_pixel_ratio() != a.state.screen.ratio) browser::measure_screen();
   take_input();
   fit_canvas();
@@ -167,7 +168,7 @@ void draw() {
   if (page.frames_due > 0) schedule();
 }
 
-// Before the first frame there are no panels yet to be hit.
+// Before the first frame there are no panels yet that could be pressed.
 void catch_up() {
   if (page.passing || page.frames == 0) return;
   take_input();
@@ -214,7 +215,7 @@ using namespace evenlift::view;
 
 extern "C" {
 
-// The canvas measures `width` by `height` CSS pixels, and so many device pixels.
+// Sets the size of the canvas in CSS pixels and in device pixels.
 EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio, int device_width,
                                       int device_height) {
   Screen& screen = app().state.screen;
@@ -225,7 +226,7 @@ EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio,
   page.canvas_height = device_height;
   SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)),
                     static_cast<int>(std::lround(height)));
-  // At once: between the resize and the next frame the browser would show the old frame stretched.
+  // Draws at once, as the browser would show the old frame stretched until the next one.
   if (page.frames > 0) draw();
   ask_for_frames(frames_after_input);
 }
@@ -235,8 +236,8 @@ EMSCRIPTEN_KEEPALIVE void page_pinch(double x, double y, double factor) {
   ask_for_frames(frames_after_input);
 }
 
-// The WebGL context is lost, or it is back. Everything that it held is gone; when it is back, the
-// renderer begins anew and gets the fonts again.
+// The WebGL context was lost, or is back. It lost everything that it held, so when it is back the
+// renderer starts again and gets the fonts again.
 EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
   if (page.context_lost == (lost != 0)) return;
   page.context_lost = lost != 0;
@@ -252,7 +253,7 @@ EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
 
 EMSCRIPTEN_KEEPALIVE double page_frames() { return page.frames; }
 
-// The frame that was scheduled; and after some time one that was asked for.
+// Draws the frame that was scheduled; and asks for one after some time.
 EMSCRIPTEN_KEEPALIVE void page_frame() {
   if (page.context_lost) return;
   page.frame_scheduled = false;
@@ -261,18 +262,18 @@ EMSCRIPTEN_KEEPALIVE void page_frame() {
 }
 EMSCRIPTEN_KEEPALIVE void page_wake() { ask_for_frames(1); }
 
-// Deals with all input that came before. web/program.js calls it before each call but page_frame().
+// Handles all input so far. web/page/program.js calls it before each call except page_frame().
 EMSCRIPTEN_KEEPALIVE void page_catch_up() { catch_up(); }
 
-// The press of which SDL hears next: when it was made, in milliseconds, and the how manyth in one
-// place it is, 0 if the browser does not count.
+// Announces the press that SDL will receive next: when it was made, in milliseconds, and how many
+// presses in one place it is; 0 if the browser does not count them.
 EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
   page.press_time = time;
   page.press_clicks = clicks;
 }
 
-// Where a control of the panels stands, as `left top width height`, or nothing if there is none of
-// that name now.
+// The place of a control of the panels, as `left top width height`; nothing if no control of that
+// name is shown.
 EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
   static std::string place;
   place.clear();

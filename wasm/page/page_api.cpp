@@ -89,7 +89,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
   return no_error();
 }
 
-// The same for a fragment, which is a link or nothing.
+// The same for the fragment of an address, which is a link or empty.
 EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
   Result<Opened> document = read_link(fragment);
   if (!document) return hand_over(sentence(document.error()));
@@ -97,7 +97,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
   return no_error();
 }
 
-// `changes` is a line `name=value` for each; all of them or, with a reason, none.
+// `changes` has a line `name=value` for each setting. Makes all changes; or none, and returns why.
 EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
   AppState& state = app().state;
   const Result<Changeable> changed = with_settings({state.placed, state.capacity}, changes);
@@ -134,13 +134,13 @@ EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
 
 // --- The page around the canvas
 
-// The link of what is being edited while it is refused, else nothing.
+// The link of a document that is refused; nothing if it is not refused.
 EMSCRIPTEN_KEEPALIVE const char* page_draft() {
   const AppState& state = app().state;
   return hand_over(state.refusal ? link_or_nothing(state.document) : std::string());
 }
 
-// What is being drawn, to be kept; and to go on with.
+// The polygon that is being drawn, as text to be kept; and back.
 EMSCRIPTEN_KEEPALIVE const char* page_drawing() {
   return hand_over(drawing_text(app().state.drawing));
 }
@@ -163,7 +163,7 @@ EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coa
   browser::request_frame();
 }
 
-// What this browser keeps besides the document, and back.
+// The preferences that the browser keeps besides the document; and back.
 EMSCRIPTEN_KEEPALIVE const char* page_kept() {
   const AppState& state = app().state;
   return hand_over(kept_text({state.motion, state.capacity}));
@@ -184,7 +184,8 @@ EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
   browser::request_frame();
 }
 
-// A key as KeyboardEvent.key names it. Whether the page used it; otherwise it is the browser's.
+// Handles a key, as KeyboardEvent.key names it. Returns whether the page used it; if not, it is the
+// browser's.
 EMSCRIPTEN_KEEPALIVE int page_key(const char* name, int command, int shift) {
   App& a = app();
   const Action* action = action_for(a.state, {name, command != 0, shift != 0});

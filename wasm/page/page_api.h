@@ -1,5 +1,5 @@
-// What web/*.js calls: window.evenlift, the address bar, keys. Text goes both ways as UTF-8; what
-// comes back stays valid until the next call.
+// The functions that web/page calls: window.evenlift, the address bar, keys. All text is UTF-8; a
+// text that is returned stays valid until the next call.
 #pragma once
 
 #include "app/app.h"

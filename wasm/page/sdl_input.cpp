@@ -101,7 +101,7 @@ void SdlInput::pinch(const Vec2& at, double factor) {
   queue_.push_back(pinch);
 }
 
-// The browser counts the clicks of a mouse, by the system's own habits; nobody counts taps.
+// The browser counts the clicks of a mouse, with the settings of the system; nobody counts taps.
 bool SdlInput::is_second(const Event& press) const {
   if (!press.touch) return press.clicks > 0 && press.clicks % 2 == 0;
   return pressed_time_ && press.time - *pressed_time_ <= 450 &&
@@ -112,7 +112,7 @@ bool SdlInput::ends_pass(const Event& next, bool laid_out) const {
   if (ended_) return true;
   if (wheel_) return next.what != What::wheel;
   if (pinch_) return next.what != What::pinch;
-  // What is held gets there first.
+  // Deliver the drag before the release.
   const bool turns = next.what == What::up || next.what == What::wheel || next.what == What::pinch;
   return (turns && dragged_) || (next.what == What::down && !laid_out);
 }

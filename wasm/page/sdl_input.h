@@ -1,4 +1,4 @@
-// SDL's events as one pointer and two-finger gestures. With main.cpp the only file that knows SDL.
+// SDL's events as one pointer and gestures of two fingers. Only this file and main.cpp use SDL.
 #pragma once
 
 #include <SDL.h>
@@ -16,15 +16,15 @@ class SdlInput {
   // Takes all waiting events.
   void take(const Screen& screen);
 
-  // Hands Dear ImGui the pointer's next events, in the order in which they came: up to and with the
-  // next press, release or turn of the wheel, since two of them in one pass would be lost. A press
+  // Passes the pointer's next events to Dear ImGui in the order in which they came, up to the next
+  // press, release or turn of the wheel, as it would lose a second one in the same pass. A press
   // waits until the panels are `laid_out`. Call before ImGui::NewFrame().
   void feed(bool laid_out);
 
-  // Two fingers of a trackpad, which browsers report as a wheel.
+  // Two fingers on a trackpad, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
-  // After ImGui::NewFrame(): the pointer in this pass.
+  // The pointer in this pass. Call after ImGui::NewFrame().
   Pointer pointer();
 
   bool waiting() const { return !queue_.empty(); }

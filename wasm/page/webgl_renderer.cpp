@@ -84,7 +84,7 @@ void destroy(ImTextureData& texture) {
   texture.SetStatus(ImTextureStatus_Destroyed);  // made anew if Dear ImGui still wants it
 }
 
-// Dear ImGui wants a texture, or changed a part of one, or needs one no longer.
+// Does what Dear ImGui asks for: creates a texture, updates a part of one, or removes one.
 void answer(ImTextureData& texture) {
   switch (texture.Status) {
     case ImTextureStatus_WantCreate:

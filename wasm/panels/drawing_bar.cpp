@@ -1,4 +1,4 @@
-// The bar of the tool in hand: what drawing, or moving the whole, needs besides the drawing itself.
+// The bar of the present tool: the buttons for drawing a polygon, or for transforming it.
 #include "actions/actions.h"
 #include "panels/panels.h"
 #include "ui/widgets.h"
@@ -65,7 +65,7 @@ void draw_tool_bar(const Ui& ui) {
              {.fixed_width = false, .padding = 8});
   if (state.tool == Tool::draw)
     draw_drawing_bar(ui);
-  else if (state.tool == Tool::whole)
+  else if (state.tool == Tool::transform)
     draw_whole_bar(ui);
   else
     draw_vertex_bar(ui);

@@ -1,4 +1,4 @@
-// The selection methods in a person's words.
+// The selection methods in words for people.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct MethodWords {
 inline constexpr MethodWords methods[] = {
     {Method::area, "Area", "each team adds most area to the base"},
     {Method::circle, "Circle", "each team fits the largest circles"},
-    {Method::distance, "Distance", "each team pushes tipping farthest out"},
+    {Method::distance, "Distance", "each team shortens the tipping arms most"},
     {Method::distributed, "Distributed", "teams at equal angles, to compare"},
     {Method::random, "Random", "teams at random, to compare"},
 };

@@ -1,4 +1,4 @@
-// What one robot can carry, and how many robots that makes.
+// How much one robot can carry, and how many robots are needed for that.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace evenlift::view {
 namespace {
 
-// Steps that suit the size: 100 goes by tens, 12 by ones.
+// Steps that suit the size of the value: 100 changes by tens, 12 by ones.
 double step_for(double value, int direction) {
   const double below = value * (direction < 0 ? 0.999999 : 1);
   return std::pow(10.0, std::floor(std::log10(std::max(below, 1e-6))) - 1);
@@ -28,7 +28,7 @@ void draw_capacity(const Ui& ui) {
   const std::optional<double>& capacity = ui.state.capacity;
   const float width = labelled(ui, "A robot carries");
   if (!capacity) {
-    // A round number at which the present placement just holds: something to start from.
+    // Begins with the smallest round number at which the present placement is not overloaded.
     const Placement* placement = ui.state.placement ? &*ui.state.placement : nullptr;
     const double most = placement && placement->loads ? placement->loads->max : 20;
     if (flat_button(ui, "limit", "No limit – set one", width))

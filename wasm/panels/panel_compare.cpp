@@ -1,4 +1,4 @@
-// The method shown beside the chosen one, and both in numbers.
+// The second method, and the results of both in numbers.
 #include <array>
 #include <string>
 #include <vector>
@@ -50,7 +50,7 @@ void draw_row(const Ui& ui, const Row& row, Face face, Colour colour) {
 
 void draw_compare(const Ui& ui) {
   const float width = labelled(ui, "Compare with");
-  const std::optional<Method>& compared = ui.state.compared;
+  const std::optional<Method>& compared = ui.state.second_method;
   dropdown_button(ui, "compared", compared ? words_of(*compared).label : "Nothing", width);
   if (begin_choices(ui, "compared", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), width)) {
     if (choice(ui, "Nothing", nullptr, !compared)) ui.push(Compare{});
@@ -63,12 +63,12 @@ void draw_compare(const Ui& ui) {
       ui.push(OpenDialog{browser::Dialog::curves});
     end_choices(ui);
   }
-  if (!ui.state.other || !ui.state.placement) return;
+  if (!ui.state.second || !ui.state.placement) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   draw_row(ui,
            {"", {words_of(ui.state.placement->settings.method).label, words_of(*compared).label}},
            Face::label, ui.theme.second_text);
-  for (const Row& row : rows(*ui.state.placement, *ui.state.other))
+  for (const Row& row : rows(*ui.state.placement, *ui.state.second))
     draw_row(ui, row, Face::strong_label, ui.theme.text);
   ImGui::PopStyleVar();
 }

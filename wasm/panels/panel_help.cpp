@@ -1,4 +1,4 @@
-// Every key, from the table of actions.
+// The list of keys, from the table of actions.
 #include <algorithm>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// The result in numbers, each with a word on what it means.
+// The result in numbers, each with its meaning.
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "ui/widgets.h"

@@ -1,4 +1,4 @@
-// What the picture shows: switches that are its legend at the same time.
+// The overlays: switches that are also the legend of the picture.
 #include <algorithm>
 #include <iterator>
 
@@ -50,7 +50,7 @@ void draw_heat_key(const Ui& ui) {
                                     settings(ui.state).weight;
     const std::string text = last ? "none" : plain(force);
     const ImVec2 size = text_size(Face::tiny, text);
-    // At the border between two bands; the last one has a word of its own.
+    // Each level stands at the border between two bands; the last one is a word.
     const float x = last ? left + (each - size.x) / 2 : left + each - size.x / 2;
     if (i + 2 == bands) continue;
     draw_text(list, Face::tiny, ImVec2(x, top + 13), ui.theme.second_text, text);

@@ -1,9 +1,9 @@
-// The player: where the lesson stands on its timeline, and the buttons that move it.
+// The player of the walkthrough: its timeline, and the buttons that move along it.
 #include <algorithm>
 #include <cmath>
 
-#include "actions/actions.h"
 #include "evenlift/output/words.h"
+#include "panels/action_button.h"
 #include "panels/panels.h"
 #include "ui/widgets.h"
 #include "walkthrough/walkthrough.h"
@@ -12,30 +12,26 @@ namespace evenlift::view {
 namespace {
 
 void button(const Ui& ui, ActionId id, float size) {
-  const Action& a = action(id);
-  const std::string tip =
-      std::string(a.label) + (*a.shown ? " (" + std::string(a.shown) + ")" : "");
-  if (icon_button(ui, a.label, a.icon, a.enabled(ui.state), tip.c_str(), size))
-    a.run(ui.state, ui.commands);
+  action_button(ui, id, size);
   ImGui::SameLine(0, 0);
 }
 
 void draw_play(const Ui& ui, float size) {
-  const bool playing = ui.state.lesson.playing;
+  const bool playing = ui.state.walkthrough.playing;
   if (icon_button(ui, "play", playing ? Icon::pause : Icon::play, true,
                   playing ? "Pause (Space)" : "Play (Space)", size))
     ui.push(SetPlaying{!playing});
   ImGui::SameLine(0, 0);
 }
 
-// Where chapters begin, over the track; the title of the one under the pointer.
+// Marks over the track where chapters begin.
 void draw_chapters(const Ui& ui, ImVec2 low, ImVec2 high, std::uint32_t count) {
-  const LessonState& lesson = ui.state.lesson;
-  if (lesson.script || count < 2) return;
+  const Walkthrough& walk = ui.state.walkthrough;
+  if (walk.script || count < 2) return;
   const float knob = ui.control() > 40 ? 11.0f : 8.0f, from = low.x + knob, to = high.x - knob;
   const float y = (low.y + high.y) / 2;
   for (std::uint32_t c = 0; c < chapter_count; ++c) {
-    const auto begin = lesson.trace->chapter_begin(static_cast<Chapter>(c));
+    const auto begin = walk.trace->chapter_begin(static_cast<Chapter>(c));
     if (!begin) continue;
     const float x = from + (to - from) * static_cast<float>(*begin) / static_cast<float>(count - 1);
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 1, y - 8), ImVec2(x + 1, y + 8),
@@ -54,7 +50,7 @@ void draw_timeline(const Ui& ui, float width) {
     const double share = std::clamp(
         static_cast<double>((ImGui::GetIO().MousePos.x - low.x) / (high.x - low.x)), 0.0, 1.0);
     const auto at = static_cast<std::uint32_t>(std::round(share * (now.count - 1)));
-    const Step step = ui.state.lesson.trace->step(step_of(ui.state, at));
+    const Step step = ui.state.walkthrough.trace->step(step_of(ui.state, at));
     tip(ui, ("Step " + std::to_string(at + 1) + ": " + std::string(title(step.chapter))).c_str());
   }
   if (moved.changed && moved.value < now.count)
@@ -82,16 +78,16 @@ void draw_place(const Ui& ui, float size) {
 }
 
 void draw_speed(const Ui& ui, float size) {
-  const LessonState& lesson = ui.state.lesson;
-  const int by = stepper(ui, "speed", plain(lesson.speed) + "×", lesson.speed > slowest_speed,
-                         lesson.speed < fastest_speed, 3 * size + 8);
-  if (by != 0) ui.push(SetSpeed{lesson.speed * (by > 0 ? 2 : 0.5)});
+  const Walkthrough& walk = ui.state.walkthrough;
+  const int by = stepper(ui, "speed", plain(walk.speed) + "×", walk.speed > slowest_speed,
+                         walk.speed < fastest_speed, 3 * size + 8);
+  if (by != 0) ui.push(SetSpeed{walk.speed * (by > 0 ? 2 : 0.5)});
 }
 
 void draw_switches(const Ui& ui) {
-  const LessonState& lesson = ui.state.lesson;
-  if (switch_chip(ui, "Predict first", lesson.predict)) ui.push(SetPredict{!lesson.predict});
-  if (!lesson.script) return;
+  const Walkthrough& walk = ui.state.walkthrough;
+  if (switch_chip(ui, "Predict first", walk.predict)) ui.push(SetPredict{!walk.predict});
+  if (!walk.script) return;
   ImGui::SameLine(0, 6);
   const float width = text_size(Face::text, "All steps").x + 28;
   if (flat_button(ui, "All steps", "All steps", width)) ui.push(LeaveScript{});
@@ -99,11 +95,11 @@ void draw_switches(const Ui& ui) {
 
 }  // namespace
 
-// Timeline, buttons and switches. On a wide player the switches are beside the buttons; on a narrow
-// one below, and left out while the sheet is closed.
+// Timeline, buttons and switches. A wide player has the switches beside the buttons; a narrow one
+// below them, and a closed sheet has none.
 void draw_player(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
-  // A side panel has the button that leaves; nobody leaves the lesson of an <iframe>.
+  // A side panel has the button that leaves; the walkthrough of an <iframe> cannot be left.
   const bool leaves = !ui.layout.wide && !ui.state.screen.embed;
   const int buttons = leaves ? 8 : 7;
   const float size = ui.control() <= 40
@@ -113,7 +109,7 @@ void draw_player(const Ui& ui) {
   draw_timeline(ui, width);
   draw_transport(ui, size, width >= static_cast<float>(buttons) * size);
   if (leaves && icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", size))
-    ui.push(CloseLesson{});
+    ui.push(CloseWalkthrough{});
   if (width > 620) {
     ImGui::SameLine(0, 12);
     draw_place(ui, size);

@@ -1,4 +1,5 @@
-// Method, teams, minimum load ratio; weight, and what only some methods or shapes have.
+// The settings: method, teams, minimum load ratio, weight, and those that only some methods or
+// shapes have.
 #include <algorithm>
 #include <cmath>
 
@@ -134,7 +135,7 @@ void draw_teams_stepper(const Ui& ui) {
 
 void draw_settings(const Ui& ui) {
   draw_method(ui);
-  // The closed sheet of a narrow screen has it already.
+  // On a narrow screen the closed sheet has this stepper already.
   if (ui.layout.wide) draw_teams_stepper(ui);
   draw_ratio(ui);
   draw_weight(ui);

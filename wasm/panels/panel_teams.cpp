@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_rows = 60;  // more is for the JSON
 
-// Disc at the left; bars to both sides of the middle; two numbers at the right.
+// A row: a disc at the left, bars to both sides of the middle, two numbers at the right.
 struct Columns {
   float left, middle, half, span, ratio;
 };
@@ -21,7 +21,7 @@ Columns columns(float left, float width) {
   return {left, left + disc + bars / 2, bars / 2, left + width - ratio_width, left + width};
 }
 
-// How long a bar of the greatest load is.
+// The length of the bar of the greatest load.
 float full_bar(const Columns& c) { return c.half - 40; }
 
 void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Colour colour,
@@ -92,7 +92,7 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   return hovered;
 }
 
-// The even share, through all bars: who is beyond it carries more than the mean.
+// A line through all bars at the mean load: a longer bar means more than the mean.
 void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   const LoadSummary& loads = *ui.state.placement->loads;
   const float out = 1.5f + full_bar(c) * static_cast<float>(loads.mean / loads.max);

@@ -1,4 +1,4 @@
-// The verdict: a sentence, large, with an icon that says the same without words.
+// The verdict: a large sentence, and an icon that says the same without words.
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "ui/widgets.h"

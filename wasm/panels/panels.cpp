@@ -18,24 +18,24 @@ constexpr Panel side_panel[] = {
     {"numbers", draw_numbers, true},    {"compare", draw_compare, true},
 };
 bool ranks(const AppState& s) {
-  const auto& scores = s.lesson.detail.scores;
+  const auto& scores = s.walkthrough.detail.scores;
   return scores && !scores->ranking.empty();
 }
-bool has_history(const AppState& s) { return s.lesson.visited.size() > 1; }
-constexpr Panel lesson_panel[] = {
-    {"step", draw_lesson_step, true},
-    {"ranking", draw_lesson_ranking, true, ranks},
-    {"code", draw_lesson_code, true},
+bool has_history(const AppState& s) { return s.walkthrough.visited.size() > 1; }
+constexpr Panel walkthrough_panel[] = {
+    {"step", draw_walkthrough_step, true},
+    {"ranking", draw_walkthrough_ranking, true, ranks},
+    {"code", draw_walkthrough_code, true},
     {"settings", draw_settings, false},
-    {"history", draw_lesson_history, true, has_history},
+    {"history", draw_walkthrough_history, true, has_history},
 };
 
 std::span<const Panel> sections(const AppState& state) {
-  if (lesson_is_open(state)) return lesson_panel;
+  if (walkthrough_is_open(state)) return walkthrough_panel;
   return side_panel;
 }
 
-// The last result stands, dimmed, while the document is refused.
+// Dims the last result, which stays while the document is refused.
 void dim(const Ui& ui, ImVec2 from) {
   const float right = from.x + ImGui::GetContentRegionAvail().x + 6;
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(from.x - 6, from.y),
@@ -56,7 +56,7 @@ void draw_sections(const Ui& ui, std::size_t first) {
   }
 }
 
-// A button of the panel's own corner, above its content.
+// A button in the corner of the panel, above its content.
 void draw_fold_button(const Ui& ui, Icon icon, bool open, const char* about) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.control() - 8;
@@ -70,13 +70,13 @@ void draw_close_button(const Ui& ui) {
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.control() - 8;
   ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetWindowPos().y + 8 - ImGui::GetScrollY()));
   if (icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", ui.control()))
-    ui.push(CloseLesson{});
+    ui.push(CloseWalkthrough{});
   ImGui::SetCursorScreenPos(at);
 }
 
 void draw_side_panel(const Ui& ui) {
   begin_card(ui, "panel", ui.layout.panel);
-  if (lesson_is_open(ui.state))
+  if (walkthrough_is_open(ui.state))
     draw_close_button(ui);
   else
     draw_fold_button(ui, Icon::fold, false, "Fold the panel away (P)");
@@ -93,7 +93,8 @@ void draw_rail(const Ui& ui) {
   end_card(ui);
 }
 
-// The handle of the sheet: pressed it opens a step or closes, dragged it follows the finger.
+// The handle of the sheet. A press opens the sheet further or closes it; a drag pulls it up or
+// down.
 void draw_handle(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
   const bool pressed = ImGui::InvisibleButton("handle", ImVec2(width, 24));
@@ -119,12 +120,12 @@ void draw_sheet(const Ui& ui) {
   ImGui::SetCursorPosY(4);
   draw_handle(ui);
   ImGui::PushID("closed");
-  if (lesson_is_open(ui.state)) {
+  if (walkthrough_is_open(ui.state)) {
     draw_player(ui);
     if (ui.state.sheet == Sheet::closed)
-      draw_lesson_briefly(ui);
+      draw_walkthrough_briefly(ui);
     else
-      draw_lesson_step(ui);
+      draw_walkthrough_step(ui);
   } else {
     draw_verdict(ui);
     draw_teams_stepper(ui);
@@ -141,12 +142,12 @@ void draw_sheet(const Ui& ui) {
   end_card(ui);
 }
 
-// At the foot of the drawing; in an <iframe> it says the step, too.
+// The player at the foot of the drawing; in an <iframe> it also says what the step shows.
 void draw_floating_player(const Ui& ui) {
   begin_card(ui, "player", ui.layout.player,
              {.fixed_height = true, .padding = 12, .scrolls = ui.state.screen.embed});
   draw_player(ui);
-  if (ui.state.screen.embed) draw_lesson_briefly(ui);
+  if (ui.state.screen.embed) draw_walkthrough_briefly(ui);
   end_card(ui);
 }
 
@@ -166,7 +167,7 @@ void draw_panels(const AppState& state, Commands& commands) {
     draw_view_tools(ui);
     draw_help(ui);
   }
-  if (lesson_is_open(state) && (places.wide || state.screen.embed)) draw_floating_player(ui);
+  if (walkthrough_is_open(state) && (places.wide || state.screen.embed)) draw_floating_player(ui);
   draw_toolbar(ui);
   draw_tool_bar(ui);
   draw_notice(ui);

@@ -29,11 +29,11 @@ void draw_numbers(const Ui& ui);
 double stepped(double value, int by);
 
 // Those of the lesson.
-void draw_lesson_step(const Ui& ui);
-void draw_lesson_briefly(const Ui& ui);
-void draw_lesson_ranking(const Ui& ui);
-void draw_lesson_code(const Ui& ui);
-void draw_lesson_history(const Ui& ui);
+void draw_walkthrough_step(const Ui& ui);
+void draw_walkthrough_briefly(const Ui& ui);
+void draw_walkthrough_ranking(const Ui& ui);
+void draw_walkthrough_code(const Ui& ui);
+void draw_walkthrough_history(const Ui& ui);
 void draw_player(const Ui& ui);
 
 // What floats by itself.

@@ -12,7 +12,7 @@ Verdict of_placement(const Placement& placement, const std::optional<double>& ca
   const bool as_asked =
       !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
   const bool overloaded = capacity && placement.loads && placement.loads->max > *capacity;
-  // Less than half of the object safe to push on is nothing to be content with.
+  // A coverage below one half is no good result.
   const bool good = as_asked && placement.coverage >= 0.5 && !overloaded;
   return {good ? Mood::good : Mood::not_quite, loads_in_words(placement),
           detail_in_words(placement)};
@@ -45,7 +45,7 @@ Verdict verdict(const AppState& state) {
 
 std::string summary(const AppState& state) {
   const Verdict v = verdict(state);
-  if (lesson_is_open(state) && !state.refusal) return lesson_in_words(state);
+  if (walkthrough_is_open(state) && !state.refusal) return walkthrough_in_words(state);
   std::string text = v.headline;
   for (const std::string& more : {v.detail, state.refusal ? std::string() : need_in_words(state)})
     if (!more.empty()) text += " " + more;
@@ -56,7 +56,7 @@ std::string summary(const AppState& state) {
           std::to_string(placement.requested_teams) + " asked for, method " +
           std::string(name(settings.method)) + ", minimum load ratio " + plain(settings.min_ratio) +
           ".";
-  // A screen reader is of no help with a hundred teams; the JSON is.
+  // A list of a hundred teams is no use when it is read out; the JSON has them all.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);
   const int decimals = coordinate_decimals(placement.vertices);
   for (std::size_t i = 0; i < named; ++i) {

@@ -1,23 +1,13 @@
-// What floats over the drawing: the bar at the top, the view's tools, the notice.
+// The cards over the drawing: the bar at the top, the tools of the view, the notice.
 #include <algorithm>
 
-#include "actions/actions.h"
+#include "panels/action_button.h"
 #include "panels/panels.h"
 #include "state/browser.h"
 #include "ui/widgets.h"
 
 namespace evenlift::view {
 namespace {
-
-std::string about(const Action& a) {
-  return *a.shown ? std::string(a.label) + " (" + a.shown + ")" : std::string(a.label);
-}
-
-void action_button(const Ui& ui, ActionId id, float size) {
-  const Action& a = action(id);
-  if (icon_button(ui, a.label, a.icon, a.enabled(ui.state), about(a).c_str(), size))
-    a.run(ui.state, ui.commands);
-}
 
 void wordmark(const Ui& ui, float height) {
   const ImVec2 size = text_size(Face::strong, "evenlift"), at = ImGui::GetCursorScreenPos();
@@ -28,12 +18,12 @@ void wordmark(const Ui& ui, float height) {
   ImGui::Dummy(ImVec2(size.x + 38, height));
 }
 
-// With its name where there is room.
-void named_button(const Ui& ui, ActionId id, float size, bool named) {
-  const Action& a = action(id);
-  if (!named) return action_button(ui, id, size);
-  if (text_button(ui, a.label, a.icon, a.label, about(a).c_str(), size))
-    a.run(ui.state, ui.commands);
+// The button of an action, with its name if `named`.
+void tool_button(const Ui& ui, ActionId id, float size, bool named) {
+  if (named)
+    named_action_button(ui, id, size);
+  else
+    action_button(ui, id, size);
 }
 
 void divider(const Ui& ui, float height) {
@@ -69,7 +59,7 @@ void draw_toolbar(const Ui& ui) {
   const float gap = width < 440 ? 0.0f : 2.0f;
   for (const ActionId id :
        {ActionId::samples, ActionId::draw, ActionId::lessons, ActionId::open, ActionId::save}) {
-    named_button(ui, id, height, width > 700);
+    tool_button(ui, id, height, width > 700);
     ImGui::SameLine(0, gap);
   }
   divider(ui, height);
@@ -77,7 +67,7 @@ void draw_toolbar(const Ui& ui) {
   ImGui::SameLine(0, gap);
   action_button(ui, ActionId::redo, height);
   divider(ui, height);
-  named_button(ui, ActionId::copy_link, height, width > 560);
+  tool_button(ui, ActionId::copy_link, height, width > 560);
   if (width > 440) {
     ImGui::SameLine(0, gap);
     action_button(ui, ActionId::help, height);
@@ -89,7 +79,7 @@ void draw_view_tools(const Ui& ui) {
   begin_card(ui, "tools", ui.layout.tools,
              {.fixed_height = true, .padding = ui.layout.wide ? 8.0f : 2.0f, .scrolls = false});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
-  // A wheel and two fingers do the same; narrow screens have no room to spare for it.
+  // A narrow screen has no room for these; two fingers do the same.
   if (ui.layout.wide) {
     action_button(ui, ActionId::zoom_out, ui.control());
     ImGui::SameLine(0, 2);
@@ -98,7 +88,7 @@ void draw_view_tools(const Ui& ui) {
   }
   action_button(ui, ActionId::fit, ui.control());
   if (ui.layout.wide) divider(ui, ui.control());
-  action_button(ui, ActionId::whole, ui.control());
+  action_button(ui, ActionId::transform, ui.control());
   if (ui.layout.wide) ImGui::SameLine(0, 2);
   action_button(ui, ActionId::table, ui.control());
   ImGui::PopStyleVar();

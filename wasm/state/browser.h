@@ -1,5 +1,5 @@
-// What the view asks of the browser. browser.cpp hands it to web/page.js; browser_native.cpp stands
-// in where there is no browser.
+// What the view asks of the browser. page/browser.cpp passes it on to web/page/bindings.js;
+// browser_native.cpp replaces it where there is no browser.
 #pragma once
 
 #include <cstdint>
@@ -7,36 +7,39 @@
 
 namespace evenlift::view::browser {
 
-// The document changed: the page brings address bar, storage and live region up to date, not at
-// once but at most a few times a second.
+// The document changed. The page updates the address bar, the storage and the live region at most a
+// few times a second.
 void document_changed();
 
-// What is kept for this browser, not for the document, changed (page_preferences_text()).
+// The preferences changed, which the browser keeps besides the document (page_preferences_text()).
 void preferences_changed();
 
-// Puts the page's address with this link on the clipboard. The page answers with a notice.
+// Copies the page's address with this link to the clipboard. The page says in a notice whether that
+// worked.
 void copy_address(std::string_view link);
 
-// A window of the page itself, of HTML: text is typed there, files are chosen, lists are read out.
+// The page's own windows. They are HTML, so that text can be typed, files chosen, and lists read
+// out.
 enum class Dialog : std::uint8_t { samples, open, save, table, lessons, experiment, curves };
 void open_dialog(Dialog dialog);
 
-// Says a notice to those who cannot see it; nothing takes it back.
+// Reads out a text to those who cannot see the canvas.
 void announce(std::string_view text);
 
-// Opens the page itself, out of an <iframe>, in a new tab.
+// Opens the page of an <iframe> in a new tab.
 void open_page();
 
-// Asks for page_resize() with the present measures.
+// Asks for a call of page_resize() with the present size.
 void measure_screen();
 
-// Asks for another frame, now or after so many seconds; of later ones only the last that was asked
-// for comes, if it is not dropped.
+// Asks for another frame, now or after so many seconds. Only the last request for a later frame
+// counts, and it can be dropped.
 void request_frame();
 void request_frame_after(double seconds);
 void drop_frame_after();
 
-// Asks the browser for page_frame() when it is time for a picture. For request_frame() alone.
+// Asks the browser to call page_frame() when it is time for a picture. Only request_frame() uses
+// it.
 void schedule_frame();
 
 }  // namespace evenlift::view::browser

@@ -1,4 +1,4 @@
-// Stands in for the browser where the view is built natively, for its tests.
+// Replaces the browser where the view is built natively, for its tests.
 #include "state/browser.h"
 
 namespace evenlift::view::browser {

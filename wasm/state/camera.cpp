@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/plane.h"
+
 namespace evenlift::view {
 
 Vec2 Camera::to_screen(const Vec2& world) const {
@@ -19,15 +21,10 @@ Camera fit(const Points& points, const Rect& room) {
   Camera camera;
   camera.anchor = room.middle();
   if (points.empty()) return camera;
-  Vec2 low = points[0], high = points[0];
-  for (const Vec2& p : points) {
-    low = {std::min(low.x(), p.x()), std::min(low.y(), p.y())};
-    high = {std::max(high.x(), p.x()), std::max(high.y(), p.y())};
-  }
-  camera.centre = low + (high - low) / 2;
-  // A shape without extent (an edit passes through such states) is shown as if it had some.
-  const double width = std::max(high.x() - low.x(), 1e-9),
-               height = std::max(high.y() - low.y(), 1e-9);
+  const Box box = bounding_box(points);
+  camera.centre = box.middle();
+  // An edit may pass through a shape without extent; it is shown as if it had some.
+  const double width = std::max(box.size().x(), 1e-9), height = std::max(box.size().y(), 1e-9);
   camera.scale =
       std::min(std::max(room.width(), 40.0) / width, std::max(room.height(), 40.0) / height);
   return camera;

@@ -26,26 +26,28 @@ struct Camera {
   Vec2 to_world(const Vec2& screen) const;
 };
 
-// Shows all points within `room`, as large as fits and no larger than `room` asks for. O(n).
+// The camera that shows all points within `room`, as large as possible. O(n).
 Camera fit(const Points& points, const Rect& room);
 
-// The point under `about` (CSS pixels) stays there. `smallest` and `largest` bound the scale.
+// Zooms so that the point under `about` (CSS pixels) stays there. `smallest` and `largest` bound
+// the scale.
 Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest,
             double largest);
 
 Camera pan(const Camera& camera, const Vec2& pixels);
 
-// The spacing of the ground's dots: 1, 2 or 5 times a power of ten, at least 22 CSS pixels.
+// The distance between the dots of the grid: 1, 2 or 5 times a power of ten, at least 22 CSS
+// pixels.
 double grid_step(const Camera& camera);
 
 // The dot nearest to `world`.
 Vec2 nearest_dot(const Camera& camera, const Vec2& world);
 
-// The coordinates nearest to `world` with no more decimals than a pixel needs (a step of at most
-// one pixel): what is dragged gets numbers that people can read and links that stay short.
+// The coordinates nearest to `world` with only as many decimals as a pixel needs. So what is
+// dragged gets readable numbers, and links stay short.
 Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world);
 
-// The same with two decimals more: what is turned or scaled keeps its shape.
+// The same with two more decimals, so that what is turned or scaled keeps its shape.
 Vec2 rounded_finely(const Camera& camera, const Vec2& world);
 
 }  // namespace evenlift::view

@@ -1,4 +1,5 @@
-// What a person, a key or another page can ask for: data, applied between drawing (update.h).
+// What a person, a key or another page can ask for. A command is data; update.h applies it between
+// two frames.
 #pragma once
 
 #include <string>
@@ -11,8 +12,8 @@
 
 namespace evenlift::view {
 
-// Edits of the document, each a step of undo. While `live`, further live edits belong to the same
-// step, until EndEdit.
+// Edits of the document. Each is one step of undo; live edits that follow each other are one step
+// together, until EndEdit. MoveVertex and MoveCentre are always live.
 struct SetSettings {
   Settings settings;
   bool live = false;
@@ -20,22 +21,23 @@ struct SetSettings {
 struct MoveVertex {
   std::size_t vertex;
   Vec2 to;
-};  // live
+};
 struct MoveCentre {
   Vec2 to;
-};                        // live
-struct ReleaseCentre {};  // back to the centroid
+};
+struct ReleaseCentre {};  // the centre of mass is the centroid again
+// Inserts a vertex on an edge, and selects it.
 struct InsertVertex {
   std::size_t edge;
   Vec2 at;
-};  // and selects it
+};
 struct RemoveVertex {
   std::size_t vertex;
 };
 struct OpenDocument {
   Opened opened;  // applying the command moves it out
 };
-struct SetWhole {
+struct SetPolygon {
   Points vertices;
   std::optional<Vec2> centre_of_mass;
   bool live = false;
@@ -44,33 +46,33 @@ struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
-// The rest leaves the polygon and its placement alone.
+// The other commands change neither the polygon nor its placement.
 struct Show {
   Overlays overlays;
 };
 struct SetTool {
   Tool tool;
 };
-struct GripWhole {};  // remembers the polygon as it is, for SetWhole
+struct GripPolygon {};  // remembers the polygon as it is, for SetPolygon
 struct AddPoint {
   Vec2 at;
 };
 struct TakePointBack {};
 struct PutPointBack {};
-struct FinishDrawing {};  // opens it, or says what is wrong with it
+struct FinishDrawing {};  // opens the polygon that was drawn, or says what is wrong with it
 struct SetDrawCursor {
   std::optional<Vec2> at;
 };
 struct SetSnap {
   Snap snap;
 };
-struct OpenLesson {};  // where it was left
-struct CloseLesson {};
+struct OpenWalkthrough {};  // at the step where it was left
+struct CloseWalkthrough {};
 struct GoToStep {
   std::uint32_t step;
 };
 struct MoveSteps {
-  int by;  // of the ready-made lesson's stops, if there is one
+  int by;  // stops of the ready-made lesson, if there is one
 };
 struct MoveChapters {
   int by;
@@ -88,7 +90,7 @@ struct Guess {
   std::uint32_t answer;
 };
 struct PointAtChoice {
-  std::size_t choice;  // among those of the question
+  std::size_t choice;  // an index into Ask::choices
 };
 struct AskWhy {
   Vec2 at;
@@ -99,7 +101,7 @@ struct Measure {
 struct HoverFigure {
   std::optional<std::size_t> figure;
 };
-struct LeaveScript {};  // on in the whole trace, at the same step
+struct LeaveScript {};  // shows all steps of the trace, beginning with the present one
 struct Compare {
   std::optional<Method> method;
 };
@@ -122,18 +124,20 @@ struct SetCamera {
   Camera camera;
 };
 struct FitView {};
+// Zooms about the middle of the room for the polygon.
 struct ZoomView {
   double factor;
-};  // about the middle
+};
 struct SetPanelOpen {
   bool open;
 };
 struct SetHelpOpen {
   bool open;
 };
+// The panels report whether a list of choices is open.
 struct ListIsOpen {
   bool open;
-};  // the panels tell what they find
+};
 struct CloseList {};
 struct SetSheet {
   Sheet sheet;
@@ -151,13 +155,13 @@ struct ShowNotice {
 
 using Command =
     std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-                 OpenDocument, SetWhole, EndEdit, Undo, Redo, Show, SetTool, GripWhole, AddPoint,
-                 TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, SetSnap, Compare,
-                 SetCapacity, SetMotion, OpenLesson, CloseLesson, GoToStep, MoveSteps, MoveChapters,
-                 SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure,
-                 HoverFigure, LeaveScript, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-                 ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet,
-                 CopyLink, OpenDialog, ShowNotice>;
+                 OpenDocument, SetPolygon, EndEdit, Undo, Redo, Show, SetTool, GripPolygon,
+                 AddPoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, SetSnap,
+                 Compare, SetCapacity, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep,
+                 MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice,
+                 AskWhy, Measure, HoverFigure, LeaveScript, SelectVertex, SetHover, SetHeld,
+                 SetCamera, FitView, ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList,
+                 SetSheet, MeasureSheet, CopyLink, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -1,5 +1,5 @@
-// The levels of the heat map: of the object's weight, the forces that tip it. Between two
-// neighbours lies a band.
+// The levels of the heat map: forces that tip the object, in units of its weight. Between two
+// levels lies a band.
 #pragma once
 
 namespace evenlift::view {

@@ -1,5 +1,5 @@
-// Undo and redo without limit: whole Documents, which share their vertices while only settings
-// change.
+// Undo and redo without limit. It keeps whole documents; those that differ only in their settings
+// share their vertices.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace evenlift::view {
 
 class History {
  public:
-  // Remembers the document as it was before an edit; what had been undone is gone.
+  // Remembers the document as it was before an edit. Nothing can be redone after that.
   void record(const Document& before);
 
   // How many edits can be undone.

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double panel_width = 344, rail_width = 48, toolbar_height = 48;
 
-// Room around the polygon for what stands beside it: robots and their loads.
+// Room around the polygon for robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
   const double x = std::min(beside, free.width() / 6), most = free.height() / 4;
   return {free.left + x, free.top + std::min(above, most), free.right - x,
@@ -30,7 +30,7 @@ void split(Layout& l, bool compared, double beside, double above, double below) 
   l.room = room_in(l.first, beside * 0.8, above + caption, below * 0.8);
 }
 
-// The player at the foot of what is free; the tools of the view stand on it.
+// Puts the player at the foot of the free room, and the tools of the view above it.
 void seat_player(Layout& l, double right, double height) {
   l.player = {l.margin, l.free.bottom - l.margin - height, right, l.free.bottom - l.margin};
   l.tools.top -= height + l.margin;
@@ -45,7 +45,7 @@ Layout embedded(const AppState& state) {
   l.control = screen.finger ? 44 : 32;
   l.wide = screen.width >= 640;
   l.free = {0, 0, screen.width, screen.height};
-  if (lesson_is_open(state))
+  if (walkthrough_is_open(state))
     seat_player(l, screen.width - l.margin,
                 std::min(screen.height * 0.5, l.control * 2 + (l.wide ? 128 : 176)));
   l.toolbar = {l.margin, l.margin, screen.width, l.margin + toolbar_height};
@@ -65,10 +65,10 @@ Layout wide(const AppState& state) {
   l.tools = {l.margin, screen.height - l.margin - tools_height, l.margin + tools_width,
              screen.height - l.margin};
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
-  if (lesson_is_open(state)) seat_player(l, l.panel.left - l.margin, l.control * 2 + 24);
-  if (state.tool == Tool::whole)
+  if (walkthrough_is_open(state)) seat_player(l, l.panel.left - l.margin, l.control * 2 + 24);
+  if (state.tool == Tool::transform)
     l.free.top += l.control + 60;  // the tool's bar, and the turning knob
-  split(l, state.compared.has_value(), 88, 56, 84);
+  split(l, state.second_method.has_value(), 88, 56, 84);
   return l;
 }
 
@@ -83,13 +83,14 @@ Layout narrow(const AppState& state) {
   if (state.sheet == Sheet::full) height = screen.height - toolbar_height - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};
   l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + toolbar_height};
-  // Pulled up to the top, the sheet covers the drawing for a moment; the drawing does not follow.
+  // A sheet that is pulled up to the top covers the drawing for a moment; the drawing does not
+  // move.
   const double below = std::min(height, screen.height * 0.45);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
-  split(l, state.compared.has_value(), 60, 52, 52);
+  split(l, state.second_method.has_value(), 60, 52, 52);
   return l;
 }
 

@@ -1,5 +1,4 @@
-// Where things stand on the screen: beside each other on a wide one, above each other on a narrow
-// one.
+// Where everything is on the screen: side by side on a wide one, above each other on a narrow one.
 #pragma once
 
 #include "state/camera.h"
@@ -12,7 +11,7 @@ struct Layout {
   double control = 32;  // height of a control: more under a finger
   double margin = 16;   // between panels and the canvas's edge
   Rect panel;           // panel or sheet
-  Rect player;          // the lesson's, while one is open; on a narrow screen it is in the sheet
+  Rect player;          // while the walkthrough is open; on a narrow screen it is in the sheet
   Rect toolbar;         // left and top count; it is as wide as its content
   Rect tools;           // zoom and fit
   Rect free;            // canvas that nothing covers for long

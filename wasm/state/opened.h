@@ -1,5 +1,5 @@
-// A document together with what place() says of it. Validating a document and placing it is one
-// step; its result is carried along to where it is shown, so that nothing is computed twice.
+// A document together with its placement. A document is validated by placing it, so both are done
+// at once, and the placement is carried along to where it is shown: nothing is computed twice.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,22 @@ namespace evenlift::view {
 struct Opened {
   Document document;
   Placement placement;
-  std::optional<Trace> trace;  // if somebody had to look at it already
+  std::optional<Trace> trace;  // if it was needed for a check
 };
 
-// Places the document, or says why it is refused. The cost of place().
+// Places the document, or says why it is refused. Costs as much as place().
 Result<Opened> opened(Document document);
 
-// The document that a link, or a link or a polygon's text, holds, placed; else the first error.
+// Reads and places the document of a link; and of a link or a polygon's text. Returns the first
+// error, if there is one.
 Result<Opened> read_link(std::string_view link);
 Result<Opened> read_document(std::string_view text);
 
-// The same without placing it.
+// Like read_document(), but does not place it.
 Result<Document> parse_document(std::string_view text);
 
-// The view computes by these alone. They count, so that a test can hold it to one placement for an
-// action, and to none for what changes nothing but the picture.
+// The view computes placements and traces only through these two functions. They count, so that a
+// test can check that an action computes one placement, and none if it changes only the picture.
 Result<Placement> compute_placement(const Document& document);
 Result<Trace> compute_trace(const Placement& placement);
 struct Computed {

@@ -25,12 +25,12 @@ bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
          (cda == 0 && within_box(c, d, a)) || (cdb == 0 && within_box(c, d, b));
 }
 
-// Of edges a b and b c: one lies on the other.
+// Whether the edges a b and b c overlap.
 bool fold_back(const Vec2& a, const Vec2& b, const Vec2& c) {
   return sign(orient(a, b, c)) == 0 && dot_of_differences(b, a, b, c) > 0;
 }
 
-// The nearer of two lines, if it is within reach.
+// Moves the value to the nearer of two lines, if that is within reach.
 void pull(double& value, double first, double second, double reach) {
   const double nearer = std::abs(value - first) <= std::abs(value - second) ? first : second;
   if (std::abs(value - nearer) <= reach) value = nearer;

@@ -1,13 +1,13 @@
 #include "tools/pick.h"
 
-#include <algorithm>
+#include "evenlift/plane.h"
 
 namespace evenlift::view {
 namespace {
 
 double distance(const Vec2& a, const Vec2& b) { return length(a - b); }
 
-// The nearest so far, within reach.
+// The nearest candidate so far, if it is within reach.
 struct Nearest {
   double reach;
   Pick pick = {};
@@ -71,39 +71,20 @@ Pick chord_at(const AppState& state, const Placement& placement, const Vec2& scr
 
 }  // namespace
 
-Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const Vec2 along = b - a;
-  const double square = dot(along, along);
-  if (!(square > 0)) return a;
-  return a + along * std::clamp(dot(p - a, along) / square, 0.0, 1.0);
-}
-
 Vec2 centre_of_mass(const AppState& state) {
   if (state.document.centre_of_mass) return *state.document.centre_of_mass;
   if (state.placement) return state.placement->centre_of_mass;
   return state.document.vertices.empty() ? Vec2(0, 0) : state.document.vertices[0];
 }
 
-const Placement* current_placement(const AppState& state, bool other) {
-  const std::optional<Placement>& placement = other ? state.other : state.placement;
+const Placement* current_placement(const AppState& state, bool second) {
+  const std::optional<Placement>& placement = second ? state.second : state.placement;
   return placement && !state.refusal ? &*placement : nullptr;
 }
 
-bool inside(const Points& polygon, const Vec2& p) {
-  bool odd = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vec2 &a = polygon[i], &b = polygon[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
-      odd = !odd;
-    }
-  }
-  return odd;
-}
-
-Pick pick(const AppState& state, const Vec2& screen, bool other) {
+Pick pick(const AppState& state, const Vec2& screen, bool second) {
   Pick found = part_at(state, screen);
-  const Placement* placement = current_placement(state, other);
+  const Placement* placement = current_placement(state, second);
   if (found.kind == Pick::Kind::none && placement) found = robot_at(state, *placement, screen);
   if (found.kind == Pick::Kind::none) found = edge_at(state, screen);
   if (found.kind == Pick::Kind::none && placement) found = chord_at(state, *placement, screen);
@@ -111,7 +92,7 @@ Pick pick(const AppState& state, const Vec2& screen, bool other) {
     const Vec2 world = state.camera.to_world(screen);
     if (inside(placement->vertices, world)) found = {Pick::Kind::object, 0, 0, world};
   }
-  found.other = other;
+  found.second = second;
   return found;
 }
 

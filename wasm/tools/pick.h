@@ -1,26 +1,19 @@
-// What is under the pointer. Grips reach farther than what is drawn, under a finger more so.
+// Finds what is under the pointer. One need not hit a grip exactly, with a finger even less.
 #pragma once
 
 #include "state/state.h"
 
 namespace evenlift::view {
 
-// At `screen`, in CSS pixels. Vertices and the centre of mass come first, the nearest of them; then
-// robots, edges and chords, then the object. In the picture of the method that is compared
-// (`other`) robots and chords are that method's. O(vertices + teams).
-Pick pick(const AppState& state, const Vec2& screen, bool other = false);
+// What is at `screen`, in CSS pixels. The nearest vertex or centre of mass comes first; then
+// robots, edges, chords, and last the object. In the picture of the second method robots and chords
+// are that method's. O(vertices + teams).
+Pick pick(const AppState& state, const Vec2& screen, bool second = false);
 
-// The centre of mass in force: the document's, else the last good placement's.
+// The document's centre of mass; if it has none, that of the last good placement.
 Vec2 centre_of_mass(const AppState& state);
 
-// The placement in one of the two pictures; null where there is none that is current.
-const Placement* current_placement(const AppState& state, bool other);
-
-// Whether p is inside the polygon, by counting crossings in doubles: for pointing, not for
-// deciding.
-bool inside(const Points& polygon, const Vec2& p);
-
-// The point of the segment a b nearest to p. O(1).
-Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& p);
+// The placement in one of the two pictures; null if the document is refused or there is none.
+const Placement* current_placement(const AppState& state, bool second);
 
 }  // namespace evenlift::view

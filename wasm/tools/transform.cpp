@@ -3,23 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/plane.h"
+
 namespace evenlift::view {
 namespace {
 
-struct Box {
-  Vec2 low, high;
-};
-
-Box box_of(const Points& points) {
-  Box box{points.front(), points.front()};
-  for (const Vec2& p : points) {
-    box.low = {std::min(box.low.x(), p.x()), std::min(box.low.y(), p.y())};
-    box.high = {std::max(box.high.x(), p.x()), std::max(box.high.y(), p.y())};
-  }
-  return box;
-}
-
-// What the polygon turns about: its centroid, which stays where it is however often it turns.
+// The polygon turns about its centroid, which stays in its place however often it turns.
 Vec2 pivot(const Points& polygon) {
   Vec2 sum = Vec2::Zero();
   double twice = 0;
@@ -29,27 +18,27 @@ Vec2 pivot(const Points& polygon) {
     twice += cross(a, b);
     sum += (a + b) * cross(a, b);
   }
-  const Box box = box_of(polygon);
-  if (twice == 0) return box.low + (box.high - box.low) / 2;
+  const Box box = bounding_box(polygon);
+  if (twice == 0) return box.middle();
   return origin + sum / (3 * twice);
 }
 
-// The grip's polygon with every point put through `map`.
+// The polygon as it was when it was taken hold of, with every point mapped.
 template <class Map>
-SetWhole mapped(const WholeGrip& grip, Map map) {
-  SetWhole whole;
-  whole.vertices.reserve(grip.vertices.size());
-  for (const Vec2& p : grip.vertices) whole.vertices.push_back(map(p));
-  if (grip.centre_of_mass) whole.centre_of_mass = map(*grip.centre_of_mass);
-  return whole;
+SetPolygon mapped(const PolygonGrip& grip, Map map) {
+  SetPolygon polygon;
+  polygon.vertices.reserve(grip.vertices.size());
+  for (const Vec2& p : grip.vertices) polygon.vertices.push_back(map(p));
+  if (grip.centre_of_mass) polygon.centre_of_mass = map(*grip.centre_of_mass);
+  return polygon;
 }
 
-SetWhole moved(const AppState& state, const WholeGrip& grip, const Vec2& by) {
+SetPolygon moved(const AppState& state, const PolygonGrip& grip, const Vec2& by) {
   return mapped(grip, [&](const Vec2& p) { return rounded_finely(state.camera, p + by); });
 }
 
 // `turn` is (cos, sin) of the angle, counter-clockwise.
-SetWhole turned(const AppState& state, const WholeGrip& grip, const Vec2& turn) {
+SetPolygon turned(const AppState& state, const PolygonGrip& grip, const Vec2& turn) {
   const Vec2 about = pivot(grip.vertices);
   return mapped(grip, [&](const Vec2& p) {
     const Vec2 d = p - about;
@@ -58,13 +47,14 @@ SetWhole turned(const AppState& state, const WholeGrip& grip, const Vec2& turn) 
   });
 }
 
-SetWhole scaled(const AppState& state, const WholeGrip& grip, const Vec2& about, double factor) {
+SetPolygon scaled(const AppState& state, const PolygonGrip& grip, const Vec2& about,
+                  double factor) {
   return mapped(grip, [&](const Vec2& p) {
     return rounded_finely(state.camera, about + (p - about) * factor);
   });
 }
 
-WholeGrip now(const AppState& state) {
+PolygonGrip now(const AppState& state) {
   return {state.document.vertices, state.document.centre_of_mass};
 }
 
@@ -76,8 +66,8 @@ Vec2 opposite_corner(const Box& box, FrameGrip grip) {
 
 }  // namespace
 
-Rect whole_frame(const AppState& state) {
-  const Box box = box_of(state.document.vertices);
+Rect transform_frame(const AppState& state) {
+  const Box box = bounding_box(state.document.vertices);
   const Vec2 a = state.camera.to_screen(box.low), b = state.camera.to_screen(box.high);
   constexpr double beyond = 30;
   return {a.x() - beyond, b.y() - beyond, b.x() + beyond, a.y() + beyond};
@@ -102,7 +92,7 @@ Vec2 grip_place(const Rect& frame, FrameGrip grip) {
 }
 
 std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen) {
-  const Rect frame = whole_frame(state);
+  const Rect frame = transform_frame(state);
   double reach = state.screen.touch ? 24.0 : 12.0;
   std::optional<FrameGrip> nearest;
   for (const FrameGrip grip : {FrameGrip::low_left, FrameGrip::low_right, FrameGrip::high_left,
@@ -116,44 +106,45 @@ std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen) {
   return nearest;
 }
 
-SetWhole dragged_whole(const AppState& state, FrameGrip held, const Vec2& from, const Vec2& to) {
-  const WholeGrip& grip = state.grip;
-  const Box box = box_of(grip.vertices);
-  SetWhole whole;
+SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& from,
+                           const Vec2& to) {
+  const PolygonGrip& grip = state.grip;
+  const Box box = bounding_box(grip.vertices);
+  SetPolygon polygon;
   if (held == FrameGrip::inside) {
     Vec2 by = state.camera.to_world(to) - state.camera.to_world(from);
     if (state.snap.grid) by = nearest_dot(state.camera, box.low + by) - box.low;
-    whole = moved(state, grip, by);
+    polygon = moved(state, grip, by);
   } else if (held == FrameGrip::turn) {
     const Vec2 about = state.camera.to_screen(pivot(grip.vertices));
     const Vec2 a = from - about, b = to - about;
     const double lengths = length(a) * length(b);
-    // On the screen y points down: the other sense.
+    // On the screen y points down, so the sense is reversed.
     const Vec2 turn = lengths > 0 ? Vec2(Vec2(dot(a, b), -cross(a, b)) / lengths) : Vec2(1, 0);
-    whole = turned(state, grip, turn);
+    polygon = turned(state, grip, turn);
   } else {
     const Vec2 about = opposite_corner(box, held), corner = state.camera.to_screen(about);
-    const Vec2 whole_way = from - corner;
-    const double share = dot(to - corner, whole_way) / std::max(dot(whole_way, whole_way), 1e-9);
-    whole = scaled(state, grip, about, std::clamp(share, 0.02, 50.0));
+    const Vec2 full_way = from - corner;
+    const double share = dot(to - corner, full_way) / std::max(dot(full_way, full_way), 1e-9);
+    polygon = scaled(state, grip, about, std::clamp(share, 0.02, 50.0));
   }
-  whole.live = true;
-  return whole;
+  polygon.live = true;
+  return polygon;
 }
 
-SetWhole moved_whole(const AppState& state, int dots_x, int dots_y) {
+SetPolygon moved_polygon(const AppState& state, int dots_x, int dots_y) {
   const double step = grid_step(state.camera);
   return moved(state, now(state), Vec2(step * dots_x, step * dots_y));
 }
 
-SetWhole turned_whole(const AppState& state, int steps) {
+SetPolygon turned_polygon(const AppState& state, int steps) {
   // cos and sin of 15°
   const double c = (std::sqrt(6.0) + std::sqrt(2.0)) / 4, s = (std::sqrt(6.0) - std::sqrt(2.0)) / 4;
   return turned(state, now(state), Vec2(c, steps < 0 ? -s : s));
 }
 
-SetWhole scaled_whole(const AppState& state, double factor) {
-  const WholeGrip grip = now(state);
+SetPolygon scaled_polygon(const AppState& state, double factor) {
+  const PolygonGrip grip = now(state);
   return scaled(state, grip, pivot(grip.vertices), factor);
 }
 

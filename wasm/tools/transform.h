@@ -9,7 +9,7 @@
 namespace evenlift::view {
 
 // The frame on the screen, a little larger than the polygon.
-Rect whole_frame(const AppState& state);
+Rect transform_frame(const AppState& state);
 
 // The frame's grips: corners scale, the knob above it turns, its inside moves.
 enum class FrameGrip : std::uint8_t { low_left, low_right, high_left, high_right, turn, inside };
@@ -22,12 +22,12 @@ Vec2 grip_place(const Rect& frame, FrameGrip grip);
 // The grip under the pointer, nearest first. O(1).
 std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen);
 
-// The polygon that was taken, with `from` dragged to `to` (CSS pixels). O(n).
-SetWhole dragged_whole(const AppState& state, FrameGrip grip, const Vec2& from, const Vec2& to);
+// The polygon that was taken hold of, after a drag from `from` to `to` (CSS pixels). O(n).
+SetPolygon dragged_polygon(const AppState& state, FrameGrip grip, const Vec2& from, const Vec2& to);
 
-// By keys: moved by so many dots of the ground, turned by 15° steps, scaled by a factor. O(n).
-SetWhole moved_whole(const AppState& state, int dots_x, int dots_y);
-SetWhole turned_whole(const AppState& state, int steps);
-SetWhole scaled_whole(const AppState& state, double factor);
+// By keys: moved by so many dots of the grid, turned by steps of 15°, scaled by a factor. O(n).
+SetPolygon moved_polygon(const AppState& state, int dots_x, int dots_y);
+SetPolygon turned_polygon(const AppState& state, int steps);
+SetPolygon scaled_polygon(const AppState& state, double factor);
 
 }  // namespace evenlift::view

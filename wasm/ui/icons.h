@@ -1,8 +1,10 @@
-// The page's icons, drawn with lines so that they are sharp at every size.
+// The canvas's icons, drawn with lines so that they are sharp at every size. Their strokes are
+// those of web/kit/icons.js, which the windows draw, too.
 #pragma once
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <cstdint>
 
 #include "ui/theme.h"
@@ -34,7 +36,7 @@ enum class Icon : std::uint8_t {
   draw,
   transform,
   compare,
-  lesson,
+  board,
   play,
   pause,
   step_on,
@@ -44,6 +46,7 @@ enum class Icon : std::uint8_t {
   last,
   first
 };
+inline constexpr std::size_t icon_count = 32;  // without `none`
 
 // Within a square of `size` CSS pixels about `middle`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour colour);

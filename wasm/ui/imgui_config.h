@@ -19,7 +19,7 @@
 // Files are the browser's business, and a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 
-// wasm/fonts.cpp always gives fonts. From 1.92 on this leaves out the one that Dear ImGui would
+// wasm/ui/fonts.cpp always gives fonts. From 1.92 on this leaves out the one that Dear ImGui would
 // fall back to; earlier versions have no switch for it.
 #define IMGUI_DISABLE_DEFAULT_FONT
 

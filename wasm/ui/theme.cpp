@@ -8,6 +8,7 @@
 namespace evenlift::view {
 namespace {
 
+// Style sheets and pictures repeat some of these; tests/view/check_palette.py compares them.
 constexpr Theme light = {
     .ground = {0xEEF1F4},
     .dots = {0xD0D7DE},
@@ -83,7 +84,7 @@ ImFont* loaded[face_count];
 
 const FaceSpec& spec(Face face) { return faces[static_cast<int>(face)]; }
 
-// At least the characters of assets/fonts/subset.py; what a font has not takes no room.
+// At least the characters of assets/fonts/subset.py; characters that a font lacks take no room.
 constexpr ImWchar characters[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2212, 0x2265, 0};
 
 }  // namespace
@@ -111,7 +112,7 @@ const Theme& theme(const AppState& state) { return state.screen.dark ? dark : li
 void load_fonts(double ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
 #if IMGUI_VERSION_NUM >= 19200
-  // From this version on Dear ImGui rasterises characters by itself, for the framebuffer's scale.
+  // Since this version Dear ImGui itself rasterises characters, for the scale of the framebuffer.
   static_cast<void>(ratio);
   if (!atlas.Fonts.empty()) return;
   const float density = 1;

@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// A colour that knows how to be thinner: 0xRRGGBB and an opacity in [0, 1].
+// A colour 0xRRGGBB with an opacity in [0, 1].
 struct Colour {
   unsigned rgb = 0;
   float opacity = 1;
@@ -21,10 +21,10 @@ struct Colour {
 struct Theme {
   Colour ground, dots;
   Colour object, object_outline;
-  Colour panel, panel_line, well;   // well: what a control is sunk into
+  Colour panel, panel_line, well;   // well: the ground of a control
   Colour text, second_text, quiet;  // quiet: lines and icons that are off
   Colour hull, hull_outline, hull_text;
-  Colour heat[7];  // from where least tips to where nothing does
+  Colour heat[7];  // from where a light push tips the object to where none does
   Colour clockwise, clockwise_line, counter, counter_line;
   Colour robot, robot_ring, robot_track, robot_text;
   Colour chord, candidate;
@@ -35,7 +35,8 @@ struct Theme {
 
 const Theme& theme(const AppState& state);
 
-// Of the heat map, where a push of `share` of the weight tips; infinity: where none does.
+// The colour of the heat map where a push of `share` of the weight tips the object; infinity if
+// none does.
 Colour heat_colour(const Theme& theme, double share);
 
 // Sizes in CSS pixels: label 13, text 15, verdict 20; strong ones are semibold.
@@ -60,8 +61,8 @@ void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::strin
 // Dear ImGui's own widgets in the theme's colours and measures.
 void apply_style(const AppState& state, double control_height);
 
-// Thin lines keep the sharpness of the screen: anti-aliasing as wide as one device pixel, not one
-// CSS pixel.
+// Makes anti-aliasing as wide as one device pixel instead of one CSS pixel, so that thin lines are
+// as sharp as the screen allows.
 void sharpen(ImDrawList& list, const AppState& state);
 
 }  // namespace evenlift::view

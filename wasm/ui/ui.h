@@ -1,4 +1,4 @@
-// What every panel gets: the state to read, the commands to add to.
+// What every panel is given: the state, which it reads, and the commands, to which it adds.
 #pragma once
 
 #include "state/command.h"

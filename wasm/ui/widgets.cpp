@@ -51,14 +51,14 @@ Area area(const Ui& ui, const char* id, ImVec2 size, bool enabled = true,
   return a;
 }
 
-// The ground of a button, and its answer to the pointer.
+// Draws the background of a button, which shows whether the pointer is over it.
 void ground(const Ui& ui, const Area& a, float rounding, Colour still) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Colour colour = a.active || a.hovered ? ui.theme.panel_line : still;
   list.AddRectFilled(a.low, a.high, colour.packed(), rounding);
 }
 
-// True when pressed, and again and again while held.
+// True when pressed, and repeatedly while held.
 bool repeats(const Area& a) {
   if (!a.active) return a.pressed && ImGui::GetIO().MouseDownDurationPrev[0] < 0.35f;
   const ImGuiIO& io = ImGui::GetIO();

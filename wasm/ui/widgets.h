@@ -11,7 +11,7 @@ namespace evenlift::view {
 
 // A window without any chrome: a floating card with a soft shadow. End with end_card().
 struct CardOptions {
-  bool fixed_height = false;  // else as high as its content, at most as high as the rectangle
+  bool fixed_height = false;  // otherwise as high as its content, at most as high as the rectangle
   bool fixed_width = true;
   float padding = 20;
   bool scrolls = true;
@@ -22,7 +22,7 @@ void end_card(const Ui& ui);
 // Lets a finger scroll the window that is being filled, as it does everywhere else.
 void scroll_by_finger(const Ui& ui);
 
-// Whether a press was meant as one, and did not scroll.
+// Whether a press was a press, and not the end of scrolling.
 bool tapped(const Ui& ui, bool pressed);
 
 // For scripts and tests: where a control stands. The first one of that name that is laid out after
@@ -31,7 +31,7 @@ bool tapped(const Ui& ui, bool pressed);
 void seek_control(std::string name);
 std::optional<Rect> found_control();
 
-// Under what floats.
+// The shadow under a card.
 void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high);
 
 // Buttons; true when pressed. A disabled one is drawn faintly and does nothing.
@@ -40,14 +40,14 @@ bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const ch
 bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* tip,
                  float height, Icon after = Icon::none);
 
-// A button with a ground of its own; a strong one is the next thing to do.
+// A button with its own background; a strong one stands out as the next thing to do.
 bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled = true,
                  bool strong = false);
 
-// A switch with a word.
+// A switch with a name.
 bool switch_chip(const Ui& ui, const char* label, bool on);
 
-// "− 3 +": -1, 0 or +1, again and again while held.
+// "− 3 +": returns -1, 0 or +1; repeats while a button is held.
 int stepper(const Ui& ui, const char* id, const std::string& value, bool can_lower, bool can_raise,
             float width);
 

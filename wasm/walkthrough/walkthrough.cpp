@@ -4,79 +4,79 @@
 #include <utility>
 
 #include "evenlift/output/words.h"
+#include "evenlift/plane.h"
 #include "state/browser.h"
-#include "tools/pick.h"
 
 namespace evenlift::view {
 namespace {
 
 constexpr std::size_t most_visited = 60;
 
-// What only the step before had.
-void forget_step(LessonState& lesson) {
-  lesson.ask.reset();
-  lesson.verdict.clear();
-  lesson.asked.reset();
-  lesson.why.clear();
-  lesson.hovered.reset();
-  lesson.measured.reset();
-  lesson.gained.clear();
-  lesson.turn_at.reset();
+// Forgets what belonged to the previous step.
+void forget_step(Walkthrough& walk) {
+  walk.ask.reset();
+  walk.verdict.clear();
+  walk.asked.reset();
+  walk.why.clear();
+  walk.hovered.reset();
+  walk.measured.reset();
+  walk.gained.clear();
+  walk.turn_at.reset();
 }
 
-void show_gain(LessonState& lesson, std::uint32_t candidate) {
-  const TeamScores& scores = *lesson.detail.scores;
-  lesson.measured = candidate;
-  lesson.gained.clear();
-  if (scores.rule == Rule::score) lesson.gained = gain_figures(*lesson.trace, scores, candidate);
+void show_gain(Walkthrough& walk, std::uint32_t candidate) {
+  const TeamScores& scores = *walk.detail.scores;
+  walk.measured = candidate;
+  walk.gained.clear();
+  if (scores.rule == Rule::score) walk.gained = gain_figures(*walk.trace, scores, candidate);
 }
 
-void look(LessonState& lesson) {
-  const Trace& trace = *lesson.trace;
-  lesson.detail = look_at(trace, lesson.at);
-  lesson.known = progress_at(trace, lesson.at);
-  lesson.figures = figures(trace, lesson.detail);
-  lesson.base = lifting_base(trace, lesson.known.base_teams);
-  lesson.caption = caption(trace, lesson.detail);
-  lesson.formula = formula(trace, lesson.detail);
-  const std::optional<TeamScores>& scores = lesson.detail.scores;
-  if (scores && !scores->ranking.empty()) show_gain(lesson, scores->ranking[0]);
+void look(Walkthrough& walk) {
+  const Trace& trace = *walk.trace;
+  walk.detail = look_at(trace, walk.at);
+  walk.known = progress_at(trace, walk.at);
+  walk.figures = figures(trace, walk.detail);
+  walk.base = lifting_base(trace, walk.known.base_teams);
+  walk.caption = caption(trace, walk.detail);
+  walk.formula = formula(trace, walk.detail);
+  const std::optional<TeamScores>& scores = walk.detail.scores;
+  if (scores && !scores->ranking.empty()) show_gain(walk, scores->ranking[0]);
 }
 
-void remember(LessonState& lesson) {
-  std::vector<Visited>& visited = lesson.visited;
-  if (!visited.empty() && visited.back().step == lesson.at) visited.pop_back();
-  visited.push_back({lesson.at, lesson.caption});
+void remember(Walkthrough& walk) {
+  std::vector<Visited>& visited = walk.visited;
+  if (!visited.empty() && visited.back().step == walk.at) visited.pop_back();
+  visited.push_back({walk.at, walk.caption});
   if (visited.size() > most_visited) visited.erase(visited.begin());
 }
 
-// The step belongs to the document, so that links carry it; it is no edit, and nothing to undo.
+// The step belongs to the document, so that links carry it; but it is no edit that could be undone.
 void publish(AppState& state, std::optional<std::uint32_t> step) {
   state.document.settings.step = state.placed.settings.step = step;
   browser::document_changed();
 }
 
-void find_stops(LessonState& lesson) {
-  if (!lesson.script) return;
-  Script& script = *lesson.script;
+void find_stops(Walkthrough& walk) {
+  if (!walk.script) return;
+  Script& script = *walk.script;
   script.stops.clear();
   for (const LessonStep& step : script.lesson.steps) {
-    if (const auto found = find_step(*lesson.trace, step.address))
+    if (const auto found = find_step(*walk.trace, step.address))
       script.stops.push_back({*found, step.words});
   }
-  if (script.stops.empty()) return lesson.script.reset();
+  if (script.stops.empty()) return walk.script.reset();
   script.position = std::min(script.position, script.stops.size() - 1);
 }
 
-// The stop that is shown at a step that was reached in another way.
-void settle_position(LessonState& lesson) {
-  if (!lesson.script) return;
-  Script& script = *lesson.script;
-  if (script.stops[script.position].step == lesson.at) return;
+// Finds the stop for a step that was not reached from stop to stop.
+void settle_position(Walkthrough& walk) {
+  if (!walk.script) return;
+  Script& script = *walk.script;
+  if (script.stops[script.position].step == walk.at) return;
   const auto exact = std::find_if(script.stops.begin(), script.stops.end(),
-                                  [&](const Stop& s) { return s.step == lesson.at; });
+                                  [&](const Stop& s) { return s.step == walk.at; });
   const auto later = std::find_if(script.stops.begin(), script.stops.end(),
-                                  [&](const Stop& s) { return s.step > lesson.at; });
+                                  [&](const Stop& s) { return s.step > walk.at; });
   const auto at = exact != script.stops.end() ? exact : later;
   const auto index = at - script.stops.begin();
   script.position = static_cast<std::size_t>(
@@ -84,26 +84,26 @@ void settle_position(LessonState& lesson) {
 }
 
 void enter(AppState& state, std::uint32_t step) {
-  LessonState& lesson = state.lesson;
-  forget_step(lesson);
-  lesson.at = std::min(step, lesson.trace->size() - 1);
-  settle_position(lesson);
-  look(lesson);
-  remember(lesson);
-  publish(state, lesson.at);
+  Walkthrough& walk = state.walkthrough;
+  forget_step(walk);
+  walk.at = std::min(step, walk.trace->size() - 1);
+  settle_position(walk);
+  look(walk);
+  remember(walk);
+  publish(state, walk.at);
 }
 
-// Traces the placement. False, with a notice, if it cannot be shown step by step.
+// Traces the placement. If that is impossible, says so in a notice and returns false.
 bool trace_it(AppState& state, std::optional<Trace> made = std::nullopt) {
   Result<Trace> trace = made ? Result<Trace>(std::move(*made)) : compute_trace(*state.placement);
   if (!trace) {
     state.notice = {Notice::Kind::problem, sentence(trace.error()) + "."};
     browser::announce(state.notice.text);
-    close_lesson(state);
+    close_walkthrough(state);
     return false;
   }
-  state.lesson.trace = std::move(trace).value();
-  find_stops(state.lesson);
+  state.walkthrough.trace = std::move(trace).value();
+  find_stops(state.walkthrough);
   return true;
 }
 
@@ -114,8 +114,8 @@ std::optional<std::uint32_t> next_step(const AppState& state, int by) {
   return step_of(state, static_cast<std::uint32_t>(wanted));
 }
 
-void ask(LessonState& lesson, std::uint32_t step) {
-  const Trace& trace = *lesson.trace;
+void ask(Walkthrough& walk, std::uint32_t step) {
+  const Trace& trace = *walk.trace;
   Ask asked;
   asked.step = step;
   asked.detail = look_at(trace, step);
@@ -127,11 +127,11 @@ void ask(LessonState& lesson, std::uint32_t step) {
     asked.choices = {0, 1};
   else
     asked.choices = asked.detail.scores->ranking;
-  // In the order of the candidates: the ranking would give the answer away.
+  // In the order of the candidates, as the ranking would give the answer away.
   std::sort(asked.choices.begin(), asked.choices.end());
-  lesson.ask = std::move(asked);
-  lesson.playing = false;
-  browser::announce(lesson.ask->text);
+  walk.ask = std::move(asked);
+  walk.playing = false;
+  browser::announce(walk.ask->text);
 }
 
 }  // namespace
@@ -145,22 +145,22 @@ std::optional<InputError> check_step(std::uint32_t step, const Trace& trace) {
 }
 
 void follow_placement(AppState& state, std::optional<Trace> made) {
-  LessonState& lesson = state.lesson;
+  Walkthrough& walk = state.walkthrough;
   const std::optional<std::uint32_t> wanted = state.document.settings.step;
   if (!wanted) {
-    if (lesson.trace) close_lesson(state);
+    if (walk.trace) close_walkthrough(state);
     return;
   }
   if (state.refusal || !state.placement) return;
-  const bool moved = !lesson.trace || *wanted != lesson.at;
+  const bool moved = !walk.trace || *wanted != walk.at;
   const std::optional<Step> before =
-      moved ? std::nullopt : std::optional<Step>(lesson.trace->step(lesson.at));
+      moved ? std::nullopt : std::optional<Step>(walk.trace->step(walk.at));
   if (!trace_it(state, std::move(made))) return;
   if (before) {
-    enter(state, nearest_step(*lesson.trace, *before));
+    enter(state, nearest_step(*walk.trace, *before));
     return;
   }
-  const std::uint32_t last = lesson.trace->size() - 1;
+  const std::uint32_t last = walk.trace->size() - 1;
   enter(state, *wanted);
   if (*wanted <= last) return;
   state.notice = {Notice::Kind::problem, "This lesson has no step " + std::to_string(*wanted + 1) +
@@ -169,57 +169,57 @@ void follow_placement(AppState& state, std::optional<Trace> made) {
   browser::announce(state.notice.text);
 }
 
-void open_lesson(AppState& state) {
-  if (lesson_is_open(state) || !state.placement || state.refusal) return;
-  state.compared.reset();
-  state.other.reset();
+void open_walkthrough(AppState& state) {
+  if (walkthrough_is_open(state) || !state.placement || state.refusal) return;
+  state.second_method.reset();
+  state.second.reset();
   state.selected.reset();
   state.tool = Tool::parts;
-  if (trace_it(state)) enter(state, state.lesson.at);
+  if (trace_it(state)) enter(state, state.walkthrough.at);
 }
 
-void close_lesson(AppState& state) {
-  LessonState& lesson = state.lesson;
-  forget_step(lesson);
-  lesson.trace.reset();
-  lesson.script.reset();
-  lesson.playing = false;
+void close_walkthrough(AppState& state) {
+  Walkthrough& walk = state.walkthrough;
+  forget_step(walk);
+  walk.trace.reset();
+  walk.script.reset();
+  walk.playing = false;
   browser::drop_frame_after();
-  lesson.figures.clear();
-  lesson.visited.clear();
+  walk.figures.clear();
+  walk.visited.clear();
   publish(state, std::nullopt);
   ++state.revision;
 }
 
 void go_to_step(AppState& state, std::uint32_t step) {
-  if (lesson_is_open(state)) enter(state, step);
+  if (walkthrough_is_open(state)) enter(state, step);
 }
 
 void move_steps(AppState& state, int by) {
-  LessonState& lesson = state.lesson;
-  if (!lesson_is_open(state)) return;
+  Walkthrough& walk = state.walkthrough;
+  if (!walkthrough_is_open(state)) return;
   const auto next = next_step(state, by);
   if (!next) {
-    lesson.playing = false;
+    walk.playing = false;
     return;
   }
-  const bool asked_already = lesson.ask && lesson.ask->step == *next;
-  if (by > 0 && lesson.predict && !asked_already && is_choice(*lesson.trace, *next)) {
-    ask(lesson, *next);
-    if (lesson.ask) return;
+  const bool asked_already = walk.ask && walk.ask->step == *next;
+  if (by > 0 && walk.predict && !asked_already && is_choice(*walk.trace, *next)) {
+    ask(walk, *next);
+    if (walk.ask) return;
   }
-  if (lesson.script) lesson.script->position = timeline(state).at + static_cast<std::size_t>(by);
+  if (walk.script) walk.script->position = timeline(state).at + static_cast<std::size_t>(by);
   enter(state, *next);
 }
 
 void move_chapters(AppState& state, int by) {
-  LessonState& lesson = state.lesson;
-  if (!lesson_is_open(state)) return;
-  const Trace& trace = *lesson.trace;
-  const auto here = static_cast<int>(trace.step(lesson.at).chapter);
+  Walkthrough& walk = state.walkthrough;
+  if (!walkthrough_is_open(state)) return;
+  const Trace& trace = *walk.trace;
+  const auto here = static_cast<int>(trace.step(walk.at).chapter);
   const auto begin = trace.chapter_begin(static_cast<Chapter>(here));
-  // Back from inside a chapter is to its beginning.
-  if (by < 0 && begin && *begin < lesson.at) return enter(state, *begin);
+  // From inside a chapter, back means to its beginning.
+  if (by < 0 && begin && *begin < walk.at) return enter(state, *begin);
   for (int c = here + by; c >= 0 && c < static_cast<int>(chapter_count); c += by) {
     if (const auto at = trace.chapter_begin(static_cast<Chapter>(c))) return enter(state, *at);
   }
@@ -227,46 +227,46 @@ void move_chapters(AppState& state, int by) {
 }
 
 void set_playing(AppState& state, bool playing) {
-  LessonState& lesson = state.lesson;
-  if (!lesson_is_open(state)) return;
+  Walkthrough& walk = state.walkthrough;
+  if (!walkthrough_is_open(state)) return;
   // At the end, playing begins again.
   if (playing && !next_step(state, 1)) enter(state, step_of(state, 0));
-  lesson.playing = playing;
-  lesson.turn_at.reset();
+  walk.playing = playing;
+  walk.turn_at.reset();
   if (!playing) browser::drop_frame_after();
 }
 
 void set_speed(AppState& state, double speed) {
-  state.lesson.speed = std::clamp(speed, slowest_speed, fastest_speed);
-  state.lesson.turn_at.reset();
+  state.walkthrough.speed = std::clamp(speed, slowest_speed, fastest_speed);
+  state.walkthrough.turn_at.reset();
 }
 
 void set_predict(AppState& state, bool on) {
-  state.lesson.predict = on;
-  if (!on) state.lesson.ask.reset();
+  state.walkthrough.predict = on;
+  if (!on) state.walkthrough.ask.reset();
 }
 
 void guess(AppState& state, std::uint32_t answer) {
-  LessonState& lesson = state.lesson;
-  if (!lesson_is_open(state) || !lesson.ask) return;
-  const Ask asked = *lesson.ask;
+  Walkthrough& walk = state.walkthrough;
+  if (!walkthrough_is_open(state) || !walk.ask) return;
+  const Ask asked = *walk.ask;
   const bool right = answer == asked.question.answer;
   std::string verdict = right ? "Right." : "Not this time.";
   if (!right && asked.question.kind == QuestionKind::winning_chord)
-    verdict += " " + why_not_text(*lesson.trace, why_not(*lesson.trace, asked.step, answer));
-  if (lesson.script && timeline(state).at + 1 < timeline(state).count)
-    lesson.script->position = timeline(state).at + 1;
+    verdict += " " + why_not_text(*walk.trace, why_not(*walk.trace, asked.step, answer));
+  if (walk.script && timeline(state).at + 1 < timeline(state).count)
+    walk.script->position = timeline(state).at + 1;
   enter(state, asked.step);
-  lesson.verdict = verdict;
-  lesson.was_right = right;
+  walk.verdict = verdict;
+  walk.was_right = right;
   browser::announce(verdict);
 }
 
 void ask_why(AppState& state, const Vec2& at) {
-  LessonState& lesson = state.lesson;
-  if (!lesson_is_open(state)) return;
-  const Trace& trace = *lesson.trace;
-  // A candidate close by is meant itself; anything else is the chord through there.
+  Walkthrough& walk = state.walkthrough;
+  if (!walkthrough_is_open(state)) return;
+  const Trace& trace = *walk.trace;
+  // Near a candidate the question is about that; elsewhere it is about the chord through the point.
   const auto& candidates = trace.placement.candidates;
   const double reach = 9 / state.camera.scale;
   std::optional<std::uint32_t> nearest;
@@ -281,42 +281,42 @@ void ask_why(AppState& state, const Vec2& at) {
   }
   WhyNot answer;
   if (nearest) {
-    answer = why_not(trace, lesson.at, *nearest);
-    lesson.asked = candidates[*nearest].chord;
+    answer = why_not(trace, walk.at, *nearest);
+    walk.asked = candidates[*nearest].chord;
   } else {
     const std::optional<Chord> chord = chord_at(trace, at);
-    answer = why_not_chord(trace, lesson.at, chord);
-    lesson.asked = chord;
+    answer = why_not_chord(trace, walk.at, chord);
+    walk.asked = chord;
   }
-  lesson.why = why_not_text(trace, answer);
-  browser::announce(lesson.why);
+  walk.why = why_not_text(trace, answer);
+  browser::announce(walk.why);
 }
 
 void measure(AppState& state, std::uint32_t candidate) {
-  LessonState& lesson = state.lesson;
-  if (lesson_is_open(state) && lesson.detail.scores &&
-      candidate < lesson.detail.scores->of_candidate.size())
-    show_gain(lesson, candidate);
+  Walkthrough& walk = state.walkthrough;
+  if (walkthrough_is_open(state) && walk.detail.scores &&
+      candidate < walk.detail.scores->of_candidate.size())
+    show_gain(walk, candidate);
 }
 
 void leave_script(AppState& state) {
-  if (!state.lesson.script) return;
-  state.lesson.script.reset();
+  if (!state.walkthrough.script) return;
+  state.walkthrough.script.reset();
   browser::document_changed();  // the address names the lesson no more
 }
 
 bool turn_over(AppState& state, double now) {
-  LessonState& lesson = state.lesson;
-  if (!lesson_is_open(state) || !lesson.playing) return false;
-  if (!lesson.turn_at) {
-    const double letters = static_cast<double>(lesson.caption.size() + words_of_stop(state).size());
-    const double pause = std::clamp(1 + 0.035 * letters, 1.5, 12.0) / lesson.speed;
-    lesson.turn_at = now + pause;
+  Walkthrough& walk = state.walkthrough;
+  if (!walkthrough_is_open(state) || !walk.playing) return false;
+  if (!walk.turn_at) {
+    const double letters = static_cast<double>(walk.caption.size() + words_of_stop(state).size());
+    const double pause = std::clamp(1 + 0.035 * letters, 1.5, 12.0) / walk.speed;
+    walk.turn_at = now + pause;
     browser::request_frame_after(pause);
     return false;
   }
-  if (now < *lesson.turn_at) {
-    if (*lesson.turn_at - now < 0.05) browser::request_frame();
+  if (now < *walk.turn_at) {
+    if (*walk.turn_at - now < 0.05) browser::request_frame();
     return false;
   }
   move_steps(state, 1);
@@ -325,39 +325,39 @@ bool turn_over(AppState& state, double now) {
 }
 
 void begin_script(AppState& state, Script script) {
-  LessonState& lesson = state.lesson;
-  lesson.predict = script.lesson.predict;
-  lesson.script = std::move(script);
-  lesson.script->depth = state.history.depth();
-  find_stops(lesson);
-  settle_position(lesson);
+  Walkthrough& walk = state.walkthrough;
+  walk.predict = script.lesson.predict;
+  walk.script = std::move(script);
+  walk.script->depth = state.history.depth();
+  find_stops(walk);
+  settle_position(walk);
 }
 
 std::optional<InputError> join_script(AppState& state, Script script) {
   if (state.refusal || !state.placement || state.document.vertices != script.vertices)
     return InputError{ErrorCode::bad_syntax, "it is of another polygon than the link", {}};
-  const bool begins = !lesson_is_open(state);
-  open_lesson(state);
-  if (!lesson_is_open(state)) return std::nullopt;  // and a notice says why
+  const bool begins = !walkthrough_is_open(state);
+  open_walkthrough(state);
+  if (!walkthrough_is_open(state)) return std::nullopt;  // and a notice says why
   begin_script(state, std::move(script));
   if (begins) enter(state, step_of(state, 0));
   return std::nullopt;
 }
 
 bool script_is_true(const AppState& state) {
-  const std::optional<Script>& script = state.lesson.script;
+  const std::optional<Script>& script = state.walkthrough.script;
   return script && script->vertices == state.document.vertices;
 }
 
 std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen) {
-  const LessonState& lesson = state.lesson;
-  if (!lesson.ask) return std::nullopt;
+  const Walkthrough& walk = state.walkthrough;
+  if (!walk.ask) return std::nullopt;
   std::optional<std::uint32_t> nearest;
   double least = state.screen.touch ? 22 : 12;
-  for (const std::uint32_t choice : lesson.ask->choices) {
-    const Chord& chord = lesson.ask->question.kind == QuestionKind::nearer_end
-                             ? lesson.ask->detail.pair->ends[choice]
-                             : lesson.trace->placement.candidates[choice].chord;
+  for (const std::uint32_t choice : walk.ask->choices) {
+    const Chord& chord = walk.ask->question.kind == QuestionKind::nearer_end
+                             ? walk.ask->detail.pair->ends[choice]
+                             : walk.trace->placement.candidates[choice].chord;
     const Vec2 a = state.camera.to_screen(chord.r1.position);
     const Vec2 b = state.camera.to_screen(chord.r2.position);
     const double away = length(nearest_on_segment(a, b, screen) - screen);
@@ -370,10 +370,10 @@ std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen
 }
 
 std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen) {
-  const std::vector<Figure>& figures = state.lesson.figures;
+  const std::vector<Figure>& figures = state.walkthrough.figures;
   std::optional<std::size_t> best;
   double best_score = 1e300;
-  // Later figures lie above earlier ones.
+  // Later figures are drawn above earlier ones.
   for (std::size_t i = figures.size(); i-- > 0;) {
     const Points& p = figures[i].points;
     double score = 1e300;
@@ -396,39 +396,38 @@ std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen) 
 }
 
 Timeline timeline(const AppState& state) {
-  const LessonState& lesson = state.lesson;
-  if (!lesson.trace) return {};
-  if (lesson.script)
-    return {static_cast<std::uint32_t>(lesson.script->position),
-            static_cast<std::uint32_t>(lesson.script->stops.size())};
-  return {lesson.at, lesson.trace->size()};
+  const Walkthrough& walk = state.walkthrough;
+  if (!walk.trace) return {};
+  if (walk.script)
+    return {static_cast<std::uint32_t>(walk.script->position),
+            static_cast<std::uint32_t>(walk.script->stops.size())};
+  return {walk.at, walk.trace->size()};
 }
 
 std::uint32_t step_of(const AppState& state, std::uint32_t position) {
-  const LessonState& lesson = state.lesson;
-  if (!lesson.script) return position;
-  return lesson.script->stops[std::min<std::size_t>(position, lesson.script->stops.size() - 1)]
-      .step;
+  const Walkthrough& walk = state.walkthrough;
+  if (!walk.script) return position;
+  return walk.script->stops[std::min<std::size_t>(position, walk.script->stops.size() - 1)].step;
 }
 
 std::string words_of_stop(const AppState& state) {
-  const LessonState& lesson = state.lesson;
-  if (!lesson.script) return {};
-  const Stop& stop = lesson.script->stops[lesson.script->position];
-  return stop.step == lesson.at ? stop.words : std::string();
+  const Walkthrough& walk = state.walkthrough;
+  if (!walk.script) return {};
+  const Stop& stop = walk.script->stops[walk.script->position];
+  return stop.step == walk.at ? stop.words : std::string();
 }
 
-std::string lesson_in_words(const AppState& state) {
-  const LessonState& lesson = state.lesson;
-  if (!lesson.trace) return {};
+std::string walkthrough_in_words(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  if (!walk.trace) return {};
   const Timeline now = timeline(state);
   std::string text = "Step " + std::to_string(now.at + 1) + " of " + std::to_string(now.count) +
-                     ", " + std::string(title(lesson.detail.step.chapter)) + ". ";
-  if (!lesson.verdict.empty()) text += lesson.verdict + " ";
+                     ", " + std::string(title(walk.detail.step.chapter)) + ". ";
+  if (!walk.verdict.empty()) text += walk.verdict + " ";
   if (const std::string words = words_of_stop(state); !words.empty()) text += words + " ";
-  text += lesson.caption;
-  if (!lesson.formula.empty()) text += " " + lesson.formula + ".";
-  if (lesson.ask) text += " " + lesson.ask->text;
+  text += walk.caption;
+  if (!walk.formula.empty()) text += " " + walk.formula + ".";
+  if (walk.ask) text += " " + walk.ask->text;
   return text;
 }
 

@@ -1,6 +1,7 @@
 // Charts of an experiment's figures, as SVG, by Observable Plot. They are drawn alike in the program's report and in the
 // page; colours and text sizes are charts.css's.
 import { axisX, axisY, dot, gridY, line, plot, pointer, ruleY, tip } from "@observablehq/plot";
+import { inDigits, inUnit } from "./numbers.js";
 
 const methods = ["area", "circle", "distance", "distributed", "random"];
 const names = { area: "area", circle: "circle", distance: "distance", distributed: "distributed (equal angles)", random: "random" };
@@ -8,12 +9,8 @@ const symbols = { area: "circle", circle: "square", distance: "triangle", distri
 const dashes = { area: "none", circle: "6 3", distance: "2 3", distributed: "none", random: "8 3 2 3" };
 const colour = (method) => `var(--${method})`;
 
-// Values as people read them: shares are shown as percentages.
-const shown = ({ unit }, value) => (unit === "%" ? 100 * value : value);
-const digits = ({ unit }) => (unit === "%" ? 1 : 2);
-
 export function inWords(figure, method, [robots, value, polygons]) {
-  const words = `${names[method]}: ${shown(figure, value).toFixed(digits(figure))} ${figure.unit} with ${robots} robots`;
+  const words = `${names[method]}: ${inDigits(figure, value)} ${figure.unit} with ${robots} robots`;
   if (!figure.set) return words;  // of a single polygon
   return `${words}, ${polygons === 1 ? "1 polygon" : `${polygons} polygons`}`;
 }
@@ -21,7 +18,7 @@ export function inWords(figure, method, [robots, value, polygons]) {
 // The chart of a figure {id, title, unit, series: [{method, points: [[robots, value, polygons], …]}]}, `width` pixels wide.
 export function drawChart(figure, width) {
   const rows = figure.series.flatMap(({ method, points }) => points.map((point) => ({
-    method, robots: point[0], value: shown(figure, point[1]), label: inWords(figure, method, point),
+    method, robots: point[0], value: inUnit(figure, point[1]), label: inWords(figure, method, point),
   })));
   const svg = plot({
     className: "chart",

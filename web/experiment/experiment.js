@@ -1,15 +1,15 @@
-// The window that compares the methods, on the polygon on the screen or over many, as chapter 5 of the thesis does: computed
-// by workers, shown as charts.
-import { runExperiment } from "./crew.js";
+// The window that compares the methods, on the open polygon or on many, as chapter 5 of the thesis does. Workers compute the
+// results; charts show them.
+import { runExperiment } from "./worker_pool.js";
 import { ensureStyles, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, number } from "../kit/elements.js";
 import { showResults } from "./experiment_results.js";
 import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources.js";
 
-// What experiments weigh and how many teams they place: the same as in `evenlift experiment`.
+// The weight and the number of teams of an experiment: the same as in `evenlift experiment`.
 const manyPolygons = { weight: 100, mostTeams: 1000 };
 
-let kept;  // the last results, with what they are of: closing the window does not lose them
+let kept;  // the last results and what they describe; closing the window does not lose them
 
 const count = (n, word) => `${number(n)} ${word}${n === 1 ? "" : "s"}`;
 
@@ -26,14 +26,14 @@ export async function show(page, { start = false, source = "this" } = {}) {
   if (root) view.connect(root, start);
 }
 
-// The same for the polygon on the screen, at once.
+// Compares the methods on the open polygon at once.
 export const curves = (page) => show(page, { start: true });
 
 class ExperimentWindow {
-  #polygon;  // the one on the screen: its text in the thesis's format, and the settings that matter
+  #polygon;  // the open polygon: its text in the thesis's format, and the settings that matter
   #files = [];
-  #stop;  // of the run that is under way
-  #charts = [];  // what ends their following the width
+  #stop;  // stops the run that is under way
+  #charts = [];  // functions that stop the charts from following the width
 
   constructor({ program }, source) {
     this.#polygon = { text: program.text("page_text"), minRatio: program.number("page_min_ratio"), weight: program.number("page_weight") };
@@ -63,7 +63,7 @@ class ExperimentWindow {
     this.samples = el("input", { class: "field", type: "number", min: "1", max: "100000", step: "1", value: "200", inputmode: "numeric" });
     this.ratio = el("input", { class: "field", type: "number", min: "0", max: "1", step: "any", value: "0.8", inputmode: "decimal" });
     this.ratioLabel = el("label", {}, "Minimum load ratio ", this.ratio);
-    // So many make clear curves; a person may ask for more.
+    // So many polygons give clear curves; one may ask for more.
     this.most = el("input", { class: "field", type: "number", min: "1", max: "10000", step: "1", value: "30", inputmode: "numeric" });
     this.mostLabel = el("label", {}, "Most teams ", this.most);
     this.ownSettings = el("p", { class: "second" }, `With its own centre of mass, minimum load ratio ${this.#polygon.minRatio} and weight ${this.#polygon.weight} kg.`);
@@ -94,7 +94,7 @@ class ExperimentWindow {
       root.addEventListener(type, (event) => {
         if (!event.dataTransfer?.types.includes("Files")) return;
         event.preventDefault();
-        event.stopPropagation();  // the page would open them
+        event.stopPropagation();  // otherwise the page would open them
         if (type === "drop") this.#take([...event.dataTransfer.files]);
       });
     }
@@ -102,7 +102,7 @@ class ExperimentWindow {
     else if (kept && (!kept.of || this.#isOn(kept.of))) this.#show();
   }
 
-  // Whether results of one polygon are of the one that is on the screen.
+  // Whether results of a single polygon describe the one that is open now.
   #isOn({ text, minRatio, weight }) {
     return text === this.#polygon.text && minRatio === this.#polygon.minRatio && weight === this.#polygon.weight;
   }
@@ -121,7 +121,7 @@ class ExperimentWindow {
     this.problem.say("");
   }
 
-  // What is to be measured, how, and the line that says so above the results.
+  // The tasks, the settings, and the caption of the results.
   async #plan() {
     const random = this.samples.valueAsNumber;
     if (this.#chosen === "this") {

@@ -1,10 +1,10 @@
-// What an experiment found, as charts and tables (evenlift/experiment/outputs.h).
+// The results of an experiment as charts and tables (evenlift/experiment/outputs.h).
 import { el, number } from "../kit/elements.js";
 import { figureTable } from "./figure_table.js";
 
 const wide = (label, content) => el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": label }, content);
 
-// What was left out, and why.
+// Which polygons were left out, and why.
 function refused({ refused: all }) {
   if (all.length === 0) return [];
   return [el("div", { class: "problem", role: "status" }, `${number(all.length)} polygon${all.length === 1 ? "" : "s"} could not be read and ${all.length === 1 ? "was" : "were"} left out:`,
@@ -27,8 +27,7 @@ function claims({ claims: { sets, rows } }) {
         el("td", {}, section), el("th", { scope: "row" }, what), el("td", {}, thesis), ...ours.map((cell) => el("td", {}, cell))))))))];
 }
 
-// Fills an element with the results, under a line that says of what they are. Gives what ends the charts' following of
-// its width.
+// Fills an element with the results under a caption. Returns functions that stop the charts from following its width.
 export async function showResults(into, outputs, caption) {
   const places = outputs.figures.map(({ id }) => el("div", { class: "plot", "data-figure": id }));
   into.replaceChildren(el("p", { class: "second" }, caption), ...refused(outputs),

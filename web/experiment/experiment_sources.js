@@ -1,5 +1,5 @@
-// What the methods can be compared on: the polygon on the screen, the sets of the project, files of one's own. Each gives
-// tasks for the workers (crew.js).
+// The polygons on which the methods can be compared: the open one, the sets of the project, and files. Each source returns
+// tasks for the workers (worker_pool.js).
 import { fetchJson } from "../kit/fetched.js";
 import { svgToText } from "../kit/svg_import.js";
 
@@ -21,7 +21,7 @@ const cannotBeFetched = (what) => (error) => {
   throw new Error(`${what} cannot be fetched: ${error.message}`);
 };
 
-// The polygon on the screen, method by method, so that the progress can be seen.
+// The open polygon, as one task for each method, so that the progress can be seen.
 export function thisPolygon({ text }) {
   return methods.map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
 }
@@ -40,7 +40,7 @@ export async function thesisLike() {
   return all.map(({ name, title, text }) => ({ set: "thesis-like", name, title, read: async () => text }));
 }
 
-// Two files of one name would be one polygon.
+// Two files with the same name would count as one polygon.
 export function ownFiles(files) {
   if (files.length === 0) throw new Error("Choose files first, or drop them here");
   const names = files.map(nameOf);

@@ -1,4 +1,4 @@
-// A worker that measures polygons for the window of experiments (web/experiment.js), so that the page stays smooth.
+// A worker that measures polygons for the window of experiments (experiment.js), so that the page stays smooth.
 import createModule from "./experiment_core.js";
 import { Program } from "../page/program.js";
 

@@ -1,13 +1,13 @@
-// The numbers of a figure of an experiment as a table: a row for each number of robots, a column for each method.
+// A table of the numbers in a figure of an experiment, with a row for each number of robots and a column for each method.
+import { inDigits } from "../charts/numbers.js";
 import { el } from "../kit/elements.js";
 
-const shown = ({ unit }, value) => (unit === "%" ? (100 * value).toFixed(1) : value.toFixed(2));
 
 export function figureTable(figure) {
   const byRobots = new Map();
   figure.series.forEach(({ points }, column) => points.forEach(([robots, value]) => {
     if (!byRobots.has(robots)) byRobots.set(robots, figure.series.map(() => ""));
-    byRobots.get(robots)[column] = shown(figure, value);
+    byRobots.get(robots)[column] = inDigits(figure, value);
   }));
   const rows = [...byRobots].sort(([a], [b]) => a - b);
   return el("table", { class: "numbers" },

@@ -1,10 +1,10 @@
-// The page's own windows, of HTML: text is typed there, lists are read out. This is their frame; each window is a module
-// of its own.
+// The frame of the page's own windows. They are HTML, so that text can be typed and lists are read out. Each window is a
+// module of its own.
 import { button, el } from "./elements.js";
 
 const styles = new Map();
 
-// Resolves once a style sheet is there: the windows' own, or what one of them needs besides.
+// Resolves once a style sheet is loaded: that of all windows, or one that a single window needs.
 export function ensureStyles(name = "dialogs.css") {
   if (!styles.has(name)) {
     styles.set(name, new Promise((done) => {
@@ -14,9 +14,9 @@ export function ensureStyles(name = "dialogs.css") {
   return styles.get(name);
 }
 
-// Opens a window: modal, or beside the canvas. Closed, it is gone, and the focus is back on the canvas (or in the window
-// below). `tools` stand in its head, `focus` is what gets the focus. Gives the element, or nothing where it, or a modal
-// window that it is not meant to be `over`, is open already.
+// Opens a window: modal, or beside the canvas. When it is closed, its element is removed, and the focus goes back to the
+// canvas or to the window below. `tools` go into its header, and `focus` gets the focus. Returns the element; or nothing if
+// the window is open already, or a modal window that it may not be `over`.
 export async function openWindow({ name, title, modal = true, over = false, tools = [], body, focus, closed }) {
   await ensureStyles();
   if (document.getElementById(name)?.open || (!over && document.querySelector("dialog:modal"))) return undefined;
@@ -38,7 +38,7 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   return root;
 }
 
-// A press and release beside the window, on what it covers, closes it; a text selected too far does not.
+// A press and release beside the window closes it. Selecting text beyond its edge does not.
 function closeOutside(root) {
   let pressed = false;
   const outside = (event) => {
@@ -51,7 +51,7 @@ function closeOutside(root) {
   root.addEventListener("click", (event) => pressed && outside(event) && root.close());
 }
 
-// A line that says what went wrong, read out at once; empty and unseen at first.
+// A line that says what went wrong and is read out at once. It is empty and invisible at first.
 export function problemLine(attributes = {}) {
   const line = el("p", { class: "problem", role: "alert", ...attributes });
   return Object.assign(line, {

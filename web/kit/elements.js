@@ -1,7 +1,9 @@
 // Elements and downloads for the page's own windows.
+import { ofWindows, shared } from "./icons.js";
+
 const svgSpace = "http://www.w3.org/2000/svg";
 
-// Makes an element: `on…` are handlers, other attributes as in HTML; false and undefined leave one out.
+// Makes an element. Attributes `on…` are event handlers, others are as in HTML; false and undefined leave one out.
 export function el(name, attributes = {}, ...children) {
   return fill(document.createElement(name), attributes, children);
 }
@@ -20,22 +22,13 @@ function fill(element, attributes, children) {
   return element;
 }
 
-// The strokes of a picture of 16 by 16.
-const icons = {
-  close: "M4 4l8 8M12 4l-8 8",
-  plus: "M8 3v10M3 8h10",
-  copy: "M6 6h7v7H6zM10 6V3H3v7h3",
-  done: "M3 8.5l3.5 3.5L13 5",
-  qr: "M3 3h4v4H3zM9 3h4v4H9zM3 9h4v4H3zM9 9h1M13 9v1M10 11v2M13 13h-1",
-  file: "M4 2.5h5l3 3v8H4zM9 2.5v3h3",
-  save: "M8 2.5v7M5 7l3 3 3-3M3 13.5h10",
-};
+const icons = { ...shared, ...ofWindows };
 
 export function icon(name) {
-  return svgEl("svg", { viewBox: "0 0 16 16", class: "icon", "aria-hidden": "true" }, svgEl("path", { d: icons[name] }));
+  return svgEl("svg", { viewBox: "0 0 20 20", class: "icon", "aria-hidden": "true" }, svgEl("path", { d: icons[name] }));
 }
 
-// A button with a name; attributes as of el().
+// A button with a name, perhaps with an icon. Attributes are as for el().
 export function button(name, attributes = {}, picture) {
   return el("button", { type: "button", class: "button", ...attributes }, ...(picture ? [icon(picture)] : []), name);
 }
@@ -46,7 +39,7 @@ export function download(blob, name) {
   setTimeout(() => URL.revokeObjectURL(url), 60000);  // the browser may ask before it saves
 }
 
-// A picture of SVG, `scale` times as large, as a PNG.
+// An SVG picture as a PNG, `scale` times as large.
 export async function rasterise(svg, scale) {
   const url = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
   try {

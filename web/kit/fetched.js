@@ -1,6 +1,6 @@
 import { underWay } from "../page/under_way.js";
 
-// The page's own data files, each fetched once, when first asked for; a failure may be tried again.
+// The page's own data files. Each is fetched once, when it is first needed; after a failure it can be fetched again.
 const fetched = new Map();
 
 export function fetchJson(name) {
@@ -12,7 +12,7 @@ export function fetchJson(name) {
   return fetched.get(name);
 }
 
-// Rejects with an Error that says why in words.
+// Rejects with an Error whose message says why.
 export async function ask(url, options) {
   let answer;
   try {

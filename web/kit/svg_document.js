@@ -8,7 +8,7 @@ export class Refusal extends Error {}
 const known = /http:\/\/www\.w3\.org\/(?=2000\/svg|1999\/xhtml|1998\/Math)/g;
 const withoutMeaning = (text) => text.replace(known, "urn:inert:");
 
-// What may stand before the root element. The parser below reads elements only.
+// What may come before the root element; the parser below reads only elements.
 const beforeRoot = /\s+|<\?[^]*?\?>|<!--[^]*?-->|<!DOCTYPE[^<>[]*>/y;
 
 function withoutProlog(text) {

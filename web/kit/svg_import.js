@@ -1,10 +1,10 @@
-// An SVG picture of one polygon as text in the thesis's format. What cannot be understood is refused with a sentence.
-// Numbers are read here and not by the browser, whose lists of points and transforms have 32-bit numbers.
+// Converts an SVG picture of one polygon to text in the thesis's format. What it does not understand it refuses with a
+// sentence. It reads numbers itself, as the browser's lists of points and transforms hold 32-bit numbers.
 import { Refusal, parseSvg } from "./svg_document.js";
 
 const numberAt = /[\s,]*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)/iy;
 
-// The numbers of a list, as SVG separates them. The list begins after `before` characters of what is named.
+// The numbers of a list, with SVG's separators. The list begins after `before` characters of what the message names.
 function numbers(text, what, before = 0) {
   const found = [];
   numberAt.lastIndex = 0;
@@ -63,7 +63,7 @@ const functions = new Map([
   ["skewY", { counts: [1], apply: (matrix, degrees) => matrix.skewYSelf(degrees) }],
 ]);
 
-// Multiplies the matrix with what an element's `transform` does to all that is inside the element.
+// Multiplies the matrix with that of an element's `transform`.
 function applyTransform(matrix, element) {
   if (/transform|translate|scale|rotate/.test(element.getAttribute("style"))) throw new Refusal("The SVG moves its shape by a style, which is not understood; a transform attribute would be");
   const text = (element.getAttribute("transform") ?? "").trimEnd();
@@ -78,7 +78,7 @@ function applyTransform(matrix, element) {
   }
 }
 
-// What is inside one of these is not drawn where it stands.
+// The content of these elements is not drawn in its own place.
 const unseen = new Set(["defs", "clipPath", "mask", "pattern", "marker", "symbol"]);
 
 function onlyShape(root) {
@@ -109,11 +109,11 @@ function polygonOf(root) {
   for (let element = shape; element !== root; element = element.parentElement) outside.unshift(element);
   for (const element of outside) applyTransform(matrix, element);
   const { a, b, c, d, e, f } = matrix;
-  // y is down in a picture and up here.
+  // In SVG y points down, here up.
   return points.map(([x, y]) => [a * x + c * y + e, 0 - (b * x + d * y + f)]);
 }
 
-// Gives { text } or, for a person, the { problem }.
+// Returns { text }, or { problem }: a sentence that says what is wrong.
 export function svgToText(svg) {
   try {
     return { text: polygonOf(parseSvg(svg)).map(([x, y]) => `(${x},${y})\n`).join("") };

@@ -1,4 +1,4 @@
-// What the page's address says besides the link: `?lesson=NAME`, `challenge=1` and `embed=1`.
+// The query of the page's address: `?lesson=NAME`, `challenge=1` and `embed=1`.
 export function readAddress() {
   const asked = new URLSearchParams(location.search);
   return {
@@ -8,7 +8,7 @@ export function readAddress() {
   };
 }
 
-// Puts lesson and challenge into an address, or takes them out; whatever else it asks for stays as it is.
+// Puts the lesson and the challenge into an address, or removes them. The rest of its query stays.
 export function withLesson(url, { lesson = "", challenge = false }) {
   const rest = url.search.slice(1).split("&").filter((part) => part && !/^(lesson|challenge)(=|$)/.test(part));
   if (lesson) rest.push(`lesson=${lesson}`);  // its characters need no escape (lesson_source.js)

@@ -3,8 +3,8 @@ import { idle } from "./work.js";
 
 // window.evenlift, the page's scripting interface (docs/page.md).
 
-// What set() is given, in the words of the program, which judges it (settings_text.h). What is no number and no word is
-// written as JSON, which no setting is.
+// Writes the changes for set() as text for the program, which checks them (settings_text.h). A value that is neither a
+// number nor a word is written as JSON, which no setting accepts.
 const lists = ["com", "overlays"];
 
 function word(value) {
@@ -15,7 +15,7 @@ function word(value) {
 function written(name, value) {
   if (value === null) return name === "com" ? "centroid" : "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
-  // A whole number that JavaScript has rounded is not the one that was meant.
+  // A whole number this large may have been rounded by JavaScript.
   if (name === "seed" && typeof value === "number" && !Number.isSafeInteger(value)) return "rounded";
   return word(value);
 }
@@ -36,7 +36,7 @@ function throwIf(problem) {
   if (problem) throw new Error(problem);
 }
 
-// A lesson that brings its polygon along: a sample would have to be fetched.
+// Opens a lesson that contains its polygon; a sample would have to be fetched.
 function loadLesson(program, text) {
   throwIf(unreadable(text));
   const sample = program.text("page_lesson_polygon", text);
@@ -44,12 +44,12 @@ function loadLesson(program, text) {
   throwIf(program.text("page_open_lesson", text, "", 0));
 }
 
-// A point both as [x, y], as everywhere in state(), and with x and y.
+// A point as an array [x, y], as everywhere in state(), that also has x and y.
 function point(x, y) {
   return Object.assign([x, y], { x, y });
 }
 
-// Where a control stands; null if there is none of that name now.
+// The place of a control; null if no control of that name is shown.
 function place(text) {
   if (!text) return null;
   const [x, y, width, height] = text.trim().split(" ").map(Number);
@@ -64,7 +64,7 @@ export function createApi() {
     resolve = yes;
     reject = no;
   });
-  ready.catch(() => {});  // who does not look at it needs no second message
+  ready.catch(() => {});  // without a handler the browser would report the error twice
   const running = () => program ?? fail("evenlift", "is not ready yet: await evenlift.ready");
 
   const evenlift = {

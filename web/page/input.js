@@ -18,18 +18,18 @@ export function connectInput(program, { embed }) {
   addEventListener("wheel", (event) => {
     if (event.target !== canvas) return;
     if (event.ctrlKey) {
-      // How browsers report a trackpad's pinch; it must not zoom the page.
+      // Browsers report a trackpad's pinch like this; it must not zoom the page.
       event.preventDefault();
       event.stopImmediatePropagation();
       program.call("page_pinch", event.clientX, event.clientY, Math.exp(-event.deltaY * 0.01));
     } else if (embed && document.activeElement !== canvas) {
-      // In somebody's article the wheel scrolls the article until the reader takes hold of the figure.
+      // In an <iframe> the wheel scrolls the article around it until the reader presses on the figure.
       event.stopImmediatePropagation();
     }
   }, { capture: true, passive: false });
 }
 
-// When a press was made and the how manyth it is; SDL knows only when it heard of it.
+// Tells when a press was made and how many came in a row; SDL knows only when it received the event.
 function connectPresses(program) {
   for (const type of ["mousedown", "touchstart"]) {
     addEventListener(type, (event) => program.press(event.timeStamp, event.detail), { capture: true, passive: true });
@@ -40,7 +40,7 @@ function connectKeys(program, canvas) {
   const ours = (event) => (event.target === canvas || event.target === document.body) && !document.querySelector("dialog:modal");
   addEventListener("keydown", (event) => {
     if (!ours(event)) return;
-    // SDL would keep every key from the browser: it sees none of them.
+    // SDL would keep every key from the browser, so it does not get them.
     event.stopImmediatePropagation();
     if (event.altKey || event.isComposing) return;
     const command = event.ctrlKey || event.metaKey;

@@ -1,5 +1,5 @@
-// Which texts are lessons (docs/lessons.md): their first line that is no comment is a setting. `com:` is not asked for:
-// polygons have one, too.
+// Recognizes lessons (docs/lessons.md): their first line that is not a comment is a setting. `com:` does not count, as
+// polygons have it, too.
 const setting = /^(title|polygon|link|teams|metric|min-ratio|weight|seed|predict)[ \t]*:/;
 const mostBytes = 65536;  // core/include/evenlift/lesson.h
 
@@ -8,7 +8,7 @@ export function isLesson(text) {
   return setting.test(lines.find((line) => line && !line.startsWith("#")) ?? "");
 }
 
-// What the program, to which texts go as UTF-8 up to a NUL, would not see.
+// Texts go to the program as UTF-8 up to a NUL, so it would not see what comes after one.
 export function unreadable(text) {
   if (text.length > mostBytes) return "A lesson has at most 65,536 bytes";
   const at = text.search(/[\0\uFFFD]/);

@@ -1,7 +1,7 @@
-// Starts the page: looks whether it can run, loads the program, connects it to the browser.
+// Starts the page: checks whether it can run, loads the program, and connects it to the browser.
 import { readAddress } from "./address.js";
 import { createApi } from "./api.js";
-import { createHost } from "./host.js";
+import { createBindings } from "./bindings.js";
 import { connectInput } from "./input.js";
 import { Program } from "./program.js";
 import { Publisher } from "./publisher.js";
@@ -39,13 +39,13 @@ function showProblem(reason, [heading, advice] = cannotRun) {
   cover.classList.remove("done", "see-through");
 }
 
-function followAddress(program, host) {
+function followAddress(program, bindings) {
   addEventListener("hashchange", () => {
     const link = location.hash.slice(1);
     if (!link) return;
     const problem = program.text("page_open_link", link);
     if (problem) program.call("page_notice", `This link cannot be opened: ${lowered(problem)}. Nothing was changed.`, 1);
-    else host.beginLesson(true);
+    else bindings.beginLesson(true);
   });
 }
 
@@ -53,15 +53,15 @@ function lowered(sentence) {
   return sentence.charAt(0).toLowerCase() + sentence.slice(1);
 }
 
-// The module, called for the first time.
-async function load(host) {
+// Loads the module.
+async function load(bindings) {
   const { default: createModule } = await import("./evenlift.js");
-  const program = new Program(await createModule({ canvas: document.getElementById("canvas"), host }));
-  host.attach(program);
+  const program = new Program(await createModule({ canvas: document.getElementById("canvas"), bindings }));
+  bindings.attach(program);
   return program;
 }
 
-let started;  // what beginStart() gave
+let started;  // the result of beginStart()
 
 async function start() {
   const reason = missing();
@@ -71,13 +71,13 @@ async function start() {
   const firstPicture = new Promise((done) => {
     pictureIsThere = done;
   });
-  const host = createHost(publisher, () => {
+  const bindings = createBindings(publisher, () => {
     pictureIsThere();
     publisher.drawn();
     opening = "";
   });
   let opening = "";
-  const program = await load(host);
+  const program = await load(bindings);
   const fragment = location.hash.slice(1);
   const kept = publisher.kept(fragment);
   const asked = { ...kept, fragment: kept.own ? "" : fragment };
@@ -93,11 +93,11 @@ async function start() {
   publisher.restorePreferences();
   if (kept.own || started.problem) publisher.changed();  // the address names what is open
   if (!started.fragment) publisher.resumeDrawing(started.drawing);
-  host.connect(program, connectScreen(program), { embed });
+  bindings.connect(program, connectScreen(program), { embed });
   connectInput(program, { embed });
-  followAddress(program, host);
-  // Whether what is open is what the address says: then a lesson that it names goes on where the link stands.
-  await host.beginLesson(fragment !== "" && !problem && !started.problem);
+  followAddress(program, bindings);
+  // If the document of the address is open, the lesson that it names goes on at the link's step.
+  await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
   const say = started.problem || (problem && `This link cannot be opened: ${lowered(problem)}.`) || (embed ? "" : whyStartedAnew());
   if (say) program.call("page_notice", say, 1);
   await Promise.race([firstPicture, stopped]);
@@ -108,12 +108,13 @@ async function start() {
     workGoesOn();
   };
   program.onStop = (error) => startAnew(error, { opening, work: publisher.stop() });
-  // What the program is told by SDL's own handlers.
+  // Exceptions in SDL's own event handlers, which call the program.
   addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && program.stop(error));
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
 }
 
-// The program has stopped while it ran. Its memory cannot be trusted any more: all begins anew, with what was drawn last.
+// The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded again with the document that
+// was drawn last.
 function startAnew(error, { opening, work }) {
   console.error(error);
   if (!embed && prepareRestart({ opening, work })) location.reload();

@@ -1,12 +1,12 @@
 // Calls into the program: text in and out, numbers in and out.
 
-// Those that open a text.
+// The functions that open a text.
 const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_lesson"];
 
 export class Program {
   #module;
   #stopped = false;
-  // Told when the program stops; and before a text is opened.
+  // These are called when the program stops, and before a text is opened.
   onStop = () => {};
   onOpening = () => {};
 
@@ -14,13 +14,13 @@ export class Program {
     this.#module = module;
   }
 
-  // Calls a function whose arguments are texts and numbers; gives what it returns. Before that the program deals with the
-  // clicks and keys that came before this moment: all take effect in the order in which they were made.
+  // Calls a function with texts and numbers, and returns its result. Before that the program handles all earlier clicks and
+  // keys, so that everything takes effect in the order in which it was done.
   call(name, ...args) {
     if (this.#stopped) throw new Error("The page stopped, and starts anew");
     if (opening.includes(name)) this.onOpening(args[0]);
     return this.#guarded((module) => {
-      if (name !== "page_frame") module._page_catch_up?.();  // a frame deals with them itself
+      if (name !== "page_frame") module._page_catch_up?.();  // a frame handles them itself
       const texts = [];
       const passed = args.map((arg) => {
         if (typeof arg !== "string") return arg;
@@ -45,12 +45,12 @@ export class Program {
     return this.#module.UTF8ToString(this.call(name, ...args));
   }
 
-  // What the browser tells of a press, before the event itself reaches the program.
+  // Tells the program about a press before the event itself reaches it.
   press(time, clicks) {
     if (!this.#stopped) this.#guarded((module) => module._page_press(time, clicks));
   }
 
-  // Nothing that went through the program and was not caught there leaves it as it was.
+  // After an exception that the program did not catch, its memory cannot be trusted.
   #guarded(act) {
     try {
       return act(this.#module);

@@ -2,8 +2,8 @@ import { readAddress, withLesson } from "./address.js";
 import { lasting, ofThisTab, read, write } from "./storage.js";
 import { begin, end, isAwaited, whenAwaited } from "./work.js";
 
-// Brings what the browser keeps up to date with the document: address bar and storage a few times a second at most
-// (browsers refuse more), the summary for screen readers when there is a pause.
+// Keeps the browser up to date with the document: the address bar and the storage at most a few times a second (browsers
+// refuse more), and the summary for screen readers when there is a pause.
 const betweenWrites = 400;
 const beforeSpeaking = 600;
 const workKey = "evenlift.work";
@@ -12,7 +12,7 @@ const drawingKey = "evenlift.drawing";
 const preferencesKey = "evenlift.preferences";
 const addressKey = "evenlift.address";
 
-const mostKept = 400000;  // vertices: no browser keeps a text of more
+const mostKept = 400000;  // vertices; no browser keeps a longer text
 
 export class Publisher {
   #program = null;
@@ -22,8 +22,8 @@ export class Publisher {
   #speakTimer = 0;
   #lesson = "";
   #held = false;
-  #drawn = true;  // what is to be written
-  #late = false;  // it was to be written, and waits for its picture
+  #drawn = true;  // whether what is to be written was drawn
+  #late = false;  // it is due, and waits for its picture
 
   constructor({ embed }) {
     this.#embed = embed;
@@ -35,14 +35,14 @@ export class Publisher {
     });
   }
 
-  // From here on changes are published; what was opened at the start is not yet one.
+  // From now on changes are published. What was opened at the start is not a change.
   connect(program) {
     this.#program = program;
     this.#speak();
   }
 
-  // What was open here last, and whether this fragment is only what this tab itself wrote into the address bar: then
-  // the work is at least as new.
+  // What was open here last, and whether this tab itself wrote this fragment into the address bar; then the work is at
+  // least as new.
   kept(fragment) {
     if (this.#embed) return { work: "", draft: "", drawing: "", own: false };
     const work = read(lasting, workKey);
@@ -50,12 +50,12 @@ export class Publisher {
     return { work, draft: read(lasting, draftKey), drawing: read(lasting, drawingKey), own };
   }
 
-  // What is kept must not be opened again.
+  // Removes what is kept, so that it is not opened again.
   forget() {
     for (const key of [workKey, draftKey, drawingKey]) write(lasting, key, "");
   }
 
-  // The program stopped: nothing that it says now is to be kept. Gives what is.
+  // The program stopped: nothing from it is kept from now on. Returns what is kept.
   stop() {
     this.#program = null;
     clearTimeout(this.#writeTimer);
@@ -64,7 +64,7 @@ export class Publisher {
     return this.#embed ? "" : read(lasting, workKey);
   }
 
-  // A picture is there.
+  // Called after each picture.
   drawn() {
     this.#drawn = true;
     if (this.#late) this.#write();
@@ -96,12 +96,12 @@ export class Publisher {
     }, isAwaited() ? 0 : beforeSpeaking);
   }
 
-  // What this browser keeps besides the document: `name=value` lines of the program's own.
+  // Keeps the preferences: the program's own `name=value` lines.
   keepPreferences() {
     if (this.#program && !this.#embed) write(lasting, preferencesKey, this.#program.text("page_kept"));
   }
 
-  // A polygon that was being drawn goes on where it was left.
+  // Goes on with a polygon that was being drawn.
   resumeDrawing(drawing) {
     if (drawing) this.#program.call("page_resume_drawing", drawing);
   }
@@ -111,30 +111,30 @@ export class Publisher {
     this.#program.call("page_keep", read(lasting, preferencesKey));
   }
 
-  // What the address calls the ready-made lesson that was just opened; "" if it has no name there.
+  // Sets the name that the ready-made lesson has in an address; "" if it has none.
   nameLesson(name) {
     this.#lesson = name;
     this.changed();
   }
 
-  // While what the address asks for is being fetched, it goes on asking for it.
+  // While the lesson of the address is being fetched, the address keeps its name.
   holdLesson(held) {
     this.#held = held;
   }
 
-  // The name, as long as an address with it would open what is on the screen: not once its polygon was edited.
+  // The lesson's name, while an address with it would open what is on the screen; no longer once its polygon was edited.
   lesson() {
     const open = this.#program.number("page_script");
     if (!open) this.#lesson = "";
     return open === 2 ? this.#lesson : "";
   }
 
-  // Writes what is waiting to be written; with `drawn` only if its picture is there.
+  // Writes what waits to be written; with `drawn`, only if it was drawn.
   flush({ drawn = false } = {}) {
     if (this.#writeTimer && (this.#drawn || !drawn)) this.#write(true);
   }
 
-  // The last moment. The address bar takes nothing new any more; a reload would ask for the old address.
+  // The page is being closed. The address bar cannot be changed any more; a reload would use the old address.
   #leave() {
     if (this.#program && this.#writeTimer) this.#keep(this.#program.text("page_link"));
   }
@@ -143,7 +143,7 @@ export class Publisher {
     this.#program?.call("page_notice", text, problem ? 1 : 0);
   }
 
-  // What has no picture yet may never get one: it is not kept before. A hidden page draws none.
+  // A document is kept only after it was drawn, as it may stop the program; a hidden page draws nothing.
   #write(atOnce = false) {
     this.#late = !this.#drawn && !document.hidden && !atOnce;
     if (this.#late) return;
@@ -151,8 +151,8 @@ export class Publisher {
     this.#writeTimer = 0;
     this.#lastWrite = performance.now();
     const link = this.#program.text("page_link");
-    // A polygon too large for a link leaves an address without one: an old link would be a lie.
-    const challenge = readAddress().challenge && this.#program.number("page_lesson_is_open") === 1;
+    // If the polygon is too large for a link, the address has none: an old link would be wrong.
+    const challenge = readAddress().challenge && this.#program.number("page_walkthrough_is_open") === 1;
     const url = new URL(location.href);
     if (!this.#held) withLesson(url, { lesson: this.lesson(), challenge });
     url.hash = link;

@@ -1,15 +1,15 @@
-// The page never stays stuck. What a start opens is marked until its first picture is there; a mark that is still there at
-// the next start says that the page did not get so far, and then that document is not opened again but set aside. When
-// the program stops later, the page starts anew with the last document that was drawn.
+// The page never stays stuck. A start marks what it opens until its first picture is drawn. If the next start finds the
+// mark, the page did not get that far; then it does not open that document again, but sets it aside. When the program
+// stops later, the page starts again with the last document that was drawn.
 import { lasting, ofThisTab, read, write } from "./storage.js";
 
 const markKey = "evenlift.opening";
 const asideKey = "evenlift.aside";
 const stoppedKey = "evenlift.stopped";
 const mostAside = 5;
-const mostRestarts = 3;  // without anybody doing anything in between
+const mostRestarts = 3;  // in a row, without any input in between
 
-// Always of the same length, so that a mark fits even where storage is full.
+// All marks have the same length, so that a mark can be replaced even when the storage is full.
 const noMark = "-".repeat(20);
 function markOf(text) {
   let hash = 0x811c9dc5;
@@ -17,7 +17,7 @@ function markOf(text) {
   return `${text.length.toString(16).padStart(12, "0")}${(hash >>> 0).toString(16).padStart(8, "0")}`;
 }
 
-// --- What could not be opened: kept as texts, the newest first -------------------------------------------------------
+// --- Texts that could not be opened, the newest first -------------------------------------------------------
 
 export function textsAside() {
   try {
@@ -28,7 +28,7 @@ export function textsAside() {
   }
 }
 
-// Whether it could be kept; older ones make room for it.
+// Keeps a text, and removes older ones if it needs their room. Returns whether that worked.
 function setAside(text) {
   const texts = [text, ...textsAside().filter((other) => other !== text)].slice(0, mostAside);
   while (texts.length && !write(lasting, asideKey, JSON.stringify(texts))) texts.pop();
@@ -43,8 +43,8 @@ export function forgetAside() {
 
 const keptAside = "It is kept: Save has it as a file.";
 
-// Another tab that is starting just now has set the mark. Locks tell; where there are none, two tabs that are opened in
-// the same moment are taken for one that failed.
+// Whether another tab that is starting just now has set the mark. Locks say so. In a browser without locks, two tabs that
+// are opened at the same moment look like one that failed.
 async function holdStart() {
   if (!navigator.locks) return { alone: true, release() {} };
   return new Promise((ready) => {
@@ -54,8 +54,8 @@ async function holdStart() {
   });
 }
 
-// Looks at what is to be opened, and leaves out what the last start did not survive. `kept` has the fragment's link and
-// the kept texts; gives what of it to open, and a sentence about the rest.
+// Leaves out what the last start did not survive. `kept` has the fragment's link and the kept texts. Returns those that
+// are to be opened, and a sentence about the others.
 export async function beginStart(kept) {
   const start = await holdStart();
   const failed = start.alone ? read(lasting, markKey) : noMark;
@@ -74,12 +74,12 @@ export async function beginStart(kept) {
     start.release();
     removeEventListener("pagehide", unmark);
   };
-  // A tab that is closed before it ever showed a picture has not failed: a stuck one would not hear of it.
+  // A tab that is closed before its first picture has not failed: a stuck one would not receive this event.
   addEventListener("pagehide", unmark);
   return {
     ...opens,
     succeeded: unmark,
-    // Whether to start again, now without what was opened.
+    // Returns whether to start again, without what was opened.
     failed() {
       removeEventListener("pagehide", unmark);
       start.release();
@@ -90,7 +90,7 @@ export async function beginStart(kept) {
 
 // --- The program stops -----------------------------------------------------------------------------------------------
 
-// What a page that starts anew has to say; nothing if it does not.
+// What the page says after it started again; nothing if it did not.
 export function whyStartedAnew() {
   try {
     return JSON.parse(read(ofThisTab, stoppedKey) || "{}").sentence ?? "";
@@ -99,22 +99,22 @@ export function whyStartedAnew() {
   }
 }
 
-// Once somebody has done something, or another document is asked for, stopping again is another matter.
+// After some input, or when another document is opened, the restarts are counted from the beginning.
 export function workGoesOn() {
   if (read(ofThisTab, stoppedKey)) write(ofThisTab, stoppedKey, "");
 }
 
-// Called when the program stopped. `opening` is the text that was being opened, if one was; `work` what is kept. Whether
-// to load the page again.
+// Call this when the program stopped. `opening` is the text that was being opened, if any; `work` is what is kept. Returns
+// whether to load the page again.
 export function prepareRestart({ opening, work }) {
   let restarts = 0;
   try {
     restarts = Number(JSON.parse(read(ofThisTab, stoppedKey) || "{}").restarts) || 0;
   } catch {
-    // Somebody else's.
+    // The state belongs to another page.
   }
   if (restarts >= mostRestarts) return false;
-  // What stops the page again with nobody doing anything is what is kept.
+  // If the page stops again without any input, the reason is what is kept.
   if (restarts > 0 && work) write(lasting, markKey, markOf(work));
   const aside = opening ? setAside(opening) ? ` ${keptAside}` : " It is too large to be kept here." : "";
   const sentence = opening ? `The page stopped when this was opened, and has started anew with the last polygon that was shown.${aside}`

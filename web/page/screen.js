@@ -10,8 +10,8 @@ export function connectScreen(program) {
 }
 
 function followSize(program, canvas) {
-  // The exact number of device pixels, which rounding only guesses at fractional ratios. Emulated screens report CSS
-  // pixels here: what is more than rounding away is not believed.
+  // The exact number of device pixels; at fractional ratios rounding is only a guess. Emulated screens report CSS pixels
+  // here, so a number that differs by more than rounding is ignored.
   const measure = (exact) => {
     const { width, height } = canvas.getBoundingClientRect();
     if (!(width > 0 && height > 0)) return;
@@ -33,7 +33,7 @@ function followSize(program, canvas) {
   return measure;
 }
 
-// A media query for the present ratio changes when the window goes to another screen.
+// A media query for the present ratio changes when the window is moved to another screen.
 function followRatio(changed) {
   matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
     changed();
@@ -56,7 +56,7 @@ function followContext(program, canvas) {
     event.preventDefault();  // else it never comes back
     begin();
     program.call("page_context", 1);
-    progress.textContent = "The graphics system took a break. The drawing comes back as soon as it can; nothing is lost.";
+    progress.textContent = "The connection to the graphics processor was lost. The drawing comes back by itself; nothing is lost.";
     cover.classList.add("see-through");
     cover.classList.remove("done");
   });

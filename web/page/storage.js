@@ -1,4 +1,4 @@
-// What the browser keeps. Storage may be full, or forbidden altogether; the page works without.
+// Access to the browser's storage. It may be full or forbidden; the page works without it.
 
 // Where storage is forbidden, naming it throws.
 export const lasting = () => localStorage;
@@ -12,7 +12,7 @@ export function read(storage, key) {
   }
 }
 
-// Whether it is kept now. An empty text keeps nothing.
+// Keeps a text, or removes it if it is empty. Returns whether that worked.
 export function write(storage, key, text) {
   try {
     if (text) storage().setItem(key, text);

@@ -1,5 +1,5 @@
-// What is under way, so that evenlift.idle() can wait for it: frames that are due, answers that are awaited, what waits to
-// be written. Whoever begins something tells its end.
+// Counts what is under way, so that evenlift.idle() can wait for it: frames that are due, answers that are awaited, and
+// texts that are to be written. Whoever calls begin() also calls end().
 let open = 0;
 let waiting = [];
 

@@ -4,36 +4,14 @@ import { button, el, svgEl } from "../kit/elements.js";
 import { show as showExperiment } from "../experiment/experiment.js";
 import { fetchJson } from "../kit/fetched.js";
 
-// The points of a text in the thesis's format, and its centre of mass; else the centroid.
-function read(text) {
-  const points = [];
-  let centre;
-  for (const [, com, x, y] of text.matchAll(/(CoM:)?\(([^,]+),([^)]+)\)/g)) {
-    if (com) centre = [Number(x), Number(y)];
-    else points.push([Number(x), Number(y)]);
-  }
-  return { points, centre: centre ?? centroid(points) };
-}
-
-function centroid(points) {
-  let area = 0, sx = 0, sy = 0;
-  points.forEach(([x1, y1], i) => {
-    const [x2, y2] = points[(i + 1) % points.length];
-    const cross = x1 * y2 - x2 * y1;
-    area += cross;
-    sx += (x1 + x2) * cross;
-    sy += (y1 + y2) * cross;
-  });
-  return [sx / (3 * area), sy / (3 * area)];
-}
-
 const width = 96;
 const height = 64;
 const round = (value) => Math.round(value * 10) / 10;
 
-function thumbnail(text) {
-  const { points, centre } = read(text);
-  const all = [...points, centre];
+// The polygon of a text with its centre of mass, as the program reads them.
+function thumbnail(program, text) {
+  const all = program.text("page_outline", text).trimEnd().split("\n").map((line) => line.split(" ").map(Number));
+  const [centre, ...points] = all;
   const low = [0, 1].map((axis) => Math.min(...all.map((p) => p[axis])));
   const high = [0, 1].map((axis) => Math.max(...all.map((p) => p[axis])));
   const scale = Math.min((width - 8) / (high[0] - low[0]), (height - 8) / (high[1] - low[1]));
@@ -47,7 +25,7 @@ export async function show(page) {
   const filter = el("input", { type: "search", class: "field", placeholder: "Filter", "aria-label": "Filter the samples", autocomplete: "off", spellcheck: "false" });
   const list = el("div", { class: "scroll groups" });
   const count = el("p", { class: "for-readers", role: "status" });
-  // A keyboard that comes up by itself would hide half of a phone's gallery.
+  // On a phone, a keyboard that opens by itself would hide half of the gallery.
   const typing = matchMedia("(pointer: fine)").matches;
   const footer = el("footer", {}, button("Compare methods over many polygons …", { onclick: () => {
     root.close();
@@ -67,7 +45,7 @@ export async function show(page) {
       line.say(`The samples cannot be fetched: ${error.message}`);
       return;
     }
-    fill(list, samples, (text) => {
+    fill(page.program, list, samples, (text) => {
       const problem = page.program.text("page_open_sample", text);
       root.close();
       if (problem) page.notice(`This sample cannot be opened: ${problem}.`, true);
@@ -78,7 +56,7 @@ export async function show(page) {
   await load();
 }
 
-function fill(list, samples, choose) {
+function fill(program, list, samples, choose) {
   const groups = new Map();
   for (const sample of samples) {
     const group = sample.group || "To begin with";
@@ -87,13 +65,13 @@ function fill(list, samples, choose) {
   }
   list.replaceChildren(...[...groups].map(([group, members]) => el("section", {}, el("h3", {}, group),
     el("ul", {}, ...members.map(({ title, text }) => el("li", { "data-words": `${title} ${group}`.toLowerCase() },
-      el("button", { type: "button", class: "sample", tabindex: "-1", onclick: () => choose(text) }, thumbnail(text), el("span", {}, title))))))),
+      el("button", { type: "button", class: "sample", tabindex: "-1", onclick: () => choose(text) }, thumbnail(program, text), el("span", {}, title))))))),
     el("p", { class: "second nothing", hidden: true }, "No sample has that name."));
 }
 
 function connect(root, filter, list, count) {
   const shown = () => [...list.querySelectorAll("li:not([hidden]) > button")];
-  // Of all samples Tab reaches one; arrows lead to the others.
+  // Tab reaches only one of the samples; the arrow keys lead to the others.
   const reach = (sample) => {
     for (const other of list.querySelectorAll(".sample[tabindex='0']")) other.tabIndex = -1;
     if (sample) sample.tabIndex = 0;
@@ -135,7 +113,7 @@ function connect(root, filter, list, count) {
   narrow();
 }
 
-// The sample of the row above or below that is nearest.
+// The nearest sample in the row above or below.
 function nextRow(all, at, direction) {
   const here = all[at].getBoundingClientRect();
   const others = all.map((sample) => ({ sample, box: sample.getBoundingClientRect() }))

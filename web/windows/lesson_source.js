@@ -1,5 +1,5 @@
-// Where lessons come from: the page's own, texts, and files beside the page that an address names. Functions that open
-// one give why it was refused, or nothing.
+// Opens lessons: the page's own, texts, and files beside the page that an address names. A function that opens a lesson
+// returns why it was refused, or nothing.
 import { lowered } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
 import { unreadable } from "../page/lesson_text.js";
@@ -7,12 +7,12 @@ import { unreadable } from "../page/lesson_text.js";
 const mostBytes = 65536;  // core/include/evenlift/lesson.h
 const patience = 15000;  // ms
 
-// A ready-made one, of lessons.json.
+// Opens a ready-made lesson, of lessons.json.
 export function openReadyMade(page, { name, text, polygon }, join = false) {
   return open(page, name, text, polygon, join);
 }
 
-// A lesson's text; the sample that it names is looked up. `name` is what an address calls it, if one can.
+// Opens the text of a lesson, with the sample that it names. `name` is the lesson's name in an address, if it has one.
 export async function openLessonText(page, text, name = "", join = false) {
   const problem = unreadable(text);
   if (problem) return problem;
@@ -49,7 +49,7 @@ export async function openNamedLesson(page, name, join) {
   return text === undefined ? "A lesson has at most 65,536 bytes" : openLessonText(page, text, name, join);
 }
 
-// The text of an answer; none if it is longer than a lesson may be, and then no more of it is read.
+// Reads the text of an answer; undefined if it is longer than a lesson may be, and then the rest is not read.
 async function read(answer) {
   const reader = answer.body.getReader();
   const decoder = new TextDecoder();
@@ -66,7 +66,7 @@ async function read(answer) {
   }
 }
 
-// The lesson and the challenge that the address asks for, once its link is open.
+// Opens the lesson and the challenge that the address asks for, once its link is open.
 export async function beginFromAddress(page, { lesson, challenge, join }) {
   if (lesson) {
     const problem = await openNamedLesson(page, lesson, join).catch((error) => error.message);
@@ -76,6 +76,6 @@ export async function beginFromAddress(page, { lesson, challenge, join }) {
     }
   }
   if (!challenge) return;
-  if (page.program.number("page_lesson_is_open")) page.program.call("page_predict");
-  else page.program.call("page_begin_lesson", 1);
+  if (page.program.number("page_walkthrough_is_open")) page.program.call("page_predict");
+  else page.program.call("page_begin_walkthrough", 1);
 }

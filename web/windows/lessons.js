@@ -1,4 +1,4 @@
-// The window of lessons: the polygon that is open, step by step; the ready-made ones; one from a file.
+// The window of lessons: a walkthrough of the polygon that is open, the ready-made lessons, and one from a file.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
@@ -50,12 +50,12 @@ function choice(name, about, onclick, attributes = {}) {
 function ofThisPolygon(page, close) {
   const begin = (predict) => () => {
     page.nameLesson("");
-    page.program.call("page_begin_lesson", predict);
+    page.program.call("page_begin_walkthrough", predict);
     close();
   };
   const refused = Boolean(page.program.text("page_refusal"));
   return el("section", {}, el("h3", {}, "This polygon"),
-    refused ? el("p", { class: "second" }, "It is refused as it is now: first mend it.") : "",
+    refused ? el("p", { class: "second" }, "This polygon is refused. Correct it first.") : "",
     el("div", { class: "choices lessons" },
       choice("Step by step", "All that the algorithm does with it", begin(0), { disabled: refused }),
       choice("As a challenge", "Predict each choice before you see it", begin(1), { disabled: refused })));

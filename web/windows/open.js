@@ -1,5 +1,4 @@
-// What comes from outside becomes the document: texts, files, links. Each function that opens gives why it was refused,
-// or nothing.
+// Opens texts, files and links from outside. A function that opens something returns why it was refused, or nothing.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered, number } from "../kit/elements.js";
 import { openLessonText } from "./lesson_source.js";
@@ -31,9 +30,9 @@ async function openFile(page, file) {
   return openText(page, text);
 }
 
-const undo = "Undo brings the former polygon back.";
+const undo = "Undo brings back the previous polygon.";
 
-// What was dropped or pasted anywhere on the page. The window that is open for it says what is wrong, else a notice.
+// Opens what was dropped or pasted anywhere on the page. If that fails, the window says why, or else a notice.
 export async function take(page, { files, text }, verb) {
   if (files.length > 1) return refuse(page, "Please open one file at a time");
   const [file] = files;
@@ -52,7 +51,7 @@ function refuse(page, sentence) {
 
 const formats = "text (x,y), WKT, GeoJSON, SVG, a share link, or a lesson";
 
-// The window. With `edited` it is the present polygon as text, and what is applied keeps the settings.
+// The window. With `edited` it shows the present polygon as text, and applying it keeps the settings.
 export async function show(page, { edited } = {}) {
   const problem = problemLine({ id: "open-problem" });
   const text = el("textarea", { class: "field", rows: "9", spellcheck: "false", autocapitalize: "off", "aria-label": edited ? "The polygon as text" : "Polygon or link",

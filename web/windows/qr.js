@@ -5,7 +5,7 @@ import { button, download, el, rasterise } from "../kit/elements.js";
 
 const quiet = 4;  // modules
 
-// An SVG of rows of 0 and 1: dark modules of a row that touch are one rectangle.
+// An SVG of rows of 0 and 1. Neighbouring dark modules of a row are drawn as one rectangle.
 function picture(rows) {
   const side = rows.length + 2 * quiet;
   const runs = rows.flatMap((row, y) => [...row.matchAll(/1+/g)].map((run) => `M${run.index + quiet} ${y + quiet}h${run[0].length}v1h-${run[0].length}z`));
@@ -13,7 +13,7 @@ function picture(rows) {
     `<path fill="#fff" d="M0 0h${side}v${side}H0z"/><path d="${runs.join("")}"/></svg>\n`;
 }
 
-// Gives why there is none: the address is too long. Nothing if it is shown.
+// Returns why it cannot be shown, if the address is too long; otherwise nothing.
 export async function showQr(page, address) {
   const rows = page.program.text("page_qr", address).split("\n").filter(Boolean);
   if (!rows.length) return "The link is too long for a QR code, which holds 2,953 characters; a saved file holds any polygon";

@@ -12,7 +12,7 @@ function csv({ teams }) {
   return [["robot", "team", "end", "x", "y", "load", "share_of_team", "load_ratio"], ...rows].map((row) => `${row.join(",")}\n`).join("");
 }
 
-// What can be saved: under which name, for what, and how it is made.
+// The files that can be saved: their names, their purpose, and how they are made.
 const files = [
   ["Polygon", [
     ["Text", "As in the thesis", "polygon.txt", "text/plain", (p) => p.text("page_text")],
@@ -44,7 +44,7 @@ export async function show(page) {
   if (!link) problem.say(`There is no link: ${page.program.text("page_link_problem")}. A file holds it`);
 }
 
-// What stopped the page when it was opened.
+// The texts that stopped the page when they were opened.
 function aside() {
   const texts = textsAside();
   if (!texts.length) return [];
@@ -69,7 +69,7 @@ function share(page, address, problem) {
       problem.say("The browser did not let the page copy. Copy it from the field");
       return field.focus();
     }
-    copy.replaceChildren(icon("done"), "Copied");
+    copy.replaceChildren(icon("check"), "Copied");
     said.textContent = `The link is copied. ${page.lengthOf(address)}`;
     setTimeout(() => copy.replaceChildren(icon("copy"), "Copy"), 2500);
   });

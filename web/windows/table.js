@@ -1,15 +1,15 @@
-// The coordinates as a table beside the canvas: what is typed there moves the drawing, and the other way round.
+// The coordinates as a table beside the canvas. Typing in the table changes the drawing, and dragging changes the table.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { show as openText } from "./open.js";
 import { underWay } from "../page/under_way.js";
 
 const name = "table";
-const most = 500;  // rows at once; a longer table has pages
+const most = 500;  // rows on a page
 
 export async function show(page) {
   const open = document.getElementById(name);
-  if (open?.open) return open.close();  // the key that opens it closes it
+  if (open?.open) return open.close();  // the same key opens and closes the table
   const table = new Table(page);
   const root = await openWindow({
     name,
@@ -24,11 +24,11 @@ export async function show(page) {
 
 class Table {
   #page;
-  #rows = [];  // of the page that is shown
-  #from = 0;  // its first vertex
+  #rows = [];  // the rows of the page that is shown
+  #from = 0;  // the first vertex of that page
   #selected = -1;
   #leave = new AbortController();
-  #due;  // what brings it up to date soon
+  #due;  // the timer of the next update
 
   constructor(page) {
     this.#page = page;
@@ -46,7 +46,7 @@ class Table {
     const { signal } = this.#leave;
     const soon = () => this.#soon();
     document.addEventListener("evenlift-change", soon, { signal });
-    // What is selected and under the pointer is known once the canvas has drawn.
+    // The selection and the vertex under the pointer are known only after the canvas was drawn.
     const canvas = document.getElementById("canvas");
     for (const type of ["pointermove", "pointerup", "pointerleave", "keyup"]) canvas.addEventListener(type, soon, { signal });
     root.addEventListener("keydown", (event) => this.#key(event, root));
@@ -62,7 +62,7 @@ class Table {
     this.#selected = this.#program.number("page_selected_vertex");
     if (this.#selected >= 0) this.#from = this.#pageOf(this.#selected);
     this.#refresh();
-    // A keyboard that comes up by itself would hide half of a phone's table.
+    // On a phone, a keyboard that opens by itself would hide half of the table.
     if (matchMedia("(pointer: fine)").matches) this.#focus(Math.max(this.#selected, 0) - this.#from, 0);
   }
 
@@ -136,7 +136,7 @@ class Table {
     }));
   }
 
-  // Brings all that differs up to date.
+  // Updates everything that differs.
   #refresh() {
     const program = this.#program;
     const count = program.number("page_vertex_count");
@@ -170,7 +170,7 @@ class Table {
 
   // --- Keys and edits -------------------------------------------------------------------------------------------------
 
-  // The vertex whose row this is in; -1 for the centre of mass, -2 for neither.
+  // The vertex in whose row the element is; -1 for the centre of mass, -2 for neither.
   #vertexOf(element) {
     if (this.centre.inputs.includes(element)) return -1;
     return this.#rows.find(({ row }) => row.contains(element))?.vertex ?? -2;
@@ -189,7 +189,7 @@ class Table {
       return;
     }
     this.#accept(input);
-    input.dataset.is = "";  // to be written as the program writes it
+    input.dataset.is = "";  // so that it is written again as the program writes it
     this.#refresh();
   }
 
@@ -237,7 +237,7 @@ class Table {
   }
 }
 
-// Writes `x y` into two fields, but not over what somebody is typing.
+// Writes `x y` into two fields, except into one in which somebody is typing.
 function write(inputs, line) {
   line.split(" ").forEach((value, axis) => {
     const input = inputs[axis];

@@ -1,4 +1,4 @@
-// The page's own windows and what comes in from outside: loaded when first asked for, and all at once, as one file.
+// The page's own windows, and what opens texts from outside. They are one file, which is loaded when it is first needed.
 export { ensureStyles } from "../kit/dialogs.js";
 export { curves, show as experiment } from "../experiment/experiment.js";
 export { show as samples } from "./gallery.js";

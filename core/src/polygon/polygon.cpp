@@ -7,6 +7,7 @@
 
 #include "evenlift/document.h"
 #include "evenlift/hull.h"
+#include "evenlift/plane.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/bits.h"
@@ -191,12 +192,8 @@ Result<Polygon> Polygon::create(Points vertices) {
                       {Place::Kind::edge, crossing->first, crossing->second, {}}};
   }
 
-  Vec2 low = vertices[0], high = vertices[0];
-  for (const Vec2& v : vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  const double diagonal = length(high - low);
+  const Box box = bounding_box(vertices);
+  const double diagonal = length(box.size());
   if (diagonal < min_diagonal) {
     return InputError{ErrorCode::object_too_small,
                       "the object is too small: its bounding box's diagonal is below 1e-9",
@@ -204,7 +201,7 @@ Result<Polygon> Polygon::create(Points vertices) {
   }
 
   Polygon polygon;
-  const Moments m = moments(vertices, low);
+  const Moments m = moments(vertices, box.low);
   polygon.diagonal_ = diagonal;
   polygon.area_ = m.area;
   polygon.centroid_ = m.centroid;

@@ -57,17 +57,6 @@ bool meets(const Segment& s, const Box& box) {
   return left && right;
 }
 
-bool inside(const Vec2& p, const Points& outline) {
-  bool in = false;
-  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-    const Vec2 &a = outline[i], &b = outline[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
-      in = !in;
-  }
-  return in;
-}
-
 // The box of `size` that touches `owner` grown by `distance`, in direction (dx, dy) from its
 // middle.
 Box beside(const Box& owner, const Vec2& size, double distance, const Vec2& direction) {
@@ -163,7 +152,7 @@ class Placer {
     for (const Segment& chord : nearby_[i].chords)
       if (meets(chord, box)) cost += cost_of_chord;
     const Vec2 middle = (box.low + box.high) / 2;
-    if (around_.outline.size() <= large_outline && inside(middle, around_.outline))
+    if (around_.outline.size() <= large_outline && inside(around_.outline, middle))
       cost += cost_of_inside;
     return cost;
   }

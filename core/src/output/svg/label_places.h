@@ -6,13 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "evenlift/vec.h"
+#include "evenlift/plane.h"
 
 namespace evenlift::labels {
 
-struct Box {
-  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
-};
+using evenlift::Box;
 
 using Segment = std::pair<Vec2, Vec2>;
 

@@ -1,5 +1,7 @@
 #include "evenlift/output/markup.h"
 
+#include <algorithm>
+
 namespace evenlift {
 
 std::string escaped(std::string_view text) {
@@ -23,6 +25,13 @@ std::string escaped(std::string_view text) {
     }
   }
   return out;
+}
+
+std::size_t character_count(std::string_view text) {
+  // Every character has one byte that is not a continuation byte.
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
 }
 
 }  // namespace evenlift

@@ -34,9 +34,7 @@ std::string text(const Vec2& at, double size, std::string_view words, std::strin
 }
 
 double text_width(std::string_view words, double size, double average) {
-  std::size_t characters = 0;  // of UTF-8
-  for (const char c : words) characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  return average * size * static_cast<double>(characters);
+  return average * size * static_cast<double>(character_count(words));
 }
 
 std::vector<std::string> wrapped(std::string_view words, double size, double width) {

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "evenlift/plane.h"
 #include "output/svg/svg_style.h"
 
 namespace evenlift::svg {
 
 Paper::Paper(const Points& vertices) {
-  Vec2 low = vertices[0], high = vertices[0];
-  for (const Vec2& v : vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  const Vec2 size = high - low;
+  const Box box = bounding_box(vertices);
+  const Vec2 size = box.size();
   scale = std::min(largest_width / size.x(), largest_height / size.y());
-  middle = low + size / 2;
+  middle = box.middle();
   width = std::max(smallest_width, std::ceil(size.x() * scale) + 2 * margin);
   height = std::max(smallest_height, std::ceil(size.y() * scale) + 2 * margin);
 }
@@ -32,21 +30,7 @@ Points Paper::operator()(const Points& points) const {
 }
 
 Points clipped(Points area, const Paper& paper) {
-  // Each side of the ground as a x + b y + c >= 0.
-  const double sides[][3] = {{1, 0, 0}, {-1, 0, paper.width}, {0, 1, 0}, {0, -1, paper.height}};
-  for (const auto& [a, b, c] : sides) {
-    Points kept;
-    for (std::size_t i = 0; i < area.size(); ++i) {
-      const Vec2& p = area[i];
-      const Vec2& q = area[i + 1 == area.size() ? 0 : i + 1];
-      const double p_depth = a * p.x() + b * p.y() + c, q_depth = a * q.x() + b * q.y() + c;
-      if (p_depth >= 0) kept.push_back(p);
-      if ((p_depth < 0) != (q_depth < 0))
-        kept.emplace_back(p + (q - p) * (p_depth / (p_depth - q_depth)));
-    }
-    area = std::move(kept);
-  }
-  return area;
+  return clip(std::move(area), Box{Vec2::Zero(), Vec2(paper.width, paper.height)});
 }
 
 Points visible(const Points& outline) {

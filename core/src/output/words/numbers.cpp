@@ -4,6 +4,7 @@
 
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
+#include "evenlift/plane.h"
 #include "evenlift/tolerance.h"
 #include "numbers/number_text.h"
 #include "output/words/ascii_number.h"
@@ -129,12 +130,7 @@ std::string point_in_words(const Vec2& point, int decimals) {
 }
 
 int coordinate_decimals(const Points& vertices) {
-  Vec2 low = vertices[0], high = vertices[0];
-  for (const Vec2& v : vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  return std::min(decimals_for((high - low).maxCoeff()) + 1, most_decimals);
+  return std::min(decimals_for(bounding_box(vertices).size().maxCoeff()) + 1, most_decimals);
 }
 
 int margin_decimals(double margin) {

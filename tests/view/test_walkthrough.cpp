@@ -24,7 +24,7 @@ struct Moment {
 };
 
 Moment moment(const AppState& state) {
-  return {summary(state), state.lesson.known, state.lesson.figures.size()};
+  return {summary(state), state.walkthrough.known, state.walkthrough.figures.size()};
 }
 
 void go(Page& page, std::uint32_t step) {
@@ -66,32 +66,32 @@ TEST_CASE("every step of every sample draws, and asks for no frame of its own", 
     for (std::uint32_t k = 0; k < count; k += 1 + count / 60) {
       go(page, k);
       page.frame();
-      CHECK_FALSE(page.app.state.lesson.caption.empty());
+      CHECK_FALSE(page.app.state.walkthrough.caption.empty());
     }
     page.press({"End"});
     for (int i = 0; i < 4; ++i) page.frame();
     CHECK_FALSE(settle(page.app));
     page.press({"b"});
-    CHECK_FALSE(lesson_is_open(page.app.state));
+    CHECK_FALSE(walkthrough_is_open(page.app.state));
   }
 }
 
 TEST_CASE("an edit during the lesson keeps the place, and undo is of the edit", "[view][lesson]") {
   Page page;
   page.press({"b"});
-  const auto team = page.app.state.lesson.trace->find(StepKind::team, 1);
+  const auto team = page.app.state.walkthrough.trace->find(StepKind::team, 1);
   REQUIRE(team);
   go(page, *team);
   page.drag(page.app.state.document.vertices[2], Vec2(390, 170));
-  const LessonState& lesson = page.app.state.lesson;
-  CHECK(lesson.detail.step.kind == StepKind::team);
-  CHECK(lesson.detail.step.item == 1);
-  CHECK(page.app.state.document.settings.step == lesson.at);
-  const std::uint32_t at = lesson.at;
+  const Walkthrough& walk = page.app.state.walkthrough;
+  CHECK(walk.detail.step.kind == StepKind::team);
+  CHECK(walk.detail.step.item == 1);
+  CHECK(page.app.state.document.settings.step == walk.at);
+  const std::uint32_t at = walk.at;
   page.press({"z", true});
   CHECK(page.app.state.document.vertices == document(l_shape).vertices);
-  CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);
-  CHECK(page.app.state.lesson.at <= at + 50);
+  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
+  CHECK(page.app.state.walkthrough.at <= at + 50);
   CHECK_FALSE(page.app.state.history.can_undo());  // stepping is no edit
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
   REQUIRE(read);
   page.app.commands.push_back(OpenDocument{std::move(read).value()});
   settle(page.app);
-  CHECK(lesson_is_open(page.app.state));
+  CHECK(walkthrough_is_open(page.app.state));
   CHECK(summary(page.app.state) == words);
 }
 
@@ -119,10 +119,10 @@ TEST_CASE("a step that there is not is refused by name, and told of a link", "[v
   const auto problem = try_edit(page.app.state, far);
   REQUIRE(problem);
   CHECK(problem->message.starts_with("must be less than "));
-  CHECK_FALSE(lesson_is_open(page.app.state));
+  CHECK_FALSE(walkthrough_is_open(page.app.state));
   page.open(far);
   CHECK(page.app.state.notice.text.starts_with("This lesson has no step 100000"));
-  CHECK(page.app.state.lesson.at + 1 == timeline(page.app.state).count);
+  CHECK(page.app.state.walkthrough.at + 1 == timeline(page.app.state).count);
 }
 
 TEST_CASE("predicting stops before each choice, and tells whether the guess was right",
@@ -132,11 +132,11 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
   page.press({"q"});
   int asked = 0, right = 0;
   while (action_for(page.app.state, {"ArrowRight"})) {
-    const std::uint32_t before = page.app.state.lesson.at;
+    const std::uint32_t before = page.app.state.walkthrough.at;
     page.press({"ArrowRight"});
-    if (!page.app.state.lesson.ask) continue;
-    CHECK(page.app.state.lesson.at == before);  // not shown yet
-    const Ask ask = *page.app.state.lesson.ask;
+    if (!page.app.state.walkthrough.ask) continue;
+    CHECK(page.app.state.walkthrough.at == before);  // not shown yet
+    const Ask ask = *page.app.state.walkthrough.ask;
     CHECK_FALSE(ask.text.empty());
     page.frame();
     ++asked;
@@ -146,9 +146,9 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
       answer = ask.choices[0] == answer ? ask.choices[1] : ask.choices[0];
     page.app.commands.push_back(Guess{answer});
     settle(page.app);
-    CHECK(page.app.state.lesson.at == ask.step);
-    CHECK(page.app.state.lesson.was_right == (answer == ask.question.answer));
-    right += page.app.state.lesson.was_right;
+    CHECK(page.app.state.walkthrough.at == ask.step);
+    CHECK(page.app.state.walkthrough.was_right == (answer == ask.question.answer));
+    right += page.app.state.walkthrough.was_right;
     page.frame();
   }
   CHECK(asked > 3);
@@ -159,19 +159,19 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
 TEST_CASE("why not this one: a click on a chord or anywhere is answered", "[view][lesson]") {
   Page page;
   page.press({"b"});
-  const auto scores = page.app.state.lesson.trace->find(StepKind::scores, 1);
+  const auto scores = page.app.state.walkthrough.trace->find(StepKind::scores, 1);
   REQUIRE(scores);
   go(page, *scores);
   const auto& candidates = page.app.state.placement->candidates;
   REQUIRE(candidates.size() > 2);
   page.click(Vec2(120, 80));
-  CHECK_FALSE(page.app.state.lesson.why.empty());
-  const std::string first = page.app.state.lesson.why;
+  CHECK_FALSE(page.app.state.walkthrough.why.empty());
+  const std::string first = page.app.state.walkthrough.why;
   page.click(Vec2(330, 60));
-  CHECK_FALSE(page.app.state.lesson.why.empty());
-  CHECK(page.app.state.lesson.asked.has_value());
+  CHECK_FALSE(page.app.state.walkthrough.why.empty());
+  CHECK(page.app.state.walkthrough.asked.has_value());
   page.press({"ArrowRight"});
-  CHECK(page.app.state.lesson.why.empty());
+  CHECK(page.app.state.walkthrough.why.empty());
 }
 
 TEST_CASE("playing turns over by itself and stops at the end", "[view][lesson]") {
@@ -180,12 +180,12 @@ TEST_CASE("playing turns over by itself and stops at the end", "[view][lesson]")
   page.app.commands.push_back(SetSpeed{32});
   page.press({" "});
   double now = 0;
-  for (int i = 0; i < 10000 && page.app.state.lesson.playing; ++i) {
+  for (int i = 0; i < 10000 && page.app.state.walkthrough.playing; ++i) {
     turn_over(page.app.state, now);
     now += 0.1;
   }
-  CHECK_FALSE(page.app.state.lesson.playing);
-  CHECK(page.app.state.lesson.at + 1 == timeline(page.app.state).count);
+  CHECK_FALSE(page.app.state.walkthrough.playing);
+  CHECK(page.app.state.walkthrough.at + 1 == timeline(page.app.state).count);
 }
 
 TEST_CASE("a ready-made lesson shows its own stops and words, and can be left for all steps",
@@ -193,23 +193,23 @@ TEST_CASE("a ready-made lesson shows its own stops and words, and can be left fo
   Page page;
   const std::string text =
       "title: Two stops\npolygon: l\nteams: 2\n\n[centre]\nHere it balances.\n\n[team 2]\nDone.\n";
-  CHECK_FALSE(open_script(page.app.state, text, l_shape));
+  CHECK_FALSE(open_lesson(page.app.state, text, l_shape));
   CHECK(timeline(page.app.state).count == 2);
   CHECK(words_of_stop(page.app.state) == "Here it balances.");
   page.press({"ArrowRight"});
   CHECK(words_of_stop(page.app.state) == "Done.");
-  CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);
+  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
   page.frame();
   page.app.commands.push_back(LeaveScript{});
   settle(page.app);
   CHECK(timeline(page.app.state).count > 20);
-  CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);
+  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
 
   const auto wrong =
-      open_script(page.app.state, "title: x\npolygon: l\n\n[team 9]\nNo.\n", l_shape);
+      open_lesson(page.app.state, "title: x\npolygon: l\n\n[team 9]\nNo.\n", l_shape);
   REQUIRE(wrong);
   CHECK(wrong->place.kind == Place::Kind::line);
-  CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);  // nothing changed
+  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);  // nothing changed
 }
 
 TEST_CASE("tens of thousands of candidates are drawn, in the picture and in the lesson",
@@ -224,6 +224,6 @@ TEST_CASE("tens of thousands of candidates are drawn, in the picture and in the 
   CHECK(page.app.state.placement->candidates.size() > 10000);
   page.frame();
   page.press({"b"});
-  go(page, page.app.state.lesson.trace->find(StepKind::candidates, 0).value());
+  go(page, page.app.state.walkthrough.trace->find(StepKind::candidates, 0).value());
   page.frame();
 }

@@ -1,9 +1,9 @@
-// Files and texts that are dropped or pasted anywhere on the page.
+// Opens the files and texts that somebody drops or pastes anywhere on the page.
 import { underWay } from "./under_way.js";
 
 const typesIn = "input, textarea";
 
-export function connectIntake(page) {
+export function connectDropAndPaste(page) {
   const take = async (data, verb) => {
     const given = { files: [...data.files], text: data.getData("text/plain") };  // gone once this event is over
     const { take: open } = await page.windows();

@@ -1,7 +1,8 @@
-// The workers of an experiment, and what they are given to do.
+// A pool of web workers that measure the polygons of an experiment.
 import { underWay } from "../page/under_way.js";
 
-class Hand {
+// One worker of the pool: each question to it is answered in its turn.
+class PooledWorker {
   #worker;
   #waiting = new Map();
   #last = 0;
@@ -37,39 +38,39 @@ class Hand {
   }
 }
 
-// One processor is left to the page. Each worker has a memory of its own, so there are not many.
+// One processor is left to the page. Each worker has memory of its own, so there are at most four.
 const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
 
-// Has all tasks done and gives the results (evenlift/experiment/outputs.h). A task is {set, name, title, read, method}: a
-// polygon, whose text `read()` gives or fails to give, to be measured with one method, or with all if none is named. With
-// `onePolygon` the results are those of one polygon by itself, and one worker is enough. `progress(done, title)` is told
-// of each finished task. Ended by `signal`, it fails with the signal's reason.
+// Carries out all tasks and returns the results (evenlift/experiment/outputs.h). A task is {set, name, title, read, method}:
+// a polygon, whose text `read()` returns or fails to return, to be measured with one method, or with all if none is named.
+// With `onePolygon` the results describe a single polygon, and one worker is enough. `progress(done, title)` is called
+// after each finished task. If `signal` aborts, the call fails with the signal's reason.
 export function runExperiment(tasks, options) {
   return underWay(run(tasks, options));
 }
 
 async function run(tasks, { settings, onePolygon, signal, progress }) {
-  const hands = onePolygon ? 1 : Math.min(most(), Math.max(1, tasks.length));
-  const crew = Array.from({ length: hands }, () => new Hand());
-  const stop = (why) => crew.forEach((hand) => hand.end(why));
+  const size = onePolygon ? 1 : Math.min(most(), Math.max(1, tasks.length));
+  const pool = Array.from({ length: size }, () => new PooledWorker());
+  const stop = (why) => pool.forEach((worker) => worker.end(why));
   signal.addEventListener("abort", () => stop(signal.reason), { once: true });
   const parts = [];
   let next = 0;
   try {
     signal.throwIfAborted();
-    await Promise.all(crew.map(async (hand) => {
-      const problem = await hand.ask("begin", settings);
+    await Promise.all(pool.map(async (worker) => {
+      const problem = await worker.ask("begin", settings);
       if (problem) throw new Error(problem);
       while (next < tasks.length) {
         const { set, name, title, read, method = "" } = tasks[next++];
         const text = await read().then((content) => ({ content }), (error) => ({ problem: error.message }));
         signal.throwIfAborted();
-        parts.push(await (text.problem === undefined ? hand.ask("measure", { set, name, text: text.content, method })
-          : hand.ask("refuse", { set, name, problem: text.problem })));
+        parts.push(await (text.problem === undefined ? worker.ask("measure", { set, name, text: text.content, method })
+          : worker.ask("refuse", { set, name, problem: text.problem })));
         progress(parts.length, title);
       }
     }));
-    return await crew[0].ask("results", { parts, onePolygon });
+    return await pool[0].ask("results", { parts, onePolygon });
   } finally {
     stop(new Error("ended"));
   }

@@ -1,14 +1,14 @@
-// What the program asks of the browser (wasm/browser.cpp), and what the page's own windows need of the page.
+// The functions of the browser that the program calls (wasm/page/browser.cpp), and those of the page that its windows call.
 import { readAddress, withLesson } from "./address.js";
-import { connectIntake } from "./intake.js";
+import { connectDropAndPaste } from "./drop_and_paste.js";
 import { underWay } from "./under_way.js";
 import { begin, end } from "./work.js";
 
-// Some programs cut longer links: mail, chats, older browsers.
+// Mail programs, chats and older browsers may cut longer links.
 const longLink = 2000;
 
-// `onFrame` is told of each picture.
-export function createHost(publisher, onFrame) {
+// Calls `onFrame` after each picture.
+export function createBindings(publisher, onFrame) {
   let running;  // the program
   let screen;
   let page;
@@ -52,11 +52,11 @@ export function createHost(publisher, onFrame) {
   }
 
   return {
-    // Before the program is called for the first time.
+    // Call this before the first call into the program.
     attach(program) {
       running = program;
     },
-    // Once the program runs.
+    // Call this once the program runs.
     connect(program, connected, { embed }) {
       screen = connected;
       page = {
@@ -64,9 +64,9 @@ export function createHost(publisher, onFrame) {
         notice: (text, problem) => publisher.notice(text, problem),
         nameLesson: (name) => publisher.nameLesson(name),
       };
-      if (!embed) connectIntake(page);
+      if (!embed) connectDropAndPaste(page);
     },
-    // Opens the lesson and the challenge that the address asks for; with `join` for the link that is open.
+    // Opens the lesson and the challenge that the address asks for; with `join`, for the document that is open.
     async beginLesson(join) {
       const { lesson, challenge } = readAddress();
       if (!lesson && !challenge) return;

@@ -1,0 +1,78 @@
+// Geometry in plain doubles for drawing, pointing and writing beside things. Nothing that evenlift
+// decides about a polygon depends on it: that takes predicates.h.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "evenlift/vec.h"
+
+namespace evenlift {
+
+struct Box {
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
+  Vec2 size() const { return high - low; }
+  Vec2 middle() const { return low + (high - low) / 2; }
+};
+
+// The smallest box around the points; around none, a point at the origin. O(n).
+inline Box bounding_box(const Points& points) {
+  if (points.empty()) return {};
+  Box box{points.front(), points.front()};
+  for (const Vec2& p : points) {
+    box.low = box.low.cwiseMin(p);
+    box.high = box.high.cwiseMax(p);
+  }
+  return box;
+}
+
+// Whether p is inside the polygon: a ray from p crosses the boundary an odd number of times. On the
+// boundary itself the answer may be either. O(n).
+inline bool inside(const Points& polygon, const Vec2& p) {
+  bool odd = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2 &a = polygon[i], &b = polygon[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+      odd = !odd;
+  }
+  return odd;
+}
+
+// The point of the segment a b nearest to p. O(1).
+inline Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
+  const Vec2 along = b - a;
+  const double square = dot(along, along);
+  if (!(square > 0)) return a;
+  return a + along * std::clamp(dot(p - a, along) / square, 0.0, 1.0);
+}
+
+// Sutherland and Hodgman's step: the part of a closed polygon where `depth`, a linear function of
+// the plane, is at least 0. A part of a polygon that is not convex may hang together along the
+// line. `kept` receives the part; it keeps its memory from call to call. O(n).
+template <class Depth>
+void clip(const Points& polygon, Depth depth, Points& kept) {
+  kept.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const double at_a = depth(a), at_b = depth(b);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a < 0) != (at_b < 0)) kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+  }
+}
+
+// The part of the polygon inside the box. O(n).
+inline Points clip(Points polygon, const Box& box) {
+  Points kept;
+  const auto keep = [&](auto depth) {
+    clip(polygon, depth, kept);
+    polygon.swap(kept);
+  };
+  keep([&](const Vec2& p) { return p.x() - box.low.x(); });
+  keep([&](const Vec2& p) { return box.high.x() - p.x(); });
+  keep([&](const Vec2& p) { return p.y() - box.low.y(); });
+  keep([&](const Vec2& p) { return box.high.y() - p.y(); });
+  return polygon;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,270 @@
+#include "canvas/canvas_walkthrough.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "canvas/canvas_drawing.h"
+#include "canvas/canvas_marks.h"
+#include "canvas/triangulate.h"
+#include "evenlift/output/words.h"
+#include "ui/icons.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr std::size_t most_valued = 12;  // more numbers than that would hide the drawing
+
+void draw_chord(const Painter& painter, const Chord& chord, Colour colour, float width) {
+  painter.line(chord.r1.position, chord.r2.position, colour, width);
+}
+
+bool knows_candidate(const Walkthrough& walk, std::size_t c) {
+  return walk.known.merged || walk.trace->first_source_of_candidate[c] < walk.known.sources;
+}
+
+// The chords of the rays so far, until they have become candidates.
+void draw_rays(const Painter& painter, const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  if (walk.known.merged || walk.known.rays == 0) return;
+  const Trace::Rays& rays = walk.trace->rays;
+  const std::uint32_t end = rays.begins[walk.known.rays];
+  const Colour colour = view.theme.chord.at(end <= most_dashed ? 0.45f : 0.2f);
+  for (std::uint32_t i = 0; i < end; ++i) draw_chord(painter, rays.chords[i].chord, colour, 1);
+}
+
+void draw_candidates(const Painter& painter, const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  const auto& candidates = walk.trace->placement.candidates;
+  const Chapter chapter = walk.detail.step.chapter;
+  if (chapter == Chapter::loads || chapter == Chapter::grasp || !walk.trace->by_candidates())
+    return;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (!knows_candidate(walk, c)) continue;
+    const Chord& chord = candidates[c].chord;
+    painter.candidate(chord.r1.position, chord.r2.position, view.theme.candidate,
+                      candidates.size());
+  }
+}
+
+void draw_area(const Painter& painter, const Points& points, Colour fill, Colour line,
+               float width) {
+  if (points.size() == 2) return painter.line(points[0], points[1], line, width + 1);
+  if (points.size() < 3) return;
+  if (points.size() > most_triangulated)
+    painter.fill(painter.rows(points), fill);
+  else
+    painter.fill(points, triangulate(points), fill);
+  if (width > 0) painter.outline(points, line, width);
+}
+
+void draw_ring(const Painter& painter, const Vec2& at, Colour colour) {
+  painter.list().AddCircleFilled(painter.at(at), 14, colour.at(0.2f).packed(), 32);
+  painter.list().AddCircle(painter.at(at), 8, colour.packed(), 32, 2.5f);
+}
+
+// An arrow from the centre of mass in a direction in which the object can slide.
+void draw_arrow(const Painter& painter, const CanvasView& view, const Vec2& from, const Vec2& to) {
+  constexpr double arrow_length = 62;  // CSS pixels
+  const Vec2 tail = view.camera.to_screen(from), way = view.camera.to_screen(to) - tail;
+  if (length(way) > 0)
+    painter.arrow(tail, tail + way / length(way) * arrow_length, view.theme.amber, 3);
+}
+
+// How a figure that is a segment is drawn.
+struct Stroke {
+  Colour colour;
+  float width;
+  bool dashed = false;
+};
+
+// The stroke of a figure of this kind; nothing if it is not a segment. `count` is the number of
+// candidates.
+std::optional<Stroke> stroke_of(FigureKind kind, const Theme& t, std::size_t count) {
+  constexpr bool dashed = true;
+  switch (kind) {
+    case FigureKind::radial_edge:
+      return Stroke{t.amber, 5};
+    case FigureKind::ray:
+      return Stroke{t.accent, 2, dashed};
+    case FigureKind::chord:
+      return Stroke{t.accent, 2};
+    case FigureKind::edge:
+      return Stroke{t.text.at(0.55f), 3};
+    case FigureKind::section:
+      return Stroke{t.accent, 7};
+    case FigureKind::reflected:
+      return Stroke{t.clockwise_line, 3, dashed};
+    case FigureKind::section_end:
+      return Stroke{t.chord, 2};
+    case FigureKind::bisecting:
+      return Stroke{t.hull_outline, 2, dashed};
+    case FigureKind::chosen:
+      return Stroke{t.hull_outline, 4};
+    case FigureKind::candidate:
+      return count <= most_dashed ? Stroke{t.chord, 1.6f, dashed} : Stroke{t.chord, 1};
+    case FigureKind::team:
+      return Stroke{t.chord, 2.5f};
+    case FigureKind::arm_before:
+      return Stroke{t.quiet, 1.5f, dashed};
+    case FigureKind::arm_after:
+      return Stroke{t.hull_outline, 1.5f};
+    case FigureKind::normal:
+      return Stroke{t.amber.at(0.8f), 1.5f};
+    case FigureKind::object:
+    case FigureKind::triangle:
+    case FigureKind::centroid:
+    case FigureKind::centre:
+    case FigureKind::vertex:
+    case FigureKind::contact:
+    case FigureKind::robot:
+    case FigureKind::gain_triangle:
+    case FigureKind::gain_part:
+    case FigureKind::gain_circle:
+    case FigureKind::base_before:
+    case FigureKind::base:
+    case FigureKind::clockwise:
+    case FigureKind::counterclockwise:
+    case FigureKind::translation:
+      break;
+  }
+  return std::nullopt;
+}
+
+void draw_circle_gained(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const auto radius = static_cast<float>(figure.value * view.camera.scale);
+  const ImVec2 middle = painter.at(figure.points[0]);
+  painter.list().AddCircleFilled(middle, radius, view.theme.hull.packed(), 64);
+  painter.list().AddCircle(middle, radius, view.theme.hull_outline.packed(), 64, 2);
+}
+
+// The lifting base before or after a team: a polygon, or a segment after the first team.
+void draw_base(const Painter& painter, const Points& base, Colour fill, Colour line, float width) {
+  if (base.size() >= 3 && fill.opacity > 0) painter.fill_convex(base, fill);
+  if (base.size() >= 2) painter.outline(base, line, width, base.size() > 2);
+}
+
+// A figure that is not a segment.
+void draw_shape(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const Theme& t = view.theme;
+  const Points& p = figure.points;
+  switch (figure.kind) {
+    case FigureKind::object:
+      return painter.outline(p, t.accent, 3);
+    case FigureKind::triangle:
+      return draw_area(painter, p, (figure.value < 0 ? t.clockwise_line : t.accent).at(0.10f),
+                       t.accent.at(0.6f), 1);
+    case FigureKind::centroid:
+    case FigureKind::centre:
+    case FigureKind::vertex:
+      return draw_ring(painter, p[0], t.accent);
+    case FigureKind::contact:
+      return painter.list().AddCircleFilled(painter.at(p[0]), 5, t.amber.packed(), 20);
+    case FigureKind::gain_triangle:
+      return draw_area(painter, p, t.hull.at(0.5f), t.hull_outline, 1.5f);
+    case FigureKind::gain_part:
+      return draw_area(painter, p, t.hull, t.hull_outline, 0);
+    case FigureKind::gain_circle:
+      return draw_circle_gained(painter, view, figure);
+    case FigureKind::base_before:
+      return draw_base(painter, p, t.hull.at(0), t.hull_outline.at(0.6f), 2);
+    case FigureKind::base:
+      return draw_base(painter, p, t.hull, t.hull_outline, 3);
+    case FigureKind::clockwise:
+      return painter.region(p, t.clockwise, t.clockwise_line, true);
+    case FigureKind::counterclockwise:
+      return painter.region(p, t.counter, t.counter_line, false);
+    case FigureKind::translation:
+      if (p.size() >= 2) draw_arrow(painter, view, p[0], p[1]);
+      return;
+    default:
+      return;  // a robot is drawn with all the others
+  }
+}
+
+void draw_figure(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const Points& p = figure.points;
+  if (p.empty()) return;
+  const std::size_t candidates = view.state.walkthrough.trace->placement.candidates.size();
+  const std::optional<Stroke> stroke = stroke_of(figure.kind, view.theme, candidates);
+  if (!stroke) return draw_shape(painter, view, figure);
+  if (p.size() < 2) return;
+  if (stroke->dashed)
+    painter.dashes(p[0], p[1], stroke->colour, stroke->width);
+  else
+    painter.line(p[0], p[1], stroke->colour, stroke->width);
+}
+
+// Writes a chord's ratio beside it.
+void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const Vec2 middle = figure.points[0] + (figure.points[1] - figure.points[0]) * 0.75;
+  const std::string text = ratio_in_words(figure.value);
+  const ImVec2 size = text_size(Face::strong_label, text), at = painter.at(middle);
+  const ImVec2 low(at.x - size.x / 2 - 5, at.y - size.y / 2 - 2);
+  painter.list().AddRectFilled(low, ImVec2(low.x + size.x + 10, low.y + size.y + 4),
+                               view.theme.panel.at(0.9f).packed(), 5);
+  draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 5, low.y + 2), view.theme.text,
+            text);
+}
+
+void draw_values(const Painter& painter, const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  std::vector<const Figure*> valued;
+  for (const Figure& figure : walk.figures) {
+    const bool has = figure.kind == FigureKind::section_end || figure.kind == FigureKind::chosen ||
+                     figure.kind == FigureKind::chord;
+    if (has && figure.points.size() == 2) valued.push_back(&figure);
+  }
+  if (valued.size() > most_valued) return;
+  for (const Figure* figure : valued) draw_value(painter, view, *figure);
+}
+
+// The choices of a question; the one that the buttons point at is stronger.
+void draw_choices(const Painter& painter, const CanvasView& view) {
+  const std::optional<Ask>& ask = view.state.walkthrough.ask;
+  if (!ask) return;
+  for (std::size_t i = 0; i < ask->choices.size(); ++i) {
+    const std::uint32_t choice = ask->choices[i];
+    const bool pointed = ask->choices.size() > 3 && i == ask->pointed;
+    const Chord& chord = ask->question.kind == QuestionKind::nearer_end
+                             ? ask->detail.pair->ends[choice]
+                             : view.state.walkthrough.trace->placement.candidates[choice].chord;
+    draw_chord(painter, chord, view.theme.accent.at(pointed ? 1 : 0.45f), pointed ? 4.0f : 2.5f);
+    if (ask->choices.size() > most_valued) continue;
+    const ImVec2 at = painter.at(chord.r2.position);
+    const bool end = ask->question.kind == QuestionKind::nearer_end;
+    const std::string name = !end ? std::to_string(choice + 1) : choice == 0 ? "first" : "second";
+    draw_text(painter.list(), Face::strong_label, ImVec2(at.x + 8, at.y - 8), view.theme.accent,
+              name);
+  }
+}
+
+}  // namespace
+
+void draw_walkthrough(const Painter& painter, const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  const Placement& placement = walk.trace->placement;
+  painter.fill(placement.vertices, view.scene.triangles, view.theme.object);
+  if (walk.base.size() >= 3) painter.fill_convex(walk.base, view.theme.hull);
+  painter.outline(placement.vertices, view.theme.object_outline, 2);
+  if (walk.base.size() >= 2)
+    painter.outline(walk.base, view.theme.hull_outline, 2, walk.base.size() > 2);
+  draw_rays(painter, view);
+  draw_candidates(painter, view);
+  for (std::uint32_t i = 0; i < walk.known.teams; ++i)
+    draw_chord(painter, placement.teams[i].chord, view.theme.chord, 2);
+  for (const Figure& figure : walk.gained) draw_figure(painter, view, figure);
+  for (const Figure& figure : walk.figures) draw_figure(painter, view, figure);
+  if (walk.hovered && *walk.hovered < walk.figures.size()) {
+    const Figure& figure = walk.figures[*walk.hovered];
+    if (figure.points.size() == 2)
+      painter.line(figure.points[0], figure.points[1], view.theme.accent, 4);
+    if (figure.points.size() == 1) draw_ring(painter, figure.points[0], view.theme.accent);
+  }
+  if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber, 4);
+  draw_values(painter, view);
+  draw_choices(painter, view);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,10 @@
+// The picture of a step of the walkthrough: what is known after it, and on top the step's figures.
+#pragma once
+
+#include "canvas/canvas_view.h"
+
+namespace evenlift::view {
+
+void draw_walkthrough(const Painter& painter, const CanvasView& view);
+
+}  // namespace evenlift::view

@@ -1,0 +1,99 @@
+#include "canvas/hint.h"
+
+#include <algorithm>
+
+#include "evenlift/output/words.h"
+#include "tools/pick.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+
+std::string hint_of_walkthrough(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  if (walk.ask) return "Click the one that you expect";
+  if (walk.hovered && *walk.hovered < walk.figures.size())
+    return capitalised(figure_text(*walk.trace, walk.detail, walk.figures[*walk.hovered]));
+  return "Click a chord, or anywhere: why not this one?";
+}
+
+std::string hint_of_vertex(const Points& vertices, std::size_t i) {
+  if (i >= vertices.size()) return {};
+  return "Vertex " + std::to_string(i + 1) + " " + given_point(vertices[i]) +
+         " · drag to move, Delete to remove";
+}
+
+std::string hint_of_centre(const AppState& state) {
+  return "Centre of mass " +
+         point_in_words(centre_of_mass(state), coordinate_decimals(state.document.vertices)) +
+         " · drag to move";
+}
+
+std::string hint_of_team(const Placement* placement, std::size_t i) {
+  if (!placement || i >= placement->teams.size()) return {};
+  const TeamInWords words = team_in_words(*placement, i, coordinate_decimals(placement->vertices));
+  return "Team " + std::to_string(i + 1) + " · load ratio " + words.ratio + " · " + words.loads[0] +
+         " and " + words.loads[1] + "\u00A0kg · " + words.length + " apart";
+}
+
+std::string hint_of_pick(const AppState& state, const Pick& at) {
+  switch (at.kind) {
+    case Pick::Kind::vertex:
+      return hint_of_vertex(state.document.vertices, at.index);
+    case Pick::Kind::centre:
+      return hint_of_centre(state);
+    case Pick::Kind::edge:
+      return "Double-click the edge to add a vertex";
+    case Pick::Kind::robot:
+    case Pick::Kind::chord:
+      return hint_of_team(current_placement(state, at.second), at.index);
+    case Pick::Kind::object:
+    case Pick::Kind::frame:
+    case Pick::Kind::none:
+    case Pick::Kind::ground:
+      break;
+  }
+  return "Drag a vertex or the centre of mass · scroll to zoom · ? for keys";
+}
+
+}  // namespace
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+std::string hint(const AppState& state) {
+  if (state.screen.embed) return {};
+  if (state.tool == Tool::draw)
+    return state.drawing.points.empty()
+               ? "Click to place the first vertex · drag to move the view"
+               : "Click to place vertices · click the first, or Enter, to close · Esc takes one back";
+  if (state.tool == Tool::transform)
+    return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do the same";
+  const bool holds = state.held.kind != Pick::Kind::none && state.held.kind != Pick::Kind::ground;
+  const Pick& at = holds ? state.held : state.hover;
+  const bool on_grip = at.kind == Pick::Kind::vertex || at.kind == Pick::Kind::centre;
+  if (walkthrough_is_open(state) && !state.refusal && !on_grip) return hint_of_walkthrough(state);
+  return hint_of_pick(state, at);
+}
+
+void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme) {
+  const std::string text = hint(state);
+  // A phone has neither the room nor the wheel that it speaks of.
+  if (text.empty() || !layout.wide || state.screen.finger || state.screen.height < 560) return;
+  const ImVec2 size = text_size(Face::label, text);
+  const double width = static_cast<double>(size.x);
+  // Beside the tools of the view, not under them.
+  const double left = std::max(layout.free.middle().x() - width / 2, layout.tools.right + 22);
+  const double top = state.screen.height - layout.margin - 24;
+  list.AddRectFilled(vec(left - 10, top - 5),
+                     vec(left + width + 10, top + static_cast<double>(size.y) + 5),
+                     theme.ground.at(0.85f).packed(), 8);
+  draw_text(list, Face::label, vec(left, top), theme.second_text, text);
+}
+
+}  // namespace evenlift::view

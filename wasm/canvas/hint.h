@@ -1,0 +1,18 @@
+// The line at the foot of the canvas: what is under the pointer, and what can be done with it.
+#pragma once
+
+#include <string>
+
+#include "canvas/canvas_view.h"
+
+namespace evenlift::view {
+
+// Empty if there is nothing to say.
+std::string hint(const AppState& state);
+
+void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme);
+
+// The text with a capital at its beginning, if that is a letter from a to z.
+std::string capitalised(std::string text);
+
+}  // namespace evenlift::view

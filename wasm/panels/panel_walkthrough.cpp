@@ -1,0 +1,253 @@
+// The walkthrough beside the drawing: what the step is about, in words, numbers and code, and the
+// questions that the learner asks or is asked.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "actions/actions.h"
+#include "evenlift/output/words.h"
+#include "panels/panels.h"
+#include "state/browser.h"
+#include "ui/widgets.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr std::size_t most_shown = 12;  // of the history
+constexpr float code_height = 210;
+constexpr std::size_t most_ranked = 10;  // candidates
+
+float full_width() { return ImGui::GetContentRegionAvail().x; }
+
+void space(float height) { ImGui::Dummy(ImVec2(0, height)); }
+
+// A text on a background of its own.
+void draw_box(Colour ground, Colour colour, Face face, const std::string& text) {
+  const float pad = 10, width = full_width();
+  const ImVec2 size = text_size(face, text, width - 2 * pad), at = ImGui::GetCursorScreenPos();
+  const ImVec2 high(at.x + width, at.y + size.y + 2 * pad);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, high, ground.packed(), 8);
+  draw_text(list, face, ImVec2(at.x + pad, at.y + pad), colour, text, width - 2 * pad);
+  ImGui::Dummy(ImVec2(width, size.y + 2 * pad));
+}
+
+std::string choice_name(const Ask& ask, std::uint32_t choice) {
+  if (ask.question.kind == QuestionKind::winning_chord)
+    return "Candidate " + std::to_string(choice + 1);
+  return choice == 0 ? "The first end" : "The second end";
+}
+
+void draw_question(const Ui& ui) {
+  const Walkthrough& walk = ui.state.walkthrough;
+  if (!walk.ask) return;
+  const Ask& ask = *walk.ask;
+  space(4);
+  text_block(Face::strong, ui.theme.accent, ask.text);
+  text_block(Face::label, ui.theme.second_text,
+             "Press it in the drawing, or choose here. Next shows the answer.");
+  const float width = full_width();
+  if (ask.choices.size() <= 3) {
+    for (const std::uint32_t choice : ask.choices) {
+      const std::string name = choice_name(ask, choice);
+      if (flat_button(ui, name.c_str(), name.c_str(), width)) ui.push(Guess{choice});
+    }
+    return;
+  }
+  const auto n = static_cast<int>(ask.choices.size());
+  const auto pointed = static_cast<int>(ask.pointed);
+  const int by =
+      stepper(ui, "choice", choice_name(ask, ask.choices[ask.pointed]), true, true, width);
+  if (by != 0) ui.push(PointAtChoice{static_cast<std::size_t>((pointed + by + n) % n)});
+  if (flat_button(ui, "take", "This one", width, true, true))
+    ui.push(Guess{ask.choices[ask.pointed]});
+}
+
+void draw_answers(const Ui& ui) {
+  const Walkthrough& walk = ui.state.walkthrough;
+  if (!walk.verdict.empty()) {
+    const Colour colour = walk.was_right ? ui.theme.hull_text : ui.theme.amber;
+    draw_box(ui.theme.well, colour, Face::strong, walk.verdict);
+  }
+  if (!walk.why.empty()) {
+    text_line(Face::strong_label, ui.theme.second_text, "Why not this one?");
+    draw_box(ui.theme.well, ui.theme.text, Face::text, walk.why);
+  }
+}
+
+void draw_words(const Ui& ui) {
+  const Walkthrough& walk = ui.state.walkthrough;
+  if (const std::string words = words_of_stop(ui.state); !words.empty())
+    text_block(Face::text, ui.theme.text, words);
+  text_block(Face::text, walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
+}
+
+std::string place_in_words(const AppState& state) {
+  const Timeline now = timeline(state);
+  return std::to_string(now.at + 1) + " of " + std::to_string(now.count);
+}
+
+}  // namespace
+
+void draw_walkthrough_step(const Ui& ui) {
+  const Walkthrough& walk = ui.state.walkthrough;
+  const float button = ui.layout.wide ? ui.control() : 0;  // in the corner
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 8));
+  if (walk.script)
+    text_block(Face::strong_label, ui.theme.accent, walk.script->lesson.title, button);
+  text_block(Face::verdict, ui.theme.text, std::string(title(walk.detail.step.chapter)),
+             walk.script ? 0 : button);
+  text_line(Face::label, ui.theme.second_text, "Step " + place_in_words(ui.state));
+  draw_words(ui);
+  if (!walk.formula.empty()) draw_box(ui.theme.well, ui.theme.text, Face::label, walk.formula);
+  draw_answers(ui);
+  draw_question(ui);
+  ImGui::PopStyleVar();
+}
+
+// The same in less room: in a closed sheet or an <iframe>.
+void draw_walkthrough_briefly(const Ui& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
+  text_line(Face::strong_label, ui.theme.second_text,
+            std::string(title(ui.state.walkthrough.detail.step.chapter)) + " · step " +
+                place_in_words(ui.state));
+  draw_words(ui);
+  draw_answers(ui);
+  draw_question(ui);
+  ImGui::PopStyleVar();
+}
+
+namespace {
+
+// A bar of `share` (0 .. 1) of the width between the two points, which are at its left and right
+// end.
+void draw_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = (to.x - from.x) * static_cast<float>(std::clamp(share, 0.0, 1.0));
+  list.AddRectFilled(ImVec2(from.x, from.y - 3), ImVec2(to.x, to.y + 3), ui.theme.well.packed(), 3);
+  list.AddRectFilled(ImVec2(from.x, from.y - 3), ImVec2(from.x + width, to.y + 3), colour.packed(),
+                     3);
+}
+
+// A candidate at a place of the ranking; if it is pointed at, the drawing shows how it is measured.
+void draw_ranked(const Ui& ui, const TeamScores& scores, std::size_t place, double best) {
+  const std::uint32_t c = scores.ranking[place];
+  const Score& score = scores.of_candidate[c];
+  const std::optional<std::uint32_t>& measured = ui.state.walkthrough.measured;
+  const bool first = place == 0;
+  const float width = full_width(), height = ui.control() > 40 ? 36.0f : 24.0f;
+  ImGui::PushID(static_cast<int>(c));
+  const ImVec2 at = ImGui::GetCursorScreenPos(), high(at.x + width, at.y + height);
+  const bool pressed = ImGui::InvisibleButton("ranked", ImVec2(width, height));
+  if (pressed || (ImGui::IsItemHovered() && measured != c)) ui.push(Measure{c});
+  ImGui::PopID();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (measured == c) list.AddRectFilled(at, high, ui.theme.well.packed(), 6);
+  const std::string name = std::to_string(place + 1) + ".  Candidate " + std::to_string(c + 1);
+  const std::string value = (score.exact ? "" : "≤ ") + amount(score.value, best);
+  const float middle = (at.y + high.y) / 2, top = middle - text_size(Face::label, name).y / 2;
+  const float from = at.x + width * 0.46f;
+  draw_bar(ui, ImVec2(from, middle), ImVec2(from + width * 0.26f, middle), score.value / best,
+           first ? ui.theme.hull_outline : ui.theme.quiet);
+  draw_text(list, first ? Face::strong_label : Face::label, ImVec2(at.x + 6, top), ui.theme.text,
+            name);
+  draw_text(list, Face::label, ImVec2(high.x - 6 - text_size(Face::label, value).x, top),
+            first ? ui.theme.text : ui.theme.second_text, value);
+}
+
+const char* title_of_ranking(Rule rule) {
+  return rule == Rule::score          ? "Candidates by score"
+         : rule == Rule::longest_even ? "Even candidates by length"
+                                      : "Candidates by load ratio";
+}
+
+// A line of the algorithm, indented by two spaces for each level.
+void draw_code_line(const Ui& ui, std::string_view line, bool current) {
+  float indent = 8;
+  while (line.substr(0, 2) == "  ") {
+    line.remove_prefix(2);
+    indent += 14;
+  }
+  const float width = full_width(), room = width - indent - 6;
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size = text_size(Face::label, line, room);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (current) {
+    const ImVec2 high(at.x + width, at.y + size.y + 6);
+    list.AddRectFilled(at, high, ui.theme.accent.at(0.16f).packed(), 6);
+    list.AddRectFilled(at, ImVec2(at.x + 3, high.y), ui.theme.accent.packed(), 2);
+  }
+  draw_text(list, Face::label, ImVec2(at.x + indent, at.y + 3),
+            current ? ui.theme.text : ui.theme.second_text, line, room);
+  ImGui::Dummy(ImVec2(width, size.y + 6));
+}
+
+// Whether the current line is another one than in the last frame.
+bool line_moved(std::uint32_t current) {
+  ImGuiStorage& seen = *ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID("line");
+  const bool moved = seen.GetInt(id, -1) != static_cast<int>(current);
+  seen.SetInt(id, static_cast<int>(current));
+  return moved;
+}
+
+}  // namespace
+
+// The eligible candidates with their scores, the best first.
+void draw_walkthrough_ranking(const Ui& ui) {
+  const TeamScores& scores = *ui.state.walkthrough.detail.scores;
+  text_line(Face::strong_label, ui.theme.second_text, title_of_ranking(scores.rule));
+  const double best = std::max(scores.of_candidate[scores.ranking[0]].value, 1e-300);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  for (std::size_t i = 0; i < scores.ranking.size() && i < most_ranked; ++i) {
+    if (scores.of_candidate[scores.ranking[i]].eligible) draw_ranked(ui, scores, i, best);
+  }
+  ImGui::PopStyleVar();
+  if (scores.ranking.size() > most_ranked)
+    text_line(Face::label, ui.theme.second_text,
+              "and " + std::to_string(scores.ranking.size() - most_ranked) + " more");
+}
+
+// In a box that scrolls to its current line, so that the caption above stays where it is.
+void draw_walkthrough_code(const Ui& ui) {
+  const Walkthrough& walk = ui.state.walkthrough;
+  const auto lines = pseudo_code(settings(ui.state).method);
+  const std::uint32_t current = pseudo_line(*walk.trace, walk.detail);
+  text_line(Face::strong_label, ui.theme.second_text, "The algorithm");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::BeginChild("lines", ImVec2(full_width(), code_height));
+  scroll_by_finger(ui);
+  const bool moved = line_moved(current);
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    draw_code_line(ui, lines[i], i == current);
+    if (i == current && moved) {
+      ImGui::SetScrollHereY(0.4f);
+      browser::request_frame();
+    }
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+}
+
+void draw_walkthrough_history(const Ui& ui) {
+  const std::vector<Visited>& visited = ui.state.walkthrough.visited;
+  text_line(Face::strong_label, ui.theme.second_text, "Seen before");
+  const float width = full_width();
+  const std::size_t from = visited.size() - 1;
+  for (std::size_t i = from; i-- > 0 && from - i <= most_shown;) {
+    const Visited& v = visited[i];
+    const std::string text = std::to_string(v.step + 1) + "  " + v.caption;
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size = text_size(Face::label, text, width);
+    ImGui::PushID(static_cast<int>(i));
+    const bool pressed = tapped(ui, ImGui::InvisibleButton("visited", ImVec2(width, size.y + 4)));
+    ImGui::PopID();
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + 2),
+              hovered ? ui.theme.text : ui.theme.second_text, text, width);
+    if (pressed) ui.push(GoToStep{v.step});
+  }
+}
+
+}  // namespace evenlift::view

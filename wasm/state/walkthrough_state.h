@@ -1,0 +1,77 @@
+// Three words are kept apart. A lesson is a teacher's text (evenlift/lesson.h). The walkthrough
+// shows the algorithm step by step. A script is a lesson whose stops were found in the
+// walkthrough's trace.
+//
+// This is data; walkthrough/walkthrough.h changes it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evenlift/lesson.h"
+#include "evenlift/output/trace_words.h"
+#include "evenlift/trace.h"
+#include "evenlift/why_not.h"
+
+namespace evenlift::view {
+
+// One stop of a lesson: the step that it shows, and the teacher's words for it.
+struct Stop {
+  std::uint32_t step;
+  std::string words;
+};
+struct Script {
+  Lesson lesson;
+  std::vector<Stop> stops;   // those whose address is in the trace; at least one
+  std::size_t position = 0;  // the stop that is shown, or was shown last
+  Points vertices;           // of the polygon that the lesson was written for
+  std::size_t depth = 0;     // edits in the history when it was opened; undoing more leaves it
+};
+
+// A question to the learner about a choice that the next step will show.
+struct Ask {
+  std::uint32_t step;  // the step that shows the answer
+  StepDetail detail;
+  Question question;
+  std::string text;
+  std::vector<std::uint32_t> choices;  // ends of the pair, or candidates
+  std::size_t pointed = 0;             // index of the choice that the buttons point at
+};
+
+struct Visited {
+  std::uint32_t step;
+  std::string caption;
+};
+
+struct Walkthrough {
+  std::optional<Trace> trace;  // of the placement, while the walkthrough is open
+  std::uint32_t at = 0;        // the step that is shown; kept when it is closed
+  StepDetail detail;
+  Progress known;
+  std::vector<Figure> figures;            // of the step
+  std::optional<std::uint32_t> measured;  // the candidate whose gain is drawn, in `scores`
+  std::vector<Figure> gained;             // what the metric measures for it
+  Points base;                            // the lifting base as known at this step
+  std::string caption, formula;
+  std::vector<Visited> visited;  // steps seen before, the newest last
+
+  bool playing = false;
+  double speed = 1;
+  std::optional<double> turn_at;  // seconds: when the next step is due
+
+  bool predict = false;
+  std::optional<Ask> ask;
+  std::string verdict;  // whether the last guess was right
+  bool was_right = false;
+
+  std::optional<Chord> asked;  // "why not this one?"
+  std::string why;
+
+  std::optional<std::size_t> hovered;  // index of the figure under the pointer
+  std::optional<Script> script;
+};
+
+}  // namespace evenlift::view
