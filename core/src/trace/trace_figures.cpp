@@ -61,7 +61,7 @@ class Scene {
       case StepKind::team:
         base(FigureKind::base_before, detail_.base_before);
         if (detail_.scores && item > 0) {
-          const auto winner = static_cast<std::uint32_t>(trace_.placement.team_candidates[item]);
+          const std::uint32_t winner = trace_.placement.team_candidates[item];
           for (Figure& f : gain_figures(trace_, *detail_.scores, winner))
             out_.push_back(std::move(f));
         }
