@@ -77,17 +77,17 @@ class Coder:
         self.narrow(value * unit, unit)
         return value
 
-    def choice(self, odds):
-        part = self.range // (odds[0] + odds[1]) * odds[0]
+    def bit(self, model):
+        part = self.range // (model[0] + model[1]) * model[0]
         value = int(self.code >= part)
         if value:
             self.narrow(part, self.range - part)
         else:
             self.narrow(0, part)
-        odds[value] += 2
-        if odds[0] + odds[1] > 255:
-            odds[0] = (odds[0] + 1) // 2
-            odds[1] = (odds[1] + 1) // 2
+        model[value] += 2
+        if model[0] + model[1] > 255:
+            model[0] = (model[0] + 1) // 2
+            model[1] = (model[1] + 1) // 2
         return value
 
     def bits(self, count):
@@ -144,7 +144,7 @@ def read_settings(coder):
         "overlays": ["chords", "hull", "clockwise", "counterclockwise"],
         "step": None,
     }
-    if not coder.choice([15, 1]):
+    if not coder.bit([15, 1]):
         return settings
     if coder.uniform(2):
         settings["teams"] = "max" if coder.uniform(2) else coder.integer(21)
@@ -175,42 +175,42 @@ def wrap(number):
     return number - (1 << 64) if number >> 63 else number
 
 
-def guess(kind, numbers):
+def predict(predictor, numbers):
     """From the numbers before on the same axis."""
-    if not numbers or kind == 0:
+    if not numbers or predictor == 0:
         return 0
-    if kind == 2 and len(numbers) >= 2:
+    if predictor == 2 and len(numbers) >= 2:
         return 2 * numbers[-1] - numbers[-2]
-    if kind == 3 and len(numbers) >= 5:
+    if predictor == 3 and len(numbers) >= 5:
         return numbers[-1] + numbers[-4] - numbers[-5]
     return numbers[-1]
 
 
-class Rests:
+class Residuals:
     def __init__(self, coder, exponents, fraction_bits, greatest, negatives):
         self.coder = coder
         self.exponents = exponents
         self.fraction_bits = fraction_bits
         self.greatest = greatest
         self.negatives = negatives
-        self.zero_odds = [[6, 1] for _ in range(4)]
-        self.class_odds = [[2, 2] for _ in range(16)]
-        self.high_odds = [[8, 8] for _ in range(16)]
-        self.sign_odds = [[4, 4] for _ in range(3)]
+        self.zero_models = [[6, 1] for _ in range(4)]
+        self.class_models = [[2, 2] for _ in range(16)]
+        self.high_bit_models = [[8, 8] for _ in range(16)]
+        self.sign_models = [[4, 4] for _ in range(3)]
         self.zeros_before = 0
         self.sign_before = [0, 0]
 
     def read_class(self):
         for step in range(16):
             asked = self.greatest - step
-            if asked == 1 or self.coder.choice(self.class_odds[step]):
+            if asked == 1 or self.coder.bit(self.class_model[step]):
                 return asked
         return 1 + self.coder.uniform(self.greatest - 16)
 
     def read(self, axis):
         if self.greatest == 0:
             return 0
-        zero = self.coder.choice(self.zero_odds[self.zeros_before])
+        zero = self.coder.bit(self.zero_model[self.zeros_before])
         self.zeros_before = (self.zeros_before << 1 | zero) & 3
         if zero:
             self.sign_before[axis] = 0
@@ -220,11 +220,11 @@ class Rests:
         place = 0
         if place_bits > 0:
             below = min(self.greatest - size_class, 15)
-            high = self.coder.choice(self.high_odds[below])
+            high = self.coder.bit(self.high_model[below])
             place = high << (place_bits - 1) | self.coder.bits(place_bits - 1)
         negative = 0
         if self.negatives:
-            negative = self.coder.choice(self.sign_odds[self.sign_before[axis]])
+            negative = self.coder.bit(self.sign_model[self.sign_before[axis]])
         self.sign_before[axis] = 2 if negative else 1
         if self.exponents:
             size = (size_class - 1) << self.fraction_bits | place
@@ -234,34 +234,34 @@ class Rests:
 
 
 def read_vertices(coder, count):
-    """The vertices; their numbers, without those off the scale; the scale and its zero bits."""
+    """The vertices; their numbers, without those of escaped coordinates; the scale and its zero bits."""
     kind = 0 if coder.uniform(2) else 1 + coder.uniform(23)
     zero_bits = coder.uniform(53) if kind == DOUBLES else 0
-    guess_kind = coder.uniform(4)
-    off_scale_possible = coder.choice([7, 1]) if kind < DOUBLES else 0
-    exponents = kind == DOUBLES and guess_kind == 0
+    predictor = coder.uniform(4)
+    escapes_possible = coder.bit([7, 1]) if kind < DOUBLES else 0
+    exponents = kind == DOUBLES and predictor == 0
     greatest = coder.uniform(2048 if exponents else 65)
     negatives = coder.uniform(2) if greatest > 0 else 0
-    rests = Rests(coder, exponents, 52 - zero_bits, greatest, negatives)
+    residuals = Residuals(coder, exponents, 52 - zero_bits, greatest, negatives)
 
-    off_scale_odds = [6, 1]
+    escape_model = [6, 1]
     numbers = ([], [])
     on_scale = ([], [])
     vertices = []
     for i in range(count):
         vertex = []
         for axis in (0, 1):
-            guessed = wrap(guess(guess_kind, numbers[axis]))
-            if off_scale_possible and coder.choice(off_scale_odds):
-                numbers[axis].append(guessed)
+            prediction = wrap(predict(predictor, numbers[axis]))
+            if escapes_possible and coder.bit(escape_model):
+                numbers[axis].append(prediction)
                 vertex.append(double_of_bits(coder.bits(64)))
                 continue
-            if i == 0 and guess_kind != 0:
+            if i == 0 and predictor != 0:
                 number = coder.integer(64)
                 if number and coder.uniform(2):
                     number = -number
             else:
-                number = guessed + rests.read(axis)
+                number = prediction + residuals.read(axis)
             number = wrap(number)
             numbers[axis].append(number)
             on_scale[axis].append(number)
@@ -272,7 +272,7 @@ def read_vertices(coder, count):
 
 def read_centre(coder, on_scale, kind, zero_bits):
     boxed = all(on_scale)
-    if boxed and not coder.choice([3, 1]):
+    if boxed and not coder.bit([3, 1]):
         centre = []
         for axis in (0, 1):
             low, high = min(on_scale[axis]), max(on_scale[axis])

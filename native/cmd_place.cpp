@@ -50,8 +50,7 @@ std::string team_table(const Placement& placement, const std::optional<double>& 
 std::string candidate_table(const Placement& placement) {
   std::vector<std::string> team(placement.candidates.size(), "-");
   for (std::size_t i = 0; i < placement.team_candidates.size(); ++i)
-    if (placement.team_candidates[i] >= 0)
-      team[static_cast<std::size_t>(placement.team_candidates[i])] = std::to_string(i + 1);
+    team[placement.team_candidates[i]] = std::to_string(i + 1);
   const int decimals = coordinate_decimals(placement.vertices);
   std::vector<Row> rows = {{"candidate", "ratio", "kind", "from", "to", "team"}};
   for (std::size_t i = 0; i < placement.candidates.size(); ++i) {

@@ -186,11 +186,10 @@ class Comparer {
         static_cast<std::uint32_t>(std::min<std::size_t>(teams, before_.candidates().size()));
     std::vector<std::uint32_t> mine, theirs;
     for (std::uint32_t k = 0; k < number && alike(); ++k) {
-      const auto next = static_cast<std::uint32_t>(before_.placement().team_candidates[k]);
+      const std::uint32_t next = before_.placement().team_candidates[k];
       const std::uint32_t expected = became_[next];
       // Once the copy has been made to follow, its own further teams say nothing.
-      const bool follows =
-          ties_ == 0 && after_.placement().team_candidates[k] == std::int64_t{expected};
+      const bool follows = ties_ == 0 && after_.placement().team_candidates[k] == expected;
       if (!follows && !is_tie(theirs, expected, k)) return;
       mine.push_back(next);
       theirs.push_back(expected);

@@ -425,7 +425,7 @@ std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t te
   std::vector<std::uint32_t> selected;
   std::vector<char> taken(placement.candidates.size());
   for (std::size_t k = 0; k < teams; ++k) {
-    selected.push_back(static_cast<std::uint32_t>(placement.team_candidates[k]));
+    selected.push_back(placement.team_candidates[k]);
     taken[selected.back()] = 1;
   }
   std::vector<std::size_t> left;
@@ -471,8 +471,8 @@ void compare_teams(const Placement& before, const Placement& after,
                    std::string& differences, bool& all_same) {
   all_same = true;
   for (std::size_t k = 0; k < before.team_candidates.size(); ++k) {
-    const std::size_t expected = became[static_cast<std::size_t>(before.team_candidates[k])];
-    const auto chosen = static_cast<std::size_t>(after.team_candidates[k]);
+    const std::size_t expected = became[before.team_candidates[k]];
+    const std::size_t chosen = after.team_candidates[k];
     if (expected == chosen) continue;
     all_same = false;
     const std::vector<std::size_t> best = best_by_keys(after, k);

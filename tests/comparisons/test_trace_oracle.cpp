@@ -94,8 +94,7 @@ void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
 double oracle_score(const Case& c, const Trace& trace, std::uint32_t team, std::uint32_t candidate,
                     bool& in_order) {
   std::vector<std::uint32_t> chosen;
-  for (std::uint32_t i = 0; i < team; ++i)
-    chosen.push_back(static_cast<std::uint32_t>(trace.placement.team_candidates[i]));
+  for (std::uint32_t i = 0; i < team; ++i) chosen.push_back(trace.placement.team_candidates[i]);
   chosen.push_back(candidate);
   std::vector<oracle::Candidate> chords;
   for (const std::uint32_t i : chosen) {

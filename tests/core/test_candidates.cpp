@@ -234,7 +234,7 @@ TEST_CASE("of duplicates the most even stands, under the first kind that occurs"
   std::vector<Candidate> list{
       made({-1, 0}, {1, 0}, vertex, 0.9), made({-1, hair}, {1, -hair}, midpoint, 0.95),
       made({-1, 2 * hair}, {1, 0}, bisecting, 0.93), made({-1, 1}, {1, -1}, vertex, 0.8)};
-  merge_duplicates(list, 1e-9);
+  list = merge_duplicates(list, 1e-9).candidates;
   REQUIRE(list.size() == 2);
   CHECK(list[0].chord.ratio == 0.95);
   CHECK(list[0].kind == bisecting);
@@ -247,7 +247,7 @@ TEST_CASE("of duplicates one between two vertices stands and keeps its kind", "[
   std::vector<Candidate> list{made({-1, hair}, {1, -hair}, midpoint, 0.95),
                               made({-1, 0}, {1, 0}, vertex, 0.9)};
   list[1].between_vertices = true;
-  merge_duplicates(list, 1e-9);
+  list = merge_duplicates(list, 1e-9).candidates;
   REQUIRE(list.size() == 1);
   CHECK(list[0].chord.ratio == 0.9);
   CHECK(list[0].kind == vertex);
@@ -256,7 +256,7 @@ TEST_CASE("of duplicates one between two vertices stands and keeps its kind", "[
 TEST_CASE("chords that share one end only are not duplicates", "[candidates]") {
   std::vector<Candidate> list{made({-1, 0}, {1, 0}, vertex), made({-1, 0}, {2, 0}, vertex),
                               made({-1, 0}, {1, 2e-9}, vertex)};
-  merge_duplicates(list, 1e-9);
+  list = merge_duplicates(list, 1e-9).candidates;
   CHECK(list.size() == 3);
 }
 
@@ -281,14 +281,14 @@ TEST_CASE("many candidates of many slopes come in exact order of slope", "[candi
 TEST_CASE("duplicates are found beside a chord that rounding made a point", "[candidates]") {
   std::vector<Candidate> list{made({0, 0}, {0, 0}, vertex), made({-1, 0}, {1, 0}, vertex),
                               made({-1, 0}, {1, 0}, vertex)};
-  merge_duplicates(list, 1e-9);
+  list = merge_duplicates(list, 1e-9).candidates;
   CHECK(list.size() == 2);
 }
 
 TEST_CASE("duplicates are found whichever end is called the right one", "[candidates]") {
   std::vector<Candidate> list{made({0, -1}, {0, 1}, vertex, 0.9),
                               made({0, 1}, {1e-10, -1}, midpoint, 0.8)};
-  merge_duplicates(list, 1e-9);
+  list = merge_duplicates(list, 1e-9).candidates;
   REQUIRE(list.size() == 1);
   CHECK(list[0].kind == midpoint);
   CHECK(list[0].chord.ratio == 0.9);

@@ -305,7 +305,7 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
   }
   {
     const Trace area = trace("metrics-area"), arms = trace("metrics-arms");
-    using Teams = std::vector<std::int64_t>;
+    using Teams = std::vector<std::uint32_t>;
     CHECK(area.placement.team_candidates == Teams{4, 0, 2});
     CHECK(arms.placement.team_candidates == Teams{4, 1, 6});
     CHECK(std::fabs(area.placement.coverage - 0.82) < 0.005);

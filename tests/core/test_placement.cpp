@@ -120,7 +120,7 @@ TEST_CASE("a square is covered by teams on its diagonals and held by those at it
   const auto placement = place(four);
   REQUIRE(placement.ok());
   REQUIRE(placement->teams.size() == 4);
-  CHECK(placement->team_candidates == std::vector<std::int64_t>{0, 2, 1, 3});
+  CHECK(placement->team_candidates == std::vector<std::uint32_t>{0, 2, 1, 3});
   CHECK(placement->candidates[0].kind == CandidateKind::bisecting);
   CHECK(placement->candidates[1].kind == CandidateKind::midpoint);
   CHECK(placement->lifting_base == Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}});

@@ -131,8 +131,7 @@ TEST_CASE("the trace ends in the state that place reports", "[trace]") {
       CHECK(end.sources == trace.pairs.size() + trace.opposite.size());
       CHECK(trace.source_of_candidate.size() == placement.candidates.size());
       for (std::uint32_t team = 0; team < placement.teams.size(); ++team)
-        CHECK(look_at_scores(trace, team).ranking.front() ==
-              static_cast<std::uint32_t>(placement.team_candidates[team]));
+        CHECK(look_at_scores(trace, team).ranking.front() == placement.team_candidates[team]);
     }
   }
 }
@@ -385,7 +384,7 @@ TEST_CASE("the scores of the trace are those of the selection", "[trace]") {
         for (std::size_t i = 0; i < known.size(); ++i)
           REQUIRE(mine.of_candidate[i].value == known[i]);
       }
-      taken.push_back(static_cast<std::uint32_t>(placement.team_candidates[team]));
+      taken.push_back(placement.team_candidates[team]);
     }
   }
 }

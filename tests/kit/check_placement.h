@@ -185,9 +185,10 @@ class Checker {
     const std::size_t placed = p_.teams.size();
     expect(asked == p_.settings.teams.value_or(static_cast<std::uint32_t>(p_.candidates.size())),
            "asked for ", asked, " teams");
-    expect(p_.team_candidates.size() == placed, "not each team says which candidate it took");
-    if (p_.team_candidates.size() != placed) return;
+    expect(p_.team_candidates.size() == (selects_candidates() ? placed : 0),
+           p_.team_candidates.size(), " candidates of ", placed, " teams");
     if (selects_candidates()) {
+      if (p_.team_candidates.size() != placed) return;
       expect(placed == std::min(asked, p_.candidates.size()), placed, " teams placed of ", asked);
     } else {
       expect(placed <= asked, "more teams than asked for");
@@ -196,16 +197,12 @@ class Checker {
     for (std::size_t k = 0; k < placed; ++k) {
       const std::string name = "team " + std::to_string(k);
       check_chord(p_.teams[k].chord, name);
-      const std::int64_t i = p_.team_candidates[k];
-      if (!selects_candidates()) {
-        expect(i == -1, name, " took a candidate");
-        continue;
-      }
-      const bool known = i >= 0 && i < static_cast<std::int64_t>(taken.size());
-      expect(known, name, " took no candidate");
-      if (!known) continue;
-      expect(!taken[static_cast<std::size_t>(i)]++, name, " took candidate ", i, " again");
-      const Chord& chord = p_.candidates[static_cast<std::size_t>(i)].chord;
+      if (!selects_candidates()) continue;
+      const std::uint32_t i = p_.team_candidates[k];
+      expect(i < taken.size(), name, " took no candidate");
+      if (i >= taken.size()) continue;
+      expect(!taken[i]++, name, " took candidate ", i, " again");
+      const Chord& chord = p_.candidates[i].chord;
       expect(chord.r1.position == p_.teams[k].chord.r1.position &&
                  chord.r2.position == p_.teams[k].chord.r2.position,
              name, " is elsewhere than its candidate");
@@ -215,7 +212,7 @@ class Checker {
 
   // The longest even candidate, else the one with the largest ratio.
   void check_first_team() {
-    const Candidate& first = p_.candidates[static_cast<std::size_t>(p_.team_candidates[0])];
+    const Candidate& first = p_.candidates[p_.team_candidates[0]];
     double longest_even = 0, largest_ratio = 0;
     for (const Candidate& candidate : p_.candidates) {
       largest_ratio = std::max(largest_ratio, candidate.chord.ratio);

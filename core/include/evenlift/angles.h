@@ -1,6 +1,6 @@
-// Sine, cosine and arctangent from + - x / and square roots alone: the same bits on every platform,
-// which library functions do not give. Errors stay below 4 units in the last place of 1.
-// Only distributed selection and the generators need angles; everything else is algebra.
+// Sine, cosine and arctangent, computed with + - x / and square roots only. So they give the same
+// bits on every platform, unlike the functions of the C library. Errors are below 4 units in the
+// last place of 1. Only distributed selection and the generators need angles; the rest is algebra.
 #pragma once
 
 namespace evenlift {

@@ -1,4 +1,11 @@
 // Whether the robots also immobilize the object (algorithm.md, Immobilization; thesis 5.5).
+//
+// The terms are those of the literature on grasps. First-order form closure is decided by
+// Reuleaux's method: the instantaneous centres of rotation that each contact leaves free form a
+// half-plane, and the grasp is closed if the half-planes of neither sense have a common point and
+// no translation is free (F. Reuleaux, The Kinematics of Machinery, 1876). The margin is the grasp
+// quality of C. Ferrari and J. Canny (Planning optimal grasps, 1992). Second-order immobility
+// follows E. Rimon and J. W. Burdick (Mobility of bodies in contact, 1998).
 #pragma once
 
 #include <cstdint>
@@ -16,24 +23,25 @@ struct Contact {
   std::uint32_t point = 0;  // index of the lifting point it belongs to
 };
 
-// The direction in which an edge's contact pushes, of unit length. O(1).
+// The direction in which a contact with this edge pushes, of unit length. O(1).
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge);
 
-// The contacts of lifting points: at a point inside an edge one, at a reflex vertex two, at a
-// straight vertex one, at a convex vertex none. "At a vertex" is within tau L of it.
-// O(m log n + n log n).
+// The contacts of lifting points. A robot has one contact inside an edge, two at a reflex vertex,
+// one at a straight vertex and none at a convex vertex. It is at a vertex if it is within tau L of
+// it. O((m + n) log n) for m points.
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
-// Centres of free rotation of one sense: a convex region, perhaps unbounded or far away.
+// The free instantaneous centres of rotation of one sense: a convex region, which may be unbounded
+// or far away.
 struct FreeRegion {
   bool exists = false;    // some centre is free, wherever it lies
-  bool has_area = false;  // wider than the tolerance alone makes it
+  bool has_area = false;  // the region is wider than the tolerance alone makes it
   Points clipped;         // the region within the square about C with half side 100 L,
-                          // counter-clockwise; empty, one or two points where it has no area there
+                          // counter-clockwise; no, one or two points if it has no area there
 };
 
-// The regions of free rotation centres that contacts leave. O(m log m) for m contacts on e edges;
-// O(e^2) where a region has no area.
+// The regions of free rotation centres that contacts leave. O(m log m) for m contacts on e edges,
+// and O(e^2) if a region has no area.
 struct FreeRegions {
   FreeRegion clockwise, counterclockwise;
 };
@@ -41,28 +49,30 @@ FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
                          const std::vector<Contact>& contacts);
 
 struct Closure {
-  bool form_closure = false;     // nothing is free to first order
-  std::optional<double> margin;  // of the wrenches, none without contacts; > 0 in form closure
-  bool second_order = false;     // immobile although first-order motions are free
+  bool form_closure = false;     // no motion is free to first order
+  std::optional<double> margin;  // Ferrari and Canny's quality of the contacts' wrenches, see
+                                 // wrench_margin.h; > 0 in form closure; none without contacts
+  bool second_order = false;     // immobile to second order, though motions are free to first order
   bool translation_free = true;
   std::optional<Vec2> translation;  // a free direction, unit length, if any
   FreeRegion clockwise, counterclockwise;
 };
 
-// analyse_closure's form_closure alone, which more points never end. O(m log m + n log n).
+// The same as analyse_closure(...).form_closure, but cheaper. More points never end form closure.
+// O(m log m + n log n).
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<LiftingPoint>& points);
 
-// The thesis's own test (5.5): that neither region of free rotation centres has an area. It takes
-// an object for held that can slide between parallel sides, or still turns about a single point.
-// O(m log m + n log n).
+// The thesis's own, weaker test (5.5): whether neither region of free rotation centres has an area.
+// It also passes objects that can slide between parallel sides or turn about a single point. O(m
+// log m + n log n).
 bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 
-// Analyses the grasp of robots at `points`. Emptiness of the regions and free translations are
-// decided exactly from the edges' directions and the rounded points. O(m log m) for m contacts
-// on e edges, of which only the first and the last on each edge count; O(e^2) for the margin, and
-// where a free region has no area.
+// Analyses the grasp of robots at `points`. Whether a region is empty and whether a translation is
+// free is decided exactly, from the edges' directions and the rounded points. Of the contacts on
+// one edge only the first and the last count. O(n log n + m log m) for m contacts on e edges, and
+// O(e^2) for the margin or if a region has no area.
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 

@@ -1,5 +1,5 @@
-// What a file or a link holds: a polygon, perhaps its centre of mass, and the settings in force.
-// A Document is raw input: nothing in it has been checked but that its numbers are finite.
+// The content of a file or a link: a polygon, perhaps its centre of mass, and the settings. A
+// Document is raw input: nothing has been checked except that its numbers are finite.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace evenlift {
 
-// Bounds on everything from outside; beyond them a clear refusal.
+// Bounds on all input. Input beyond them is refused with a clear message.
 inline constexpr double max_coordinate = 1e9;             // size of a coordinate, inclusive
 inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box, inclusive
 inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon
@@ -20,21 +20,22 @@ inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
 inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
 inline constexpr std::uint32_t max_teams = 1u << 20;      // asked for by number
 
-// How teams are selected (algorithm.md, Selection; thesis 3.3 and 5.2).
+// How teams are chosen (algorithm.md, Selection; thesis 3.3 and 5.2).
 enum class Method : std::uint8_t { area, circle, distance, distributed, random };
 inline constexpr Method all_methods[] = {Method::area, Method::circle, Method::distance,
                                          Method::distributed, Method::random};
 
-// Whether teams are chosen among the candidates. O(1).
+// Whether the method chooses teams among the candidates. O(1).
 constexpr bool selects_candidates(Method method) {
   return method != Method::distributed && method != Method::random;
 }
 
-// The metric's name in JSON and options ("area"); and back, nothing for an unknown name. O(1).
+// The method's name in JSON and options, such as "area"; and the method of a name, or nothing for
+// an unknown name. O(1).
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view text);
 
-// What the picture shows besides the polygon and its robots. The core carries it, no more.
+// What the picture shows besides the polygon and its robots. The core only stores it.
 struct Overlays {
   bool candidates = false;       // candidate chords that were not selected
   bool chords = true;            // the teams' chords
@@ -46,20 +47,21 @@ struct Overlays {
 };
 
 struct Settings {
-  std::optional<std::uint32_t> teams = 3;  // 1 .. max_teams; none: every candidate ("max"), which
-                                           // only area, circle and distance offer
+  std::optional<std::uint32_t> teams =
+      3;  // 1 .. max_teams; none means every candidate ("max"), for
+          // methods that choose among candidates
   Method method = Method::area;
   double min_ratio = 0.8;  // minimum load ratio, 0 .. 1, both included
-  double weight = 100;     // of the object, > 0 and finite; loads have its unit
-  std::uint64_t seed = 1;  // of Method::random
+  double weight = 100;     // of the object, > 0 and finite; loads are in its unit
+  std::uint64_t seed = 1;  // for Method::random
   Overlays overlays;
-  std::optional<std::uint32_t> step;  // of the lesson, if one is open
+  std::optional<std::uint32_t> step;  // of the lesson, if it is open
   bool operator==(const Settings&) const = default;
 };
 
 struct Document {
   Points vertices;                     // in the order given, either orientation
-  std::optional<Vec2> centre_of_mass;  // none: the area centroid
+  std::optional<Vec2> centre_of_mass;  // none means the centroid of the area
   Settings settings;
 };
 

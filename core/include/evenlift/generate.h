@@ -1,4 +1,4 @@
-// Polygons from a family, a size and a seed: the same on every platform, always valid.
+// Polygons from a family, a size and a seed. They are always valid and the same on every platform.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,24 @@
 
 namespace evenlift {
 
-// regular: n corners on a circle. convex: irregular convex. star: star-shaped about its centre,
-// random radii. comb: teeth facing each other across C, so that edge-pairs number about n^2 / 4.
-// spiral: a wound strip. random: the outline of a random tree, of which a ray from C meets about
+// regular: n corners on a circle. convex: irregular and convex. star: star-shaped about its centre,
+// with random radii. comb: teeth that face each other across C, so that there are about n^2 / 4
+// edge-pairs. spiral: a wound strip. random: the outline of a random tree; a ray from C meets about
 // sqrt(n) edges.
 enum class Family : std::uint8_t { regular, convex, star, comb, spiral, random };
 inline constexpr Family all_families[] = {Family::regular, Family::convex, Family::star,
                                           Family::comb,    Family::spiral, Family::random};
+
+// The name of a family, such as "comb"; and the family of a name, or nothing for an unknown name.
+// O(1).
 std::string_view name(Family family);
 std::optional<Family> family_from_name(std::string_view name);
 
-// Exactly n vertices, counter-clockwise, coordinates within 0 .. 1000 on a decimal grid (three
-// decimals up to n = 1000, at most nine beyond). Strictly convex in the families regular and
-// convex; random is not star-shaped from n = 6 on. n from 3 (comb and spiral: 8) to max_vertices;
-// the error names the option "n". The seed does not change regular. Expected O(n), convex
-// O(n log n).
+// A polygon of exactly n vertices, counter-clockwise, with coordinates in 0 .. 1000 on a decimal
+// grid of three decimals up to n = 1000 and at most nine beyond. The families regular and convex
+// are strictly convex; random is not star-shaped from n = 6 on. n is from 3 (comb and spiral: 8) to
+// max_vertices; an error names the option "n". The seed does not affect regular. Expected O(n);
+// convex O(n log n).
 Result<Points> generate(Family family, std::size_t n, std::uint64_t seed);
 
 }  // namespace evenlift

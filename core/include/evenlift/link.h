@@ -1,5 +1,5 @@
-// Share links (docs/link-format.md): a Document as `VERSION.PAYLOAD`, in characters that need no
-// escaping in a URL.
+// Share links (docs/link-format.md): a Document as the text `VERSION.PAYLOAD`, in characters that a
+// URL need not escape.
 #pragma once
 
 #include <string>
@@ -10,21 +10,22 @@
 
 namespace evenlift {
 
-// The link of a document, without `#`: coordinates bit for bit, settings that are at their default
-// take no room. Refuses more than max_link_vertices, non-finite numbers, coordinates beyond
-// max_coordinate and settings outside their ranges; nothing else is checked. The same document
-// gives the same link on every platform. O(n).
+// The link of a document, without the `#`. It holds every coordinate bit for bit, and leaves out
+// settings that are at their defaults. It is an error if there are more than max_link_vertices
+// vertices, if a number is not finite, if a coordinate exceeds max_coordinate or if a setting is
+// outside its range; nothing else is checked. Every platform makes the same link. O(n).
 Result<std::string> encode_link(const Document& document);
 
-// The document of a link: the fragment, with or without `#`, or a whole address that ends in one;
-// white space around it does not matter. Total: any byte string gives a document or an error, whose
-// place is the link and, if it is one character's fault, that one, counted from 1. Reads every
-// version ever written. Bounded by max_link_bytes and max_link_vertices. O(bytes).
+// The document of a link. The text is the link, with or without a `#` before it, or a whole address
+// that ends with one; white space around it is ignored. Every byte string gives a document or an
+// error. The error's place is the link, and the character at fault if there is one, counted from 1.
+// Every version ever written can be read. Bounded by max_link_bytes and max_link_vertices.
+// O(bytes).
 Result<Document> decode_link(std::string_view text);
 
-// Whether a text looks like a share link rather than a polygon or a path: an optional address and
-// `#`, then digits, a dot and link characters only; also if it was percent-escaped, so that
-// decode_link can say so. A path such as "1.txt" looks like a link, too. O(bytes).
+// Whether a text looks like a share link rather than a polygon or a path: perhaps an address and a
+// `#`, then digits, a dot, and nothing but characters of links. A percent-escaped link counts, too,
+// so that decode_link can report it. A path such as "1.txt" also looks like a link. O(bytes).
 bool looks_like_link(std::string_view text);
 
 }  // namespace evenlift

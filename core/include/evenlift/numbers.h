@@ -1,5 +1,5 @@
-// Numbers as text: read to the nearest double, and written with the fewest digits that read back to
-// the same double.
+// Numbers as text. They are read as the nearest double, and written with the fewest digits that
+// read back as the same double.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,18 @@
 
 namespace evenlift {
 
-// The fewest digits that read back to the same double, of those the nearest, as ECMAScript writes
-// numbers and JSON reads them: "0.1", "-5", "1e+30"; an exponent from 1e21 up and below 1e-6. Only
-// -0 is not "0" but "-0.0". The value must be finite. Same on every platform. O(1).
+// The number with the fewest digits that read back as the same double, and of those the nearest, in
+// the format of ECMAScript: "0.1", "-5", "1e+30", with an exponent from 1e21 up and below 1e-6. The
+// one difference is that -0 is "-0.0", not "0". The value must be finite. The text is the same on
+// every platform. O(1).
 std::string shortest(double value);
 
-// The number that the whole text is, in the syntax of all our formats: a decimal number with an
-// optional sign, point and exponent, no spaces; none for anything else, infinity, NaN, hexadecimal,
-// or what overflows. O(bytes).
+// The value of a text that is a decimal number, with an optional sign, point and exponent and
+// without spaces. All formats of evenlift use this syntax. Nothing for any other text, such as
+// infinity, NaN, hexadecimal, or a number that overflows. O(bytes).
 std::optional<double> read_number(std::string_view text);
 
-// The whole number of at most 2^64 - 1 that the text is: digits only. O(bytes).
+// The value of a text that is a whole number of at most 2^64 - 1: digits only. O(bytes).
 std::optional<std::uint64_t> read_whole(std::string_view text);
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// From a polygon to a placement: the one call that programs make.
+// From a document to a placement, in the one call that programs make.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@
 namespace evenlift {
 
 struct Placement {
-  Points vertices;  // as given
-  Vec2 centre_of_mass = Vec2::Zero();
-  Settings settings;                  // as used
-  std::vector<Candidate> candidates;  // in candidate order, for every metric
-  std::uint32_t requested_teams = 0;  // with "max" the number of candidates
-  std::vector<Team> teams;            // in the order selected
-  std::vector<std::int64_t>
-      team_candidates;  // for each team its candidate's index, -1 if it took none
-  Points lifting_base;  // corners of H, counter-clockwise; empty with no team
-  double coverage = 0;
-  std::optional<LoadSummary> loads;
+  Points vertices;                     // as given
+  Vec2 centre_of_mass = Vec2::Zero();  // as given, or the centroid
+  Settings settings;                   // as given
+  std::vector<Candidate> candidates;   // in candidate order; found with every method
+  std::uint32_t requested_teams = 0;   // as given; for "max" the number of candidates
+  std::vector<Team> teams;             // in the order of choice; perhaps fewer than requested
+  std::vector<std::uint32_t> team_candidates;  // the index of each team's candidate; empty if the
+                                               // method does not choose among candidates
+  Points lifting_base;               // corners of H, counter-clockwise; none without teams
+  double coverage = 0;               // see stability.h
+  std::optional<LoadSummary> loads;  // none without teams
   Closure closure;
 };
 
-// Whether settings are in their ranges (settings_text.h), and "max" only with a metric that selects
-// among candidates. The error's place names the setting. O(1).
+// Checks that settings are in their ranges (settings_text.h) and that "max" is used only with a
+// method that chooses among candidates. The error's place names the setting. O(1).
 std::optional<InputError> check_settings(const Settings& settings);
 
-// Validates the document and computes everything that is reported of it. The same document gives
-// the same bits on every platform. O(n log n + K log K) for K edge-pairs plus the cost of the
+// Checks the document and computes everything that is reported about it. The same document gives
+// the same bits on every platform. O(n log n + K log K) for K edge-pairs, besides the cost of the
 // selection (selection.h).
 Result<Placement> place(const Document& document);
 

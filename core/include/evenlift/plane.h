@@ -9,23 +9,6 @@
 
 namespace evenlift {
 
-struct Box {
-  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
-  Vec2 size() const { return high - low; }
-  Vec2 middle() const { return low + (high - low) / 2; }
-};
-
-// The smallest box around the points; around none, a point at the origin. O(n).
-inline Box bounding_box(const Points& points) {
-  if (points.empty()) return {};
-  Box box{points.front(), points.front()};
-  for (const Vec2& p : points) {
-    box.low = box.low.cwiseMin(p);
-    box.high = box.high.cwiseMax(p);
-  }
-  return box;
-}
-
 // Whether p is inside the polygon: a ray from p crosses the boundary an odd number of times. On the
 // boundary itself the answer may be either. O(n).
 inline bool inside(const Points& polygon, const Vec2& p) {

@@ -16,10 +16,10 @@ enum class Turn : std::int8_t { reflex = -1, straight = 0, convex = 1 };
 // degree) vertices allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
 class Polygon {
  public:
-  // Checks everything that algorithm.md refuses of a polygon: number of vertices, size of
-  // coordinates, repeated vertices, no area, edges that cross, touch or overlap, all exactly; and a
-  // bounding box whose diagonal is below min_diagonal. The error names the vertex or the two edges.
-  // O(n log n).
+  // Makes a polygon, or says what is wrong with the vertices: their number, the size of their
+  // coordinates, repeated vertices, no area, edges that cross, touch or overlap, or a bounding box
+  // whose diagonal is below min_diagonal. All decisions are exact. The error names the vertex or
+  // the two edges. O(n log n).
   static Result<Polygon> create(Points vertices);
 
   std::size_t size() const { return vertices_.size(); }
@@ -31,19 +31,20 @@ class Polygon {
   const Vec2& edge_end(std::size_t edge) const { return vertices_[next(edge)]; }
 
   bool counter_clockwise() const { return counter_clockwise_; }  // orientation as given; exact
-  bool convex() const { return convex_; }  // no interior angle above 180 degrees at all; exact
-  // L: of the bounding box, at least min_diagonal.
+  bool convex() const { return convex_; }  // whether no interior angle exceeds 180 degrees; exact
+  // L, the diagonal of the bounding box; at least min_diagonal.
   double diagonal() const { return diagonal_; }
-  // Rounded to doubles, but above 0 however thin the polygon is.
+  // The area, rounded to the nearest double, but above 0 however thin the polygon is.
   double area() const { return area_; }
-  const Vec2& centroid() const { return centroid_; }  // of the area, rounded to doubles
+  // The centroid of the area, rounded to the nearest doubles.
+  const Vec2& centroid() const { return centroid_; }
 
-  // Whether the interior angle at vertex i is below, at or above 180 degrees. It is straight if the
-  // sine of the turn is at most tau; otherwise the sign is exact. O(1).
+  // Whether the interior angle at vertex i is below, equal to or above 180 degrees. A vertex is
+  // straight if the sine of its turn is at most tau; otherwise the decision is exact. O(1).
   Turn turn(std::size_t i) const;
 
-  // Corners of the convex hull, counter-clockwise from the lowest of the leftmost, no straight
-  // ones; exact. O(h) to copy, computed at creation.
+  // The corners of the convex hull, counter-clockwise from the lowest of the leftmost, without
+  // straight ones. They are computed at creation, exactly. O(1).
   const Points& hull() const { return hull_; }
 
  private:
@@ -59,8 +60,9 @@ class Polygon {
   bool convex_ = false;
 };
 
-// The centre of mass to use: the one given, else the polygon's centroid; refused unless it is
-// finite, within max_coordinate and strictly inside the convex hull of the polygon; exact. O(h).
+// The centre of mass to use: the given one, or else the polygon's centroid. It is an error if it is
+// not finite, exceeds max_coordinate, or is not strictly inside the polygon's convex hull, which is
+// decided exactly. O(h) for h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
 }  // namespace evenlift

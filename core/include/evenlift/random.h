@@ -1,5 +1,5 @@
-// Uniform draws that are the same on every platform: standard engines are, standard distributions
-// are not.
+// Uniform random numbers, the same on every platform. The C++ standard fixes the output of its
+// engines but not of its distributions, so the conversion is our own.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace evenlift {
 
-// A value: copies continue independently. Never draw twice in one function call's arguments, whose
-// order of evaluation differs between compilers.
+// A random number generator. It is a value: copies continue independently. Never draw twice within
+// the arguments of one call, because compilers evaluate them in different orders.
 class Rng {
  public:
   explicit Rng(std::uint64_t seed) : engine_(seed) {}
@@ -16,12 +16,12 @@ class Rng {
   // Uniform in [0, 1): the upper 53 bits of one draw. O(1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
-  // Uniform in 0 .. n - 1, n > 0, without bias: draws beyond the last whole multiple of n are
-  // drawn again. Expected O(1).
+  // Uniform in 0 .. n - 1 for n > 0, without bias: a draw beyond the last whole multiple of n is
+  // rejected and drawn again. Expected O(1).
   std::uint64_t below(std::uint64_t n) {
-    const std::uint64_t excess = (~std::uint64_t{0} % n + 1) % n;  // 2^64 mod n
+    const std::uint64_t rejected = (~std::uint64_t{0} % n + 1) % n;  // 2^64 mod n
     std::uint64_t draw = engine_();
-    while (draw > ~std::uint64_t{0} - excess) draw = engine_();
+    while (draw > ~std::uint64_t{0} - rejected) draw = engine_();
     return draw % n;
   }
 

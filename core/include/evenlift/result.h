@@ -1,4 +1,4 @@
-// Errors are values: what is wrong, and where. No function of the core throws on bad input.
+// Errors are values that say what is wrong and where. No function of the core throws on bad input.
 #pragma once
 
 #include <cassert>
@@ -28,10 +28,10 @@ enum class ErrorCode {
   unknown_version,      // a link of a newer version
 };
 
-// Where in the input. `index` counts from 0 for vertices and edges (edge i runs from vertex i to
-// vertex i + 1), from 1 for lines, columns and the characters of a link (0: the link as a whole).
-// `other` is the second vertex or edge of a pair (index < other), or the column of a line in
-// characters, and equals `index` or 0 where there is none.
+// A place in the input. `index` counts vertices and edges from 0 (edge i runs from vertex i to
+// vertex i + 1), and lines, columns and the characters of a link from 1; 0 means the link as a
+// whole. `other` is the second vertex or edge of a pair, with index < other, or the column in a
+// line, in characters. It equals `index` or 0 if there is none.
 struct Place {
   enum class Kind { nowhere, line, vertex, edge, centre_of_mass, option, link };
   Kind kind = Kind::nowhere;
@@ -42,16 +42,16 @@ struct Place {
 
 struct InputError {
   ErrorCode code;
-  std::string message;  // one clear sentence without the place, no full stop
+  std::string message;  // one sentence, without the place and without a full stop
   Place place;
 };
 
-// The place in words for people ("vertex 3", "edges 2 and 7", "line 4, column 2", "centre of mass",
-// "link, character 5"; of an option its name); empty for nowhere. Vertices and edges are counted
-// from 1 here, as people do. O(1).
+// The place in words: "vertex 3", "edges 2 and 7", "line 4, column 2", "centre of mass", "link,
+// character 5", or the name of an option; empty for nowhere. Here vertices and edges are counted
+// from 1, as people count. O(1).
 std::string describe(const Place& place);
 
-// A value or the error that prevented it.
+// A value, or the error that prevented it.
 template <class T>
 class Result {
  public:
@@ -69,10 +69,11 @@ class Result {
     assert(ok());
     return *std::get_if<T>(&held_);
   }
+  // Returns a copy, so that a reference to the result of a temporary does not dangle.
   T value() && {
     assert(ok());
     return std::move(*std::get_if<T>(&held_));
-  }  // a copy: binds safely
+  }
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
   T operator*() && { return std::move(*this).value(); }

@@ -1,5 +1,5 @@
-// Settings by name and from text: the one table of their names, ranges and sentences, for options,
-// window.evenlift.set(), lessons, links, and what the page keeps.
+// Settings by name and from text. This is the only table of their names, ranges and messages, for
+// the program's options, window.evenlift.set(), lessons, links, and what the page stores.
 #pragma once
 
 #include <optional>
@@ -22,19 +22,19 @@ enum class Setting : std::uint8_t {
   capacity
 };
 
-// The setting's name in JSON and scripts ("min_ratio"), and back; nothing for an unknown name. With
-// hyphens it is the program's option and the lesson's key. O(1).
+// The setting's name in JSON and scripts, such as "min_ratio"; and the setting of a name, or
+// nothing for an unknown name. With hyphens it is the program's option and the lesson's key. O(1).
 std::string_view name(Setting setting);
 std::optional<Setting> setting_from_name(std::string_view text);
 
-// What the setting's value has to be: a sentence without a full stop, such as "the minimum load
-// ratio is a number from 0 to 1". O(1).
+// A sentence that says what the setting's value must be, without a full stop, such as "the minimum
+// load ratio is a number from 0 to 1". O(1).
 const char* requirement(Setting setting);
 
-// The refusal of a value: code bad_setting, the requirement, and a place that names the setting.
+// The error for a bad value: code bad_setting, the requirement, and a place that names the setting.
 InputError setting_error(Setting setting);
 
-// Puts a setting of the document, given as text, in its place:
+// Sets a setting of the document from text:
 //   teams      a whole number from 1 to max_teams, or "max" for every candidate
 //   metric     a name such as "area"
 //   min_ratio  a number from 0 to 1
@@ -43,21 +43,22 @@ InputError setting_error(Setting setting);
 //   seed       a whole number
 //   overlays   names with commas between them, such as "chords,hull", or "none"
 //   step       a whole number of at most 32 bits, or "none"
-// Numbers have the syntax of read_number() and whole numbers that of read_whole(): no spaces, no
-// hexadecimal. Only around the comma of com there may be spaces and tabs. A text that is anything
-// else, or out of range, is refused and changes nothing; capacity is not the document's and always
-// refused. O(bytes).
+// Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
+// hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text and any
+// value out of range is an error and changes nothing. capacity is no setting of a document and
+// always an error. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
-// What one robot can carry, in the unit of the weight: a number above 0. O(bytes).
+// The load that one robot can carry, in the unit of the weight, from text: a number above 0.
+// O(bytes).
 std::optional<double> read_capacity(std::string_view text);
 
-// Whether each setting by itself is in its range. The error's place names the setting. Which
-// settings go together is check_settings()'s to say (placement.h). O(1).
+// Checks that each setting by itself is in its range. The error's place names the setting. Whether
+// settings go together is checked by check_settings() (placement.h). O(1).
 std::optional<InputError> check_ranges(const Settings& settings);
 
-// The rules themselves, ends included where they say so. O(1).
+// The rules themselves. O(1).
 bool is_min_ratio(double value);  // 0 <= value <= 1
-bool is_weight(double value);     // 0 < value, finite; of a capacity, too
+bool is_weight(double value);     // 0 < value, finite; also the rule of a capacity
 
 }  // namespace evenlift

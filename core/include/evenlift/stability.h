@@ -9,13 +9,13 @@
 
 namespace evenlift {
 
-// area(P and H) / area(P) in [0, 1]; 0 while H has no area. `hull` as convex_hull gives it.
-// O(n h) for h corners.
+// The part of the polygon that lies in H, area(P and H) / area(P), in [0, 1]; 0 if H has no area.
+// `hull` must come from convex_hull. O(n h) for h corners.
 double coverage(const Polygon& polygon, const Points& hull);
 
-// The smallest downward force at q that tips an object of weight `weight` carried at the corners
-// of `hull`; infinity where no force does (q in H). With two corners (a single team): 0 off
-// their line, beyond an end r the force weight |C r| / |q r|. O(h).
+// The smallest downward force at q that tips an object of weight `weight`, carried at the corners
+// of `hull`; infinity if q is in H, where no force tips it. With two corners, as of a single team,
+// it is 0 off their line, and weight |C r| / |q r| on the line beyond an end r. O(h).
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q);
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// The one tolerance of algorithm.md and every comparison that uses it. All else is exact.
+// The one tolerance of algorithm.md and the comparisons within it. All other decisions are exact.
 #pragma once
 
 #include "evenlift/vec.h"
@@ -7,24 +7,27 @@ namespace evenlift {
 
 inline constexpr double tau = 1e-9;
 
-// Widest distance that counts as "within tau L", for a polygon whose bounding box has diagonal L.
+// The largest distance that counts as "within tau L", for a polygon whose bounding box has the
+// diagonal L.
 inline double near_distance(double diagonal) { return tau * diagonal; }
 
-// Whether two ratios or shares agree: absolutely, within tau.
+// Whether two ratios or shares differ by at most tau.
 bool ratios_tie(double a, double b);
 
-// Whether two lengths agree: within tau times the larger.
+// Whether two lengths differ by at most tau times the larger.
 bool lengths_tie(double a, double b);
 
-// How far below the best score another still ties with it: tau of the best, or an absolute floor
-// (1e-12 L^2, of distances 1e-12 L) where sums have cancelled.
+// A score ties with the best if it is at most this much lower: tau times the best, but at least
+// `floor`, since differences of sums cancel. The floor is score_floor times L^2, or times L for the
+// metric distance.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 
-// Whether two directions agree: same side, sine of the angle between them at most tau.
+// Whether two directions agree: the angle between them is below 90 degrees and its sine at most
+// tau.
 bool directions_agree(const Vec2& a, const Vec2& b);
 
-// Whether a direction counts as vertical.
+// Whether a direction counts as vertical: its sine with the y axis is at most tau.
 bool is_vertical(const Vec2& direction);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// Points and vectors of the plane. Convention everywhere: x to the right, y up, angles and
-// polygon orientation counter-clockwise positive. Units are those of the input.
+// Points and vectors of the plane. Everywhere x points right and y up, and angles and orientations
+// are positive counter-clockwise. Units are those of the input.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,17 +11,36 @@ namespace evenlift {
 using Vec2 = Eigen::Vector2d;
 using Points = std::vector<Vec2>;
 
-// Cross product a.x b.y - a.y b.x: positive when b points to the left of a. Plain doubles; a
-// decision about input coordinates takes predicates.h instead. O(1).
+// The cross product a.x b.y - a.y b.x, positive if b points to the left of a. It is computed in
+// plain doubles; decisions about input coordinates use predicates.h instead. O(1).
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Dot product. O(1).
+// The dot product. O(1).
 inline double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
 
-// Length by one square root (not hypot, which differs between libraries). O(1).
+// The length, by one square root. (hypot would differ between libraries.) O(1).
 inline double length(const Vec2& a) { return std::sqrt(a.x() * a.x() + a.y() * a.y()); }
 
-// a turned by +90 degrees: the left normal of a. O(1).
+// The left normal of a: a turned by +90 degrees. O(1).
 inline Vec2 left_normal(const Vec2& a) { return {-a.y(), a.x()}; }
+
+// A box with sides parallel to the axes, from its lower left to its upper right corner.
+struct Box {
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
+  Vec2 size() const { return high - low; }
+  Vec2 middle() const { return low + (high - low) / 2; }
+  double diagonal() const { return length(size()); }
+};
+
+// The smallest box around the points; without points, the origin. O(m).
+inline Box bounding_box(const Points& points) {
+  if (points.empty()) return {};
+  Box box{points.front(), points.front()};
+  for (const Vec2& point : points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
 
 }  // namespace evenlift

@@ -7,6 +7,7 @@
 
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
+#include "exact/pseudo_angle.h"
 #include "exact/tie_classes.h"
 
 namespace evenlift {
@@ -17,14 +18,7 @@ constexpr int slope_bits = 40;
 constexpr SlopeKey vertical_slope = (SlopeKey{1} << slope_bits) - 1;
 static_assert(max_edge_pairs <= SlopeKey{1} << number_bits && number_bits + slope_bits == 64);
 
-// In [-2, 2], about as the angle from -90 to 90 degrees, and never falling where the angle grows:
-// each operation rounds correctly.
-double slope(const Vec2& u) {
-  if (u.y() > u.x()) return 2 - u.x() / u.y();
-  if (u.y() < -u.x()) return -2 - u.x() / u.y();
-  return u.y() / u.x();
-}
-
+// See settle_order.
 class Settler {
  public:
   explicit Settler(std::vector<Candidate>& candidates) : candidates_(candidates) {}
@@ -42,8 +36,8 @@ class Settler {
  private:
   const Vec2& direction(std::size_t i) const { return candidates_[i].direction; }
 
-  // Calls visit(begin, end) for each longest run of at least two in which together(i) holds of i
-  // and i + 1.
+  // Calls visit(begin, end) for each maximal run of at least two candidates in which together(i)
+  // holds for each i and i + 1.
   template <class Together, class Visit>
   void for_each_run(Together together, Visit visit) {
     for (std::size_t begin = 0, end; begin < candidates_.size(); begin = end) {
@@ -53,7 +47,7 @@ class Settler {
     }
   }
 
-  // All chords of one vertex have the very same direction; of others few have the same key.
+  // Chords of one vertex have the very same direction. Few others have the same key.
   bool same_key(std::size_t i) const {
     return i + 1 < vertical_from_ && (direction(i) == direction(i + 1) ||
                                       slope_key(direction(i), 0) == slope_key(direction(i + 1), 0));
@@ -110,7 +104,7 @@ class Settler {
     std::iota(members_.begin(), members_.end(), static_cast<std::uint32_t>(begin));
   }
 
-  // Puts the members, in their order, at `begin` and after.
+  // Puts the members, in their order, into the places from `begin` on.
   void rearrange(std::size_t begin) {
     const auto in_place = [&](std::size_t k) { return members_[k] == begin + k; };
     std::size_t from = 0;
@@ -124,18 +118,19 @@ class Settler {
 
   std::vector<Candidate>& candidates_;
   std::size_t vertical_from_ = 0;
-  SortedIndices members_;  // of a line, or of equal keys
+  SortedIndices members_;  // of the run under way
   std::vector<Candidate> moved_;
 };
 
 }  // namespace
 
 SlopeKey slope_key(const Vec2& direction, std::uint32_t number) {
-  constexpr double scale = 0x1p38;  // [0, 4] to slope_bits
+  constexpr double scale = 0x1p38;  // maps [0, 4] to slope_bits
   const SlopeKey key =
       is_vertical(direction)
           ? vertical_slope
-          : std::min(static_cast<SlopeKey>((slope(direction) + 2) * scale), vertical_slope - 1);
+          : std::min(static_cast<SlopeKey>((line_pseudo_angle(direction) + 2) * scale),
+                     vertical_slope - 1);
   return key << number_bits | number;
 }
 
@@ -143,8 +138,7 @@ std::uint32_t number_of(SlopeKey key) {
   return static_cast<std::uint32_t>(key & ((SlopeKey{1} << number_bits) - 1));
 }
 
-// Numbers stand in rising order at first, and each pass keeps the order of the one before: only the
-// bits of the slope need passes.
+// The numbers ascend at first and each pass is stable, so only the bits of the slope need passes.
 void sort_keys(std::vector<SlopeKey>& keys) {
   constexpr std::size_t few = 512;
   if (keys.size() < few) {

@@ -5,7 +5,7 @@
 namespace evenlift {
 
 void CandidateSeeds::examine_and_add(const EdgePair& pair) {
-  const SeenEdge a = see(pair.a), b = see(pair.b);
+  const SeenEdge a = see(polygon_, view_, pair.a), b = see(polygon_, view_, pair.b);
   switch (examine_quickly(polygon_, centre_, a, b, pair, min_ratio_)) {
     case QuickVerdict::none:
       return;
@@ -16,7 +16,7 @@ void CandidateSeeds::examine_and_add(const EdgePair& pair) {
     case QuickVerdict::bisecting:
       offsets_.push_back(bisecting_offset(centre_, a, b));
       return add_seed(
-          {pair.a, pair.b, inside_edge, static_cast<std::uint32_t>(offsets_.size() - 1)},
+          BisectingSeed{pair.a, pair.b, static_cast<std::uint32_t>(offsets_.size() - 1)},
           rightward(offsets_.back()));
     case QuickVerdict::unsure:
       break;
@@ -32,15 +32,14 @@ void CandidateSeeds::examine_and_add(const OppositeVertices& opposite) {
 
 void CandidateSeeds::add_finished(const Candidate& candidate) {
   finished_.push_back(candidate);
-  add_seed(
-      {inside_edge, inside_edge, inside_edge, static_cast<std::uint32_t>(finished_.size() - 1)},
-      candidate.direction);
+  add_seed(FinishedSeed{static_cast<std::uint32_t>(finished_.size() - 1)}, candidate.direction);
 }
 
 void CandidateSeeds::add_vertex_chord(const EdgePair& pair, std::uint32_t vertex_a,
                                       std::uint32_t vertex_b) {
-  const Seed seed = vertex_a != inside_edge ? Seed{pair.a, pair.b, vertex_a, vertex_b}
-                                            : Seed{pair.b, pair.a, vertex_b, inside_edge};
+  const VertexChordSeed seed = vertex_a != inside_edge
+                                   ? VertexChordSeed{pair.a, pair.b, vertex_a, vertex_b}
+                                   : VertexChordSeed{pair.b, pair.a, vertex_b, inside_edge};
   add_seed(seed, rightward(centre_ - polygon_.vertex(seed.vertex)));
 }
 
@@ -50,13 +49,16 @@ void CandidateSeeds::add_seed(const Seed& seed, const Vec2& direction) {
   if (traced_) source_of_seed_.push_back(sources_);
 }
 
-Candidate CandidateSeeds::grow(const Seed& seed) const {
-  if (seed.edge == inside_edge) return finished_[seed.opposite];
-  if (seed.vertex == inside_edge)
-    return bisecting_candidate(centre_, seed.edge, seed.other, offsets_[seed.opposite]);
-  return vertex_candidate(polygon_, centre_, seed.vertex, seed.edge, see(seed.other),
-                          seed.opposite);
+Candidate CandidateSeeds::grow(const VertexChordSeed& seed) const {
+  return vertex_candidate(polygon_, centre_, seed.vertex, seed.edge,
+                          see(polygon_, view_, seed.other), seed.opposite);
 }
+
+Candidate CandidateSeeds::grow(const BisectingSeed& seed) const {
+  return bisecting_candidate(centre_, seed.edge_a, seed.edge_b, offsets_[seed.offset]);
+}
+
+Candidate CandidateSeeds::grow(const FinishedSeed& seed) const { return finished_[seed.index]; }
 
 std::vector<Candidate> CandidateSeeds::grow() {
   sort_keys(keys_);
@@ -64,7 +66,7 @@ std::vector<Candidate> CandidateSeeds::grow() {
   candidates.reserve(keys_.size());
   for (const SlopeKey key : keys_) {
     const std::uint32_t seed = number_of(key);
-    candidates.push_back(grow(seeds_[seed]));
+    candidates.push_back(std::visit([&](const auto& each) { return grow(each); }, seeds_[seed]));
     if (traced_) candidates.back().source = source_of_seed_[seed];
   }
   settle_order(candidates);

@@ -1,8 +1,10 @@
-// Candidates in two steps, so that the large records are written once and in their order: first a
-// short seed of each and the key of its slope, then, sorted by these, the candidates themselves.
+// Candidates are made in two steps, so that the large records are written only once and in their
+// order. First each gets a short seed and a sort key; then the candidates grow from the sorted
+// seeds.
 #pragma once
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "candidates/candidate_order.h"
@@ -14,13 +16,13 @@ namespace evenlift {
 
 class CandidateSeeds {
  public:
-  // With `traced`, grow() notes in each candidate its source: the number of the call of add() that
-  // it came from.
+  // If `traced`, grow() sets the source of each candidate: the number of the call of add() from
+  // which it came.
   CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
                  double min_ratio, bool traced)
       : polygon_(polygon), centre_(centre), view_(view), min_ratio_(min_ratio), traced_(traced) {}
 
-  // Takes in an edge-pair or two opposite vertices: at most one seed. Amortized O(1).
+  // Examines an edge-pair or two opposite vertices and adds at most one seed. Amortized O(1).
   void add(const EdgePair& pair) {
     examine_and_add(pair);
     ++sources_;
@@ -30,27 +32,34 @@ class CandidateSeeds {
     ++sources_;
   }
 
-  // The candidates of all sources in candidate order, duplicates not merged. It may be called only
+  // The candidates of all sources, in candidate order and with duplicates. It may be called only
   // once. O(m), and O(l log l) for each line with l of the m candidates.
   std::vector<Candidate> grow();
 
  private:
-  // A vertex-chord from `vertex` of `edge` to `other`, at `opposite` of that if not inside_edge.
-  // With a vertex of inside_edge a bisecting chord on both edges, its offset numbered `opposite`.
-  // With an edge of inside_edge, the finished candidate `opposite`.
-  struct Seed {
+  // A chord from `vertex` of `edge` through C to the edge `other`, which it meets at the vertex
+  // `opposite`, unless that is inside_edge.
+  struct VertexChordSeed {
     std::uint32_t edge, other, vertex, opposite;
   };
+  // The chord on both edges that C bisects; `offset` is an index into offsets_.
+  struct BisectingSeed {
+    std::uint32_t edge_a, edge_b, offset;
+  };
+  // A candidate that is finished already; `index` is an index into finished_.
+  struct FinishedSeed {
+    std::uint32_t index;
+  };
+  using Seed = std::variant<VertexChordSeed, BisectingSeed, FinishedSeed>;
+
   void examine_and_add(const EdgePair& pair);
   void examine_and_add(const OppositeVertices& opposite);
-  SeenEdge see(std::uint32_t edge) const {
-    return {edge, polygon_.vertex(view_.first(edge)), polygon_.vertex(view_.last(edge)),
-            view_.area(edge)};
-  }
   void add_seed(const Seed& seed, const Vec2& direction);
   void add_finished(const Candidate& candidate);
   void add_vertex_chord(const EdgePair& pair, std::uint32_t vertex_a, std::uint32_t vertex_b);
-  Candidate grow(const Seed& seed) const;
+  Candidate grow(const VertexChordSeed& seed) const;
+  Candidate grow(const BisectingSeed& seed) const;
+  Candidate grow(const FinishedSeed& seed) const;
 
   const Polygon& polygon_;
   const Vec2& centre_;

@@ -1,28 +1,22 @@
 #include "evenlift/candidates.h"
 
+#include <utility>
+
 #include "candidates/candidate_seeds.h"
 #include "candidates/duplicates.h"
 #include "candidates/pair_candidate.h"
 #include "chords/opposite_vertices.h"
 #include "chords/radial_view.h"
-#include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 
 namespace evenlift {
 namespace {
 
-SeenEdge see(const Polygon& polygon, const Vec2& centre, std::uint32_t edge) {
-  const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
-  const double area = orient(centre, p, q);
-  if (area > 0) return {edge, p, q, area};
-  return {edge, q, p, -area};
-}
-
 struct Found {
   std::vector<Candidate> candidates;
   std::uint32_t sources = 0;
-  std::vector<std::uint32_t> source_of_chord;  // if traced: of each chord before merging ...
-  std::vector<std::uint32_t> became;           // ... and the candidate that it led to
+  std::vector<std::uint32_t> source_of_chord;  // if traced: the source of each chord before merging
+  std::vector<std::uint32_t> became;           // and the candidate that the chord led to
 };
 
 Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio, bool traced) {
@@ -36,11 +30,13 @@ Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) { seeds.add(pair); });
   for (const OppositeVertices& two : *opposite) seeds.add(two);
   Found found;
-  found.candidates = seeds.grow();
+  std::vector<Candidate> chords = seeds.grow();
   found.sources = static_cast<std::uint32_t>(pairs + opposite->size());
   if (traced)
-    for (const Candidate& c : found.candidates) found.source_of_chord.push_back(c.source);
-  found.became = merge_duplicates(found.candidates, near_distance(polygon.diagonal()));
+    for (const Candidate& c : chords) found.source_of_chord.push_back(c.source);
+  MergedCandidates merged = merge_duplicates(std::move(chords), near_distance(polygon.diagonal()));
+  found.candidates = std::move(merged.candidates);
+  found.became = std::move(merged.became);
   return found;
 }
 

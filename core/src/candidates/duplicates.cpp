@@ -6,16 +6,21 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
+
+#include "chords/section.h"
+#include "exact/pseudo_angle.h"
 
 namespace evenlift {
 namespace {
 
 using Index = std::uint32_t;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double full_turn = 4;  // of slopes
+constexpr double full_turn = 4;  // of line_pseudo_angle, which repeats after 180 degrees
 
-// Cuts [first, last) wherever the sorted `key` jumps by more than `gap`. Items in different parts
-// cannot agree if the key changes by no more than that between two that do.
+// Sorts [first, last) by `key`, cuts it wherever the key jumps by more than `gap`, and visits the
+// parts. If the keys of two items that agree differ by at most the gap, no items of different parts
+// agree.
 template <class Key, class Visit>
 void split_at_gaps(Index* first, Index* last, double gap, Key key, Visit visit) {
   const auto smaller = [&](Index a, Index b) {
@@ -31,7 +36,8 @@ void split_at_gaps(Index* first, Index* last, double gap, Key key, Visit visit) 
   }
 }
 
-// The slopes that chords agreeing with a given one can have.
+// The range of slopes, as line_pseudo_angle, that chords within tolerance of a given chord can
+// have.
 struct Slopes {
   double low, high;
 };
@@ -43,7 +49,7 @@ class Merger {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  // The representative of each candidate's class: its first member.
+  // The representative of each candidate's class, which is its first member.
   std::vector<Index> run() {
     split_by_slope();
     for (Index i = 0; i < parent_.size(); ++i) parent_[i] = find(i);
@@ -51,26 +57,25 @@ class Merger {
   }
 
  private:
-  // Slopes run from -2 to 2 about as the angle from -90 to 90 degrees, and count modulo a full
-  // turn. They change by at most twice the angle. If the ends of two chords agree, their vectors u
-  // differ by at most 2 near, so the sine of the angle between them is at most s = 2 near / |u| and
-  // the angle at most pi / 2 s; 8 near / |u| is more than twice that and all rounding. (From the
-  // ends, not from Candidate::direction, which rounding of the ends can turn.)
+  // Slopes run from -2 to 2 and repeat after a full turn. They change by at most twice the angle.
+  // If the ends of two chords agree, their vectors u differ by at most 2 near, so the sine of the
+  // angle between them is at most s = 2 near / |u| and the angle is at most pi / 2 s; 8 near / |u|
+  // is more than twice that and all rounding. The slope is that of the rounded ends, which may
+  // differ from that of Candidate::direction.
   Slopes slopes(Index i) const {
     const Vec2 u = candidates_[i].chord.r2.position - candidates_[i].chord.r1.position;
     const double width = std::fabs(u.x()), height = std::fabs(u.y());
-    if (width == 0 && height == 0) return {-full_turn, full_turn};  // rounded away
+    if (width == 0 && height == 0) return {-full_turn, full_turn};  // the ends rounded to one point
     const double reach = std::min(8 * near_ / std::max(width, height), full_turn);
-    const double middle =
-        height <= width ? u.y() / u.x() : (u.y() > 0 ? 2.0 : -2.0) - u.x() / u.y();
+    const double middle = line_pseudo_angle(u);
     return {middle - reach, middle + reach};
   }
 
-  // In candidate order slopes hardly ever fall, so nearly all candidates end up in small groups,
-  // without sorting.
+  // Cuts the list where no two slope ranges reach across. In candidate order slopes hardly ever
+  // fall, so nearly all groups are small, and this takes no sorting.
   void split_by_slope() {
     const auto m = static_cast<Index>(candidates_.size());
-    // lowest[i]: of i and all after it.
+    // lowest[i] is the lowest slope of candidate i and all after it.
     std::vector<double> lowest(m + std::size_t{1}, infinity);
     double top = -infinity;
     for (Index i = m; i-- > 0;) {
@@ -78,31 +83,30 @@ class Merger {
       lowest[i] = std::min(lowest[i + 1], s.low);
       top = std::max(top, s.high);
     }
-    // Chords on either side of the vertical may agree, the first with the last: one group with
-    // both.
+    // Nearly vertical chords may agree although their slopes are at both ends of the range. Groups
+    // that reach around the end are put together into one.
     const double around_low = top - full_turn, around_high = lowest[0] + full_turn;
     std::vector<Index> group, around;
     double highest = -infinity;
-    bool turns_over = false;
+    bool reaches_around = false;
     for (Index i = 0; i < m; ++i) {
       const Slopes s = slopes(i);
       group.push_back(i);
       highest = std::max(highest, s.high);
-      turns_over = turns_over || s.low <= around_low || s.high >= around_high;
+      reaches_around = reaches_around || s.low <= around_low || s.high >= around_high;
       if (lowest[i + 1] <= highest) continue;
-      if (turns_over) {
+      if (reaches_around) {
         around.insert(around.end(), group.begin(), group.end());
       } else {
         split(group.data(), group.data() + group.size(), 0, 0);
       }
       group.clear();
-      turns_over = false;
+      reaches_around = false;
     }
     split(around.data(), around.data() + around.size(), 0, 0);
   }
 
-  // The length and the bounding box of a chord: keys that do not depend on which end is called the
-  // right one.
+  // The length and the bounding box of a chord. These keys do not depend on which end is called r2.
   static constexpr int keys = 5;
   double key(Index i, int which) const {
     const Vec2 &p = candidates_[i].chord.r1.position, &q = candidates_[i].chord.r2.position;
@@ -119,11 +123,12 @@ class Merger {
         return std::min(p.y(), q.y());
     }
   }
-  // Coordinates change by no more than the ends move, lengths by twice that and rounding.
+  // Coordinates change by no more than the ends move, lengths by no more than twice that, and
+  // rounding.
   double gap(int which) const { return which == 0 ? 3 * near_ : near_; }
 
-  // Splits by one key after another until all in a row leave the group whole; what is left, or is
-  // small anyway, is compared pair by pair.
+  // Splits by one key after another until no key splits the group any more. What is left, or is
+  // small anyway, is compared pair by pair. `whole` counts the last keys that left the group whole.
   void split(Index* first, Index* last, int which, int whole) {
     constexpr std::ptrdiff_t small = 4;
     if (last - first < 2) return;
@@ -137,19 +142,12 @@ class Merger {
   void compare_all(const Index* first, const Index* last) {
     for (const Index* i = first; i != last; ++i) {
       for (const Index* j = i + 1; j != last; ++j) {
-        if (agree(*i, *j)) join(*i, *j);
+        if (same_chord(candidates_[*i].chord, candidates_[*j].chord, near_)) join(*i, *j);
       }
     }
   }
 
-  bool agree(Index i, Index j) const {
-    const Chord &a = candidates_[i].chord, &b = candidates_[j].chord;
-    const auto close = [&](const LiftingPoint& p, const LiftingPoint& q) {
-      return length(p.position - q.position) <= near_;
-    };
-    return (close(a.r1, b.r1) && close(a.r2, b.r2)) || (close(a.r1, b.r2) && close(a.r2, b.r1));
-  }
-
+  // Union-find with path halving.
   Index find(Index i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -167,16 +165,15 @@ class Merger {
 
 }  // namespace
 
-std::vector<std::uint32_t> merge_duplicates(std::vector<Candidate>& candidates, double near) {
+MergedCandidates merge_duplicates(std::vector<Candidate> candidates, double near) {
   const std::vector<Index> first_of = Merger(candidates, near).run();
-  const auto stands_before = [&](const Candidate& a, const Candidate& b) {
+  const auto is_preferred_to = [&](const Candidate& a, const Candidate& b) {
     if (a.between_vertices != b.between_vertices) return a.between_vertices;
     return a.chord.ratio > b.chord.ratio;
   };
-  // In candidate order the first of a class comes first: a later one takes its place only if it
-  // stands before it.
+  // The first member of a class is kept unless a later one is preferred to it.
   std::vector<Index> best(candidates.size());
-  std::vector<CandidateKind> kind(candidates.size());  // of each class the first that occurs
+  std::vector<CandidateKind> kind(candidates.size());  // of each class, the first that occurs
   for (Index i = 0; i < candidates.size(); ++i) {
     const Index first = first_of[i];
     if (first == i) {
@@ -185,7 +182,7 @@ std::vector<std::uint32_t> merge_duplicates(std::vector<Candidate>& candidates, 
       continue;
     }
     kind[first] = std::min(kind[first], candidates[i].kind);
-    if (stands_before(candidates[i], candidates[best[first]])) best[first] = i;
+    if (is_preferred_to(candidates[i], candidates[best[first]])) best[first] = i;
   }
   std::vector<Index> place(candidates.size());
   Index kept = 0;
@@ -194,15 +191,15 @@ std::vector<std::uint32_t> merge_duplicates(std::vector<Candidate>& candidates, 
     if (best[first] != i) continue;
     place[first] = kept;
     if (kept != i) candidates[kept] = candidates[i];
-    // Between two vertices the kind is the chord's own: the edge-pairs that rounding alone opens
-    // between these say nothing about it.
+    // A chord between two vertices keeps its own kind. The edge-pairs that rounding alone opens
+    // between two opposite vertices say nothing about it.
     if (!candidates[kept].between_vertices) candidates[kept].kind = kind[first];
     ++kept;
   }
   candidates.resize(kept);
   std::vector<Index> became(first_of.size());
   for (Index i = 0; i < became.size(); ++i) became[i] = place[first_of[i]];
-  return became;
+  return {std::move(candidates), std::move(became)};
 }
 
 }  // namespace evenlift

@@ -13,12 +13,12 @@ namespace {
 
 // One end of a pair's range: the vertex-chord there.
 struct SectionEnd {
-  std::uint32_t vertex;    // at which the range ends
-  std::uint32_t opposite;  // the vertex across C, if both edges end here, else inside_edge
-  bool on_a;               // the vertex is a's
+  std::uint32_t vertex;    // the vertex at which the range ends
+  std::uint32_t opposite;  // the vertex across C if both edges end here, otherwise inside_edge
+  bool on_a;               // whether the vertex belongs to a, not b
   Across across;           // from the vertex to the other edge
   double g;                // |C r_b| / |C r_a|
-  int excess;              // exact sign of g - 1
+  int compare_to_one;      // -1, 0, 1: g is below, equal to or above 1; exact
 };
 
 SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
@@ -27,17 +27,17 @@ SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdg
   const std::uint32_t vertex = on_a ? vertex_a : vertex_b;
   const SeenEdge& other = on_a ? b : a;
   const Across across =
-      look_across(centre, polygon.vertex(vertex), other.first, other.last, other.area);
+      look_across(centre, polygon.vertex(vertex), other.first, other.last, other.doubled_area);
   return {vertex,
           on_a ? vertex_b : inside_edge,
           on_a,
           across,
           on_a ? across.factor : 1.0 / across.factor,
-          on_a ? across.excess : -across.excess};
+          on_a ? across.compare_to_one : -across.compare_to_one};
 }
 
-// A vertex-chord that is even is a bisecting one: whether the arms are equal to the last bit is
-// rounding's to say.
+// An even vertex-chord counts as bisecting, since whether its arms are equal to the last bit
+// depends on rounding.
 CandidateKind kind_of_vertex_chord(const Chord& chord) {
   return is_even(chord) ? CandidateKind::bisecting : CandidateKind::vertex;
 }
@@ -46,7 +46,7 @@ Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& dir
   return {chord, kind, false, 0, rightward(direction), chord.arm1 + chord.arm2};
 }
 
-// C r_a at a section end.
+// r_a - C at a section end.
 Vec2 offset_on_a(const Polygon& polygon, const Vec2& centre, const SectionEnd& end) {
   const Vec2 offset = polygon.vertex(end.vertex) - centre;
   return end.on_a ? offset : Vec2(-end.across.factor * offset);
@@ -75,47 +75,55 @@ Candidate end_candidate(const Polygon& polygon, const Vec2& centre, const SeenEd
   return candidate;
 }
 
-// g at a section end, as section_end finds it, to a relative error below 2^-32.
+// An estimate of g at a section end, with a relative error below 2^-32.
 std::optional<double> estimate_g(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                                  const SeenEdge& b, std::uint32_t vertex_a,
                                  std::uint32_t vertex_b) {
   if (vertex_a != inside_edge)
-    return estimate_across(centre, polygon.vertex(vertex_a), b.first, b.last, b.area);
-  const auto factor = estimate_across(centre, polygon.vertex(vertex_b), a.first, a.last, a.area);
+    return estimate_across(centre, polygon.vertex(vertex_a), b.first, b.last, b.doubled_area);
+  const auto factor =
+      estimate_across(centre, polygon.vertex(vertex_b), a.first, a.last, a.doubled_area);
   if (factor) return 1.0 / *factor;
   return std::nullopt;
 }
 
 }  // namespace
 
+SeenEdge see(const Polygon& polygon, const Vec2& centre, std::uint32_t edge) {
+  const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
+  const double doubled_area = orient(centre, p, q);
+  if (doubled_area > 0) return {edge, p, q, doubled_area};
+  return {edge, q, p, -doubled_area};
+}
+
 Vec2 rightward(const Vec2& direction) {
   return points_right(direction) ? direction : Vec2(-direction);
 }
 
-// C r_a for the chord that C bisects: where the line of a meets the line of b reflected through C,
-// which is equation 3.6 without trigonometry. With d the edges' vectors and h twice the areas that
-// they span with C it is -(h_b d_a + h_a d_b) / (d_a x d_b). The sum cancels for nearly parallel
-// edges; then it is taken in double-double.
+// r_a is where the line of a meets the line of b reflected through C; this is equation 3.6 without
+// trigonometry. With d the edges' vectors and h twice the areas that they span with C, r_a - C is
+// -(h_b d_a + h_a d_b) / (d_a x d_b). The sum cancels for nearly parallel edges, and then it is
+// computed in double-double.
 Vec2 bisecting_offset(const Vec2& centre, const SeenEdge& a, const SeenEdge& b) {
   const Vec2 da = a.last - a.first, db = b.last - b.first;
-  const double ha = a.area, hb = b.area;
+  const double ha = a.doubled_area, hb = b.doubled_area;
   const Vec2 sum = hb * da + ha * db;
   const double size = hb * length(da) + ha * length(db);
-  constexpr double enough = 0x1p-5;
-  if (length(sum) > enough * size) {
+  constexpr double filter_threshold = 0x1p-5;
+  if (length(sum) > filter_threshold * size) {
     return -sum / cross_of_differences(a.first, a.last, b.first, b.last);
   }
 
   const auto difference = [](const Vec2& p, const Vec2& q) {
     return std::pair(two_difference(q.x(), p.x()), two_difference(q.y(), p.y()));
   };
-  const auto area = [](const auto& u, const auto& v) {
+  const auto fine_cross = [](const auto& u, const auto& v) {
     return u.first * v.second - u.second * v.first;
   };
   const auto fine_da = difference(a.first, a.last), fine_db = difference(b.first, b.last);
-  const auto fine_ha = area(difference(centre, a.first), difference(centre, a.last));
-  const auto fine_hb = area(difference(centre, b.first), difference(centre, b.last));
-  const DoubleDouble divisor = area(fine_da, fine_db);
+  const auto fine_ha = fine_cross(difference(centre, a.first), difference(centre, a.last));
+  const auto fine_hb = fine_cross(difference(centre, b.first), difference(centre, b.last));
+  const DoubleDouble divisor = fine_cross(fine_da, fine_db);
   const DoubleDouble x = (fine_hb * fine_da.first + fine_ha * fine_db.first) / divisor;
   const DoubleDouble y = (fine_hb * fine_da.second + fine_ha * fine_db.second) / divisor;
   return {-x.to_double(), -y.to_double()};
@@ -132,7 +140,7 @@ Candidate bisecting_candidate(const Vec2& centre, std::uint32_t edge_a, std::uin
 Candidate vertex_candidate(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex,
                            std::uint32_t edge, const SeenEdge& other, std::uint32_t opposite) {
   const Across across =
-      look_across(centre, polygon.vertex(vertex), other.first, other.last, other.area);
+      look_across(centre, polygon.vertex(vertex), other.first, other.last, other.doubled_area);
   const Chord chord =
       chord_from_vertex(polygon, centre, vertex, edge, across, other.edge, opposite);
   Candidate candidate =
@@ -179,12 +187,13 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
     if (reaches(candidate.chord, min_ratio)) verdict.candidate = candidate;
     return verdict;
   }
-  verdict.bisected = begin.excess * end.excess <= 0;
+  verdict.bisected = begin.compare_to_one * end.compare_to_one <= 0;
   if (verdict.bisected) {
-    // At the very end of the section the bisecting chord is the vertex-chord, known more precisely.
-    if (begin.excess == 0) {
+    // At the very end of the section the bisecting chord is the vertex-chord, which is known more
+    // precisely.
+    if (begin.compare_to_one == 0) {
       verdict.candidate = end_candidate(polygon, centre, a, b, begin);
-    } else if (end.excess == 0) {
+    } else if (end.compare_to_one == 0) {
       verdict.candidate = end_candidate(polygon, centre, a, b, end);
     } else {
       verdict.candidate =
@@ -192,7 +201,8 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
     }
     return verdict;
   }
-  // g is monotonic and does not pass 1: the end nearer to 1 is the nearer to the bisecting chord.
+  // g is monotonic and does not pass 1, so the section's best chord is at the end where g is nearer
+  // to 1.
   const bool begin_is_nearer = load_ratio(1.0, begin.g) > load_ratio(1.0, end.g);
   const SectionEnd& nearer = begin_is_nearer ? begin : end;
   const Candidate candidate = end_candidate(polygon, centre, a, b, nearer);
@@ -200,22 +210,23 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
   return verdict;
 }
 
-// The questions of `examine`, in its order, each with room for the errors of the estimates.
+// Asks the questions of `examine` in the same order. It is unsure wherever the errors of the
+// estimates could change the answer.
 QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const EdgePair& pair, double min_ratio) {
   const auto g0 = estimate_g(polygon, centre, a, b, pair.begin_a, pair.begin_b);
   const auto g1 = estimate_g(polygon, centre, a, b, pair.end_a, pair.end_b);
   if (!g0 || !g1) return QuickVerdict::unsure;
-  constexpr double room = 0x1p-30;
+  constexpr double error_bound = 0x1p-30;
   const double e0 = *g0 - 1, e1 = *g1 - 1;
-  if (std::fabs(*g0 - *g1) <= (tau + room) * std::max(*g0, *g1))
+  if (std::fabs(*g0 - *g1) <= (tau + error_bound) * std::max(*g0, *g1))
     return QuickVerdict::unsure;  // perhaps parallel
-  if (std::fabs(e0) <= room || std::fabs(e1) <= room) return QuickVerdict::unsure;
+  if (std::fabs(e0) <= error_bound || std::fabs(e1) <= error_bound) return QuickVerdict::unsure;
   if ((e0 < 0) != (e1 < 0)) return QuickVerdict::bisecting;
   const double ratio0 = load_ratio(1.0, *g0), ratio1 = load_ratio(1.0, *g1);
   const double larger = std::max(ratio0, ratio1), least = min_ratio - tau;
-  if (larger < least - room) return QuickVerdict::none;
-  if (larger < least + room) return QuickVerdict::unsure;
+  if (larger < least - error_bound) return QuickVerdict::none;
+  if (larger < least + error_bound) return QuickVerdict::unsure;
   return ratio0 > ratio1 ? QuickVerdict::at_begin : QuickVerdict::at_end;
 }
 

@@ -7,7 +7,7 @@
 namespace evenlift {
 namespace {
 
-// The vertices of a group, the forward ones first.
+// The vertices of a group, forward and backward ones apart.
 struct Group {
   std::vector<std::uint32_t> ahead, behind;
   void fill(const RadialView& view, std::uint32_t group) {
@@ -31,7 +31,7 @@ VertexChord chord_between(const Polygon& polygon, const Vec2& centre, std::uint3
 VertexChord chord_into(const Polygon& polygon, const Vec2& centre, const RadialView& view,
                        std::uint32_t v, std::uint32_t edge) {
   const Across across = look_across(centre, polygon.vertex(v), polygon.vertex(view.first(edge)),
-                                    polygon.vertex(view.last(edge)), view.area(edge));
+                                    polygon.vertex(view.last(edge)), view.doubled_area(edge));
   return {v, inside_edge, chord_from_vertex(polygon, centre, v, v, across, edge, inside_edge)};
 }
 
@@ -49,10 +49,11 @@ Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec
   RadialSweep sweep(polygon, view);
   std::vector<VertexChord> chords;
   Group group;
-  for (std::uint32_t turn = 0; turn < view.turns(); ++turn) {
-    sweep.leave(turn);
-    // Between leaving and entering, the active edges are those that the line meets in their inside.
-    group.fill(view, turn);
+  for (std::uint32_t direction = 0; direction < view.direction_count(); ++direction) {
+    sweep.leave(direction);
+    // Between leaving and entering, the active edges are those that the line meets in their
+    // interior.
+    group.fill(view, direction);
     const std::uint64_t number =
         chords.size() + group.ahead.size() * (sweep.behind().size() + group.behind.size()) +
         group.behind.size() * sweep.ahead().size();
@@ -67,7 +68,7 @@ Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec
       for (const std::uint32_t edge : sweep.ahead())
         chords.push_back(chord_into(polygon, centre, view, v, edge));
     }
-    sweep.enter(turn, [](std::uint32_t, bool) {});
+    sweep.enter(direction, [](std::uint32_t, bool) {});
   }
   return chords;
 }

@@ -30,7 +30,7 @@ class Finder {
   std::optional<std::vector<OppositeVertices>> run() {
     const std::size_t m = seen_.size();
     for (std::size_t i = 0; i < m; ++i) {
-      // Both ways round from i; once if the first way looks at all of them.
+      // Both ways round from i, unless the first way has looked at all of them.
       std::size_t steps = 1;
       while (steps < m && look(i, (i + steps) % m)) ++steps;
       if (steps < m)
@@ -41,15 +41,15 @@ class Finder {
   }
 
  private:
-  // Looks at j from the nearer vertex i. False if the lines of i and j are so far apart that no
-  // vertex beyond j, which is not nearer to C than i, can be opposite to i: C is within tau L of
-  // the line of two vertices with arms a <= b only if the sine of the angle between their lines
-  // through C is at most tau L (a + b) / (a b) <= 2 tau L / a.
+  // Notes i and j if they are opposite and i is nearer to C. Returns false if no vertex beyond j
+  // that is farther from C than i can be opposite to i, because the lines of i and j are too far
+  // apart: C is within tau L of the line of two vertices with arms a <= b only if the sine of the
+  // angle between their lines through C is at most tau L (a + b) / (a b) <= 2 tau L / a.
   bool look(std::size_t i, std::size_t j) {
     const Seen &a = seen_[i], &b = seen_[j];
     const double side = std::fabs(cross(a.position, b.position));
-    constexpr double room = 1 + 1e-6;  // for the rounding of what the order was found from exactly
-    if (side > room * 2 * near_ * b.arm) return false;
+    constexpr double rounding_factor = 1 + 1e-6;  // the order is exact, this test is not
+    if (side > rounding_factor * 2 * near_ * b.arm) return false;
     const bool is_nearer = a.arm != b.arm ? a.arm < b.arm : i < j;
     if (is_nearer && dot(a.position, b.position) < 0 &&
         side <= near_ * length(a.position - b.position))

@@ -1,4 +1,4 @@
-// Which vertices are opposite each other across C (algorithm.md, Opposite vertices).
+// Finds the vertices that are opposite each other across C (algorithm.md, Opposite vertices).
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace evenlift {
 
-// As opposite_vertices(); nothing if there are more than `most`. O(n) besides the vertices looked
-// at.
+// Like opposite_vertices(), but returns nothing if there are more than `most`. O(n) instead of
+// O(n log n), since the view has sorted the vertices.
 std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygon& polygon,
                                                                     const Vec2& centre,
                                                                     const RadialView& view,
                                                                     std::uint64_t most);
 
-// The refusal of too many edge-pairs and opposite vertices.
+// The error of too many edge-pairs and opposite vertices.
 InputError too_many_opposite_vertices();
 
 }  // namespace evenlift

@@ -6,30 +6,100 @@
 
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
+#include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
 
 namespace evenlift {
 namespace {
 
-// A vertex's direction modulo 180 degrees, in [0, 4), about as the angle.
-struct Turned {
-  double key;
-  std::uint32_t vertex;
-};
-
-// `u` in [0, 180) degrees.
-double turn_key(const Vec2& u) {
-  if (u.y() > std::fabs(u.x())) return 2 - u.x() / u.y();
-  return u.x() > 0 ? u.y() / u.x() : 4 + u.y() / u.x();
-}
-
-// Keys of directions that are rounded once differ by less than 2^-49 from those of the true ones.
-constexpr double surely_apart = 0x1p-46;
+// The error of the difference of two pseudo-angles, computed from directions that are rounded once,
+// is below 2^-48. Directions whose pseudo-angles differ by more than this are certainly in that
+// order.
+constexpr double filter_threshold = 0x1p-46;
 
 // Whether the direction from C to v is in [0, 180) degrees.
 bool is_forward(const Vec2& centre, const Vec2& v) {
   return v.y() > centre.y() || (v.y() == centre.y() && v.x() > centre.x());
 }
+
+// Sorts vertices by direction modulo 180 degrees, exactly.
+class DirectionSort {
+ public:
+  DirectionSort(const Polygon& polygon, const Vec2& centre)
+      : polygon_(polygon), centre_(centre), is_forward_(polygon.size()) {
+    directions_.reserve(polygon.size());
+    for (std::uint32_t v = 0; v < polygon.size(); ++v) {
+      is_forward_[v] = is_forward(centre, polygon.vertex(v));
+      if (polygon.vertex(v) == centre) continue;
+      const Vec2 u = polygon.vertex(v) - centre;
+      directions_.push_back({half_turn_pseudo_angle(is_forward_[v] ? u : Vec2(-u)), v});
+    }
+  }
+
+  void run() {
+    std::sort(directions_.begin(), directions_.end(), [](const Direction& a, const Direction& b) {
+      return a.pseudo_angle != b.pseudo_angle ? a.pseudo_angle < b.pseudo_angle
+                                              : a.vertex < b.vertex;
+    });
+    for (std::size_t begin = 0, end; begin < directions_.size(); begin = end) {
+      end = begin + 1;
+      while (end < directions_.size() && may_be_out_of_order(end)) ++end;
+      if (end - begin > 1) sort_exactly(begin, end);
+    }
+  }
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(directions_.size()); }
+  std::uint32_t vertex(std::uint32_t k) const { return directions_[k].vertex; }
+  bool forward(std::uint32_t vertex) const { return is_forward_[vertex] != 0; }
+
+  // Whether the direction number k differs from the one before it.
+  bool begins_group(std::uint32_t k) const {
+    if (k == 0) return true;
+    // Pseudo-angles may fall within a run that was sorted exactly.
+    const bool surely =
+        directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle > filter_threshold;
+    return surely || turn(vertex(k - 1), vertex(k)) != 0;
+  }
+
+ private:
+  struct Direction {
+    double pseudo_angle;
+    std::uint32_t vertex;
+  };
+
+  // A pseudo-angle in [0, 4) for a direction in [0, 180) degrees.
+  static double half_turn_pseudo_angle(const Vec2& u) {
+    const double angle = line_pseudo_angle(u);
+    return u.x() > 0 || u.y() > std::fabs(u.x()) ? angle : 4 + angle;
+  }
+
+  bool may_be_out_of_order(std::size_t k) const {
+    return directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle <= filter_threshold;
+  }
+
+  // Positive if the forward direction of a comes before that of b, 0 if they are equal; exact.
+  double turn(std::uint32_t a, std::uint32_t b) const {
+    const double side = orient(centre_, polygon_.vertex(a), polygon_.vertex(b));
+    return is_forward_[a] == is_forward_[b] ? side : -side;
+  }
+
+  void sort_exactly(std::size_t begin, std::size_t end) {
+    const std::vector<Direction> run(directions_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                     directions_.begin() + static_cast<std::ptrdiff_t>(end));
+    const auto comes_before = [&](std::uint32_t i, std::uint32_t j) {
+      const double side = turn(run[i].vertex, run[j].vertex);
+      return side != 0 ? side > 0 : run[i].vertex < run[j].vertex;
+    };
+    std::size_t k = begin;
+    for (const std::uint32_t i : sorted_indices(run.size(), comes_before))
+      directions_[k++] = run[i];
+  }
+
+  const Polygon& polygon_;
+  const Vec2& centre_;
+  std::vector<char> is_forward_;  // by vertex
+  std::vector<Direction> directions_;
+};
 
 }  // namespace
 
@@ -44,74 +114,39 @@ RadialView::RadialView(const Polygon& polygon, const Vec2& centre) {
     arms_[edge].radial = std::fabs(side) <= near * length(q - p);
     arms_[edge].first = side > 0 ? edge : next;
     arms_[edge].last = side > 0 ? next : edge;
-    arms_[edge].area = std::fabs(side);  // exchanging p and q changes the sign and no bit else
+    arms_[edge].doubled_area = std::fabs(side);  // exchanging p and q changes the sign only
   }
 }
 
 void RadialView::sort_vertices(const Polygon& polygon, const Vec2& centre) {
-  const auto n = static_cast<std::uint32_t>(polygon.size());
-  std::vector<char> forward(n);
-  std::vector<Turned> turned;
-  turned.reserve(n);
-  for (std::uint32_t v = 0; v < n; ++v) {
-    forward[v] = is_forward(centre, polygon.vertex(v));
-    if (polygon.vertex(v) == centre) continue;
-    const Vec2 u = polygon.vertex(v) - centre;
-    turned.push_back({turn_key(forward[v] ? u : Vec2(-u)), v});
-  }
-  // Twice the signed area between the forward directions of two vertices: exact sign, so the order
-  // is a strict weak one.
-  const auto turn = [&](std::uint32_t a, std::uint32_t b) {
-    const double side = orient(centre, polygon.vertex(a), polygon.vertex(b));
-    return forward[a] == forward[b] ? side : -side;
-  };
-  std::sort(turned.begin(), turned.end(), [](const Turned& a, const Turned& b) {
-    return a.key != b.key ? a.key < b.key : a.vertex < b.vertex;
-  });
-  const auto may_tie = [&](std::size_t k) {
-    return turned[k].key - turned[k - 1].key <= surely_apart;
-  };
-  for (std::size_t begin = 0, end; begin < turned.size(); begin = end) {
-    end = begin + 1;
-    while (end < turned.size() && may_tie(end)) ++end;
-    if (end - begin == 1) continue;
-    const std::vector<Turned> run(turned.begin() + static_cast<std::ptrdiff_t>(begin),
-                                  turned.begin() + static_cast<std::ptrdiff_t>(end));
-    const auto turns_before = [&](std::uint32_t i, std::uint32_t j) {
-      const double side = turn(run[i].vertex, run[j].vertex);
-      return side != 0 ? side > 0 : run[i].vertex < run[j].vertex;
-    };
-    std::size_t k = begin;
-    for (const std::uint32_t i : sorted_indices(run.size(), turns_before)) turned[k++] = run[i];
-  }
-
-  order_.reserve(turned.size());
-  positions_.assign(n, 0);
-  for (std::uint32_t k = 0; k < turned.size(); ++k) {
-    order_.push_back(turned[k].vertex);
-    // Within a run that was sorted exactly keys may fall.
-    const bool apart = k > 0 && turned[k].key - turned[k - 1].key > surely_apart;
-    if (k == 0 || apart || turn(order_[k - 1], order_[k]) != 0) group_begins_.push_back(k);
+  DirectionSort sorted(polygon, centre);
+  sorted.run();
+  order_.reserve(sorted.size());
+  positions_.assign(polygon.size(), 0);
+  for (std::uint32_t k = 0; k < sorted.size(); ++k) {
+    order_.push_back(sorted.vertex(k));
+    if (sorted.begins_group(k)) group_begins_.push_back(k);
     positions_[order_[k]] = static_cast<std::uint32_t>(group_begins_.size()) - 1;
   }
-  turns_ = static_cast<std::uint32_t>(group_begins_.size());
+  direction_count_ = static_cast<std::uint32_t>(group_begins_.size());
   group_begins_.push_back(static_cast<std::uint32_t>(order_.size()));
   for (const std::uint32_t v : order_) {
-    if (!forward[v]) positions_[v] += turns_;
+    if (!sorted.forward(v)) positions_[v] += direction_count_;
   }
 }
 
 RadialSweep::RadialSweep(const Polygon& polygon, const RadialView& view)
     : polygon_(polygon), view_(view), slots_(polygon.size()) {
-  // Before group 0 the line points forward into the interval after the last position, backward into
-  // the one after the last group: the edges there are those that run past it.
+  // Just before group 0, the line points forward into the interval after the last position, and
+  // backward into the interval after the last group. The sweep begins with the edges that cover
+  // them.
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
     if (view.radial(edge)) continue;
     const std::uint32_t from = view.position(view.first(edge));
     const std::uint32_t length = view.steps(from, view.position(view.last(edge)));
     const auto covers = [&](std::uint32_t interval) { return view.steps(from, interval) < length; };
-    if (covers(2 * view.turns() - 1)) add(edge, 0);
-    if (covers(view.turns() - 1)) add(edge, 1);
+    if (covers(2 * view.direction_count() - 1)) add(edge, 0);
+    if (covers(view.direction_count() - 1)) add(edge, 1);
   }
 }
 
@@ -137,7 +172,7 @@ void RadialSweep::remove(std::uint32_t edge, int side) {
 std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view) {
   RadialSweep sweep(polygon, view);
   std::uint64_t pairs = 0;
-  for (std::uint32_t group = 0; group < view.turns(); ++group) {
+  for (std::uint32_t group = 0; group < view.direction_count(); ++group) {
     sweep.leave(group);
     sweep.enter(group, [&](std::uint32_t, bool is_ahead) {
       pairs += is_ahead ? sweep.behind().size() : sweep.ahead().size();

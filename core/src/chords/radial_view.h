@@ -1,11 +1,11 @@
-// The polygon as C sees it: vertices and edges by direction, exactly ordered, and the line through
-// C that sweeps once over them.
+// The polygon as C sees it: its vertices and edges in the exact order of their directions, and a
+// sweep of a line through C over them.
 //
-// A direction and its opposite share a place: vertices are sorted by direction modulo 180 degrees
-// into `turns` groups of equal directions. Position k < turns is group k seen forward (direction in
-// [0, 180)), position k + turns the same group seen backward. So an edge, which C sees under less
-// than 180 degrees, covers the whole-numbered positions from its first to its last end, and all
-// that the sweep decides it decides by integers.
+// Vertices are sorted by direction modulo 180 degrees. Those of equal directions form a group, and
+// there are direction_count() groups. Position k < direction_count() is group k seen forward
+// (directions in [0, 180)); position k + direction_count() is the same group seen backward. C sees
+// an edge under less than 180 degrees, so the edge covers the positions from its first to its last
+// end, and the sweep decides everything by comparing integers.
 #pragma once
 
 #include <cstdint>
@@ -22,43 +22,45 @@ class RadialView {
   // O(n log n).
   RadialView(const Polygon& polygon, const Vec2& centre);
 
-  std::uint32_t turns() const { return turns_; }
+  std::uint32_t direction_count() const { return direction_count_; }
   bool radial(std::uint32_t edge) const { return arms_[edge].radial; }
 
   // The edge's ends in the counter-clockwise order in which C sees them.
   std::uint32_t first(std::uint32_t edge) const { return arms_[edge].first; }
   std::uint32_t last(std::uint32_t edge) const { return arms_[edge].last; }
-  // orient(centre, first, last)
-  double area(std::uint32_t edge) const { return arms_[edge].area; }
+  // orient(centre, first, last), which is positive: twice the area of the triangle of C and the
+  // edge.
+  double doubled_area(std::uint32_t edge) const { return arms_[edge].doubled_area; }
 
-  // Vertices other than C by position modulo `turns`, forward and backward ones mixed.
+  // The vertices other than C, by group; each group mixes forward and backward vertices.
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::uint32_t group_begin(std::uint32_t group) const { return group_begins_[group]; }
   std::uint32_t position(std::uint32_t vertex) const { return positions_[vertex]; }
-  bool forward(std::uint32_t vertex) const { return positions_[vertex] < turns_; }
+  bool forward(std::uint32_t vertex) const { return positions_[vertex] < direction_count_; }
 
-  // Positions from `from` counter-clockwise to `to`.
+  // The number of positions from `from` counter-clockwise to `to`.
   std::uint32_t steps(std::uint32_t from, std::uint32_t to) const {
-    return to >= from ? to - from : to + 2 * turns_ - from;
+    return to >= from ? to - from : to + 2 * direction_count_ - from;
   }
 
  private:
   struct Arms {
     std::uint32_t first = 0, last = 0;
-    double area = 0;
+    double doubled_area = 0;
     bool radial = false;
   };
   void sort_vertices(const Polygon& polygon, const Vec2& centre);
 
-  std::uint32_t turns_ = 0;
+  std::uint32_t direction_count_ = 0;
   std::vector<Arms> arms_;  // by edge
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> group_begins_;  // into order_, one more than groups
+  std::vector<std::uint32_t> group_begins_;  // into order_; one more than there are groups
   std::vector<std::uint32_t> positions_;     // by vertex
 };
 
-// The edges that the line through C meets, forward and backward, while it turns from 0 to 180
-// degrees. At each group first the edges that end there leave, then those that begin there enter.
+// A sweep: the edges that a line through C meets, forward and backward, while it turns from 0 to
+// 180 degrees. At each group, first the edges that end there leave, then those that begin there
+// enter.
 class RadialSweep {
  public:
   RadialSweep(const Polygon& polygon, const RadialView& view);
@@ -95,31 +97,32 @@ class RadialSweep {
   const Polygon& polygon_;
   const RadialView& view_;
   std::vector<std::uint32_t> active_[2];
-  std::vector<std::uint32_t> slots_;  // by edge: its place in active_
+  std::vector<std::uint32_t> slots_;  // by edge: its index in active_
 };
 
-// Number of edge-pairs. O(n).
+// The number of edge-pairs. O(n).
 std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view);
 
-// The refusal of more than max_edge_pairs; `what` is "edge-pairs" or the like.
+// The error if `number` exceeds max_edge_pairs. `what` is counted, such as "edge-pairs".
 std::optional<InputError> check_number(std::uint64_t number, const char* what);
 
-// Calls visit(const EdgePair&) for each edge-pair, where its range begins. O(n + K).
+// Calls visit(const EdgePair&) for each edge-pair, in the order in which their ranges begin. O(n +
+// K).
 template <class Visit>
 void for_each_edge_pair(const Polygon& polygon, const RadialView& view, Visit&& visit) {
   RadialSweep sweep(polygon, view);
-  for (std::uint32_t group = 0; group < view.turns(); ++group) {
+  for (std::uint32_t group = 0; group < view.direction_count(); ++group) {
     const auto pair_up = [&](std::uint32_t a, std::uint32_t b) {
-      const std::uint32_t here = group, opposite = group + view.turns();
-      const std::uint32_t rest_a = view.steps(here, view.position(view.last(a)));
-      const std::uint32_t rest_b = view.steps(opposite, view.position(view.last(b)));
+      const std::uint32_t here = group, opposite = group + view.direction_count();
+      const std::uint32_t steps_a = view.steps(here, view.position(view.last(a)));
+      const std::uint32_t steps_b = view.steps(opposite, view.position(view.last(b)));
       EdgePair pair;
       pair.a = a;
       pair.b = b;
       if (view.position(view.first(a)) == here) pair.begin_a = view.first(a);
       if (view.position(view.first(b)) == opposite) pair.begin_b = view.first(b);
-      if (rest_a <= rest_b) pair.end_a = view.last(a);
-      if (rest_b <= rest_a) pair.end_b = view.last(b);
+      if (steps_a <= steps_b) pair.end_a = view.last(a);
+      if (steps_b <= steps_a) pair.end_b = view.last(b);
       visit(pair);
     };
     sweep.leave(group);

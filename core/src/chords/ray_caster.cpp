@@ -13,14 +13,13 @@ RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centr
   edges_.reserve(polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &p = polygon.edge_start(i), &q = polygon.edge_end(i);
-    const double area = orient(centre, p, q);
-    const bool radial = std::fabs(area) <= near * length(q - p);
-    // Counter-clockwise about C, so that the order of the vertex list does not show in the
-    // rounding.
-    if (radial || area > 0) {
-      edges_.push_back({p - centre, q - centre, area, radial});
+    const double doubled_area = orient(centre, p, q);
+    const bool radial = std::fabs(doubled_area) <= near * length(q - p);
+    // Counter-clockwise about C, so that the order of the vertex list does not affect the rounding.
+    if (radial || doubled_area > 0) {
+      edges_.push_back({p - centre, q - centre, doubled_area, radial});
     } else {
-      edges_.push_back({q - centre, p - centre, -area, radial});
+      edges_.push_back({q - centre, p - centre, -doubled_area, radial});
     }
   }
 }
@@ -31,8 +30,8 @@ std::vector<RayCaster::Hit> RayCaster::hits(const Vec2& u) const {
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const Edge& edge = edges_[i];
     if (edge.radial) {
-      // Each vertex once: as the start of its edge, or as the end if the next edge is not radial
-      // and so does not list it.
+      // Each vertex counts once: as the start of its edge, or as the end if the next edge is not
+      // radial and so does not list it.
       if (directions_agree(u, edge.start))
         hits.push_back({length(edge.start), {centre_ + edge.start, i}});
       const std::uint32_t next = i + 1 == edges_.size() ? 0 : i + 1;
@@ -41,10 +40,10 @@ std::vector<RayCaster::Hit> RayCaster::hits(const Vec2& u) const {
       }
       continue;
     }
-    // Half-open, so that a vertex that the ray passes belongs to one of its two edges.
+    // Half-open, so that a vertex on the ray belongs to exactly one of its two edges.
     const bool start_left = cross(u, edge.start) >= 0, end_left = cross(u, edge.end) >= 0;
     if (start_left == end_left) continue;
-    const double multiple = edge.area / cross(u, edge.end - edge.start);
+    const double multiple = edge.doubled_area / cross(u, edge.end - edge.start);
     if (multiple > 0) hits.push_back({multiple * unit, {centre_ + multiple * u, i}});
   }
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {

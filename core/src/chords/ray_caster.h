@@ -1,4 +1,4 @@
-// The boundary points on rays from C, for many rays.
+// Casts rays from C: finds the boundary points on many rays.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,14 @@ class RayCaster {
     double distance = 0;  // from C
     LiftingPoint point;
   };
-  // Boundary points on the ray from C in direction u, nearest first: of a radial edge its end
-  // vertices in that direction, of others the one point in their inside or at one end.
-  // O(n + k log k).
+  // The boundary points on the ray from C in direction u, nearest first. A radial edge is met at
+  // its end vertices in that direction, any other edge at no more than one point. O(n + k log k)
+  // for k points.
   std::vector<Hit> hits(const Vec2& u) const;
 
-  // The farthest point on the ray among `edges` (not empty, not radial), which C sees around
-  // direction u: a ray that rounding takes past an edge meets its end. O(number of edges).
+  // The farthest point on the ray among `edges`, of which there is at least one and none is radial.
+  // C sees each of them in direction u; a ray that misses an edge by rounding meets its end.
+  // O(number of edges).
   Hit farthest(const Vec2& u, const std::vector<std::uint32_t>& edges) const;
 
   // The point of the ray on one such edge. O(1).
@@ -31,8 +32,8 @@ class RayCaster {
 
  private:
   struct Edge {
-    Vec2 start, end;  // relative to C; counter-clockwise about it, unless radial
-    double area = 0;  // start x end, accurate
+    Vec2 start, end;          // relative to C; counter-clockwise about it, unless radial
+    double doubled_area = 0;  // start x end, accurate
     bool radial = false;
   };
   Vec2 centre_;

@@ -8,31 +8,33 @@
 
 namespace evenlift {
 
-Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c, double area) {
-  // With X = (C - w) x (c - b) and h = (b - C) x (c - C), the area, the factor is h / X, and h - X
-  // is the side on which the mirror image of w lies. That difference is found exactly, so factors
-  // near 1 are too.
+Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c,
+                   double doubled_area) {
+  // With X = (C - w) x (c - b) and h = (b - C) x (c - C), the doubled area, the factor is h / X,
+  // and h - X says on which side of the edge the mirror image of w lies. That difference is
+  // accurate, so a factor near 1 is accurate relative to its difference from 1.
   const double x = cross_of_differences(w, centre, b, c);
   const double difference = orient_mirrored(centre, w, b, c);
   Across across;
-  across.excess = (difference > 0) - (difference < 0);
+  across.compare_to_one = (difference > 0) - (difference < 0);
   if (std::fabs(difference) < 0.5 * x) {
     across.factor = 1.0 + difference / x;
   } else {
-    across.factor = area / x;
+    across.factor = doubled_area / x;
   }
   return across;
 }
 
 std::optional<double> estimate_across(const Vec2& centre, const Vec2& w, const Vec2& b,
-                                      const Vec2& c, double area) {
+                                      const Vec2& c, double doubled_area) {
   const double first = (centre.x() - w.x()) * (c.y() - b.y()),
                second = (centre.y() - w.y()) * (c.x() - b.x());
-  // The products lose less than 2^-50 of their size together, the area less than 2^-45 of its own.
-  constexpr double loses_little = 0x1p-15, no_underflow = 0x1p-800;
+  // A floating-point filter: the two products together have an error below 2^-50 of their sizes,
+  // the area one below 2^-45 of itself.
+  constexpr double filter_threshold = 0x1p-15, smallest_safe = 0x1p-800;
   const double x = first - second, size = std::fabs(first) + std::fabs(second);
-  if (!(x > loses_little * size && size > no_underflow)) return std::nullopt;
-  return area / x;
+  if (!(x > filter_threshold * size && size > smallest_safe)) return std::nullopt;
+  return doubled_area / x;
 }
 
 bool points_right(const Vec2& direction) {
@@ -61,9 +63,16 @@ Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_
   const Vec2 far = at_vertex ? polygon.vertex(hit) : Vec2(centre + across.factor * direction);
   const LiftingPoint start{position, edge_w}, end{far, edge_hit};
   Chord chord = order_ends(end, across.factor * arm, start, arm, direction);
-  // From the factor rather than the arms: it is exact where the halves are equal.
-  chord.ratio = across.excess > 0 ? 1.0 / across.factor : across.factor;
+  // The ratio is taken from the factor, which is exact if the halves are equal, not from the arms.
+  chord.ratio = across.compare_to_one > 0 ? 1.0 / across.factor : across.factor;
   return chord;
+}
+
+bool same_chord(const Chord& a, const Chord& b, double near) {
+  const auto close = [&](const LiftingPoint& p, const LiftingPoint& q) {
+    return length(p.position - q.position) <= near;
+  };
+  return (close(a.r1, b.r1) && close(a.r2, b.r2)) || (close(a.r1, b.r2) && close(a.r2, b.r1));
 }
 
 }  // namespace evenlift

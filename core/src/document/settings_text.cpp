@@ -64,7 +64,8 @@ std::optional<std::uint32_t> read_whole_32(std::string_view text) {
 
 bool is_team_count(std::uint32_t value) { return value >= 1 && value <= max_teams; }
 
-// Each reader says whether the text is a value of its setting; only then it changes anything.
+// Each reader returns whether the text is a value of its setting, and changes the setting only
+// then.
 bool read_teams(std::string_view text, Settings& settings) {
   const std::optional<std::uint32_t> teams = read_whole_32(text);
   if (teams ? !is_team_count(*teams) : text != "max") return false;
@@ -93,7 +94,7 @@ bool read_com(std::string_view text, Document& document) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return false;
   const std::string_view before = text.substr(0, comma), after = text.substr(comma + 1);
-  // Spaces may surround the comma, but not the whole.
+  // Spaces may surround the comma, but not the whole text.
   if (trimmed(before).data() != before.data() || trimmed(text).size() != text.size()) return false;
   const std::optional<double> x = read_number(trimmed(before)), y = read_number(trimmed(after));
   if (!x || !y) return false;
@@ -121,7 +122,7 @@ bool read_overlays(std::string_view text, Settings& settings) {
     const NamedOverlay* found = nullptr;
     for (const NamedOverlay& overlay : overlay_names)
       if (overlay.name == word) found = &overlay;
-    if (!found || shown.*(found->shown)) return false;  // unknown, or there twice
+    if (!found || shown.*(found->shown)) return false;  // unknown or repeated
     shown.*(found->shown) = true;
     if (word.size() == text.size()) break;
     text.remove_prefix(word.size() + 1);

@@ -5,13 +5,13 @@
 namespace evenlift {
 namespace {
 
-// pi / 2 in three parts; the first two have 33 significant bits, so small multiples of them are
+// pi / 2 in three parts. The first two have 33 significant bits, so small multiples of them are
 // exact (Cody and Waite, Software Manual for the Elementary Functions, 1980).
 constexpr double half_pi_1 = 1.57079632673412561417e+00;
 constexpr double half_pi_2 = 6.07710050630396597660e-11;
 constexpr double half_pi_3 = 2.02226624879595063154e-21;
 
-// Taylor series on |x| <= pi / 4: the first term left out is below 2^-60.
+// Taylor series for |x| <= pi / 4. The first omitted term is below 2^-60.
 double sine_series(double x) {
   const double z = x * x;
   double sum = 0;
@@ -27,19 +27,19 @@ double cosine_series(double x) {
 }
 
 struct Reduced {
-  double rest;   // in about [-pi / 4, pi / 4]
-  int quadrant;  // 0 .. 3
+  double remainder;  // in about [-pi / 4, pi / 4]
+  int quadrant;      // 0 .. 3
 };
 
 Reduced reduce(double angle) {
   const double turns = std::floor(angle / half_pi_1 + 0.5);
-  const double rest = ((angle - turns * half_pi_1) - turns * half_pi_2) - turns * half_pi_3;
+  const double remainder = ((angle - turns * half_pi_1) - turns * half_pi_2) - turns * half_pi_3;
   const double quadrant = turns - 4 * std::floor(turns / 4);
-  return {rest, static_cast<int>(quadrant)};
+  return {remainder, static_cast<int>(quadrant)};
 }
 
-// Arctangent of t in [0, 1]. Halving the angle three times, tan(a / 2) = t / (1 + sqrt(1 + t^2)),
-// leaves t <= tan(pi / 32) < 0.0985, where the series ends early.
+// The arctangent of t in [0, 1]. The angle is halved three times, by tan(a / 2) = t / (1 + sqrt(1 +
+// t^2)). Then t <= tan(pi / 32) < 0.0985, where few terms of the series suffice.
 double arctangent_unit(double t) {
   for (int i = 0; i < 3; ++i) t = t / (1.0 + std::sqrt(1.0 + t * t));
   const double z = t * t;
@@ -52,13 +52,13 @@ double arctangent_unit(double t) {
 
 double sine(double angle_rad) {
   const Reduced r = reduce(angle_rad);
-  const double value = r.quadrant % 2 == 0 ? sine_series(r.rest) : cosine_series(r.rest);
+  const double value = r.quadrant % 2 == 0 ? sine_series(r.remainder) : cosine_series(r.remainder);
   return r.quadrant < 2 ? value : -value;
 }
 
 double cosine(double angle_rad) {
   const Reduced r = reduce(angle_rad);
-  const double value = r.quadrant % 2 == 0 ? cosine_series(r.rest) : sine_series(r.rest);
+  const double value = r.quadrant % 2 == 0 ? cosine_series(r.remainder) : sine_series(r.remainder);
   return r.quadrant == 0 || r.quadrant == 3 ? value : -value;
 }
 

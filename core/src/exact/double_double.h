@@ -1,7 +1,7 @@
-// Double-double arithmetic: an unevaluated sum hi + lo of two doubles, about 106 bits (T. J.
-// Dekker, A floating-point technique for extending the available precision, 1971). Needs strict
-// IEEE arithmetic without contraction, which the build guarantees. Products below 2^-969 lose bits:
-// callers stay clear of that range.
+// Double-double arithmetic: a number is the unevaluated sum hi + lo of two doubles and has about
+// 106 bits (T. J. Dekker, A floating-point technique for extending the available precision, 1971).
+// It needs strict IEEE arithmetic without contraction, which the build guarantees. Products below
+// 2^-969 lose bits; callers must avoid that range.
 #pragma once
 
 namespace evenlift {
@@ -18,7 +18,7 @@ struct DoubleDouble {
   bool is_double() const { return lo == 0; }
 };
 
-// hi + lo with |lo| at most half a unit in the last place of hi, for |a| >= |b|.
+// a + b exactly, for |a| >= |b|. The result has |lo| at most half a unit in the last place of hi.
 inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
@@ -61,10 +61,10 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
 
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double q1 = a.hi / b.hi;
-  DoubleDouble rest = a - DoubleDouble(q1) * b;
-  const double q2 = rest.hi / b.hi;
-  rest = rest - DoubleDouble(q2) * b;
-  return quick_two_sum(q1, q2) + DoubleDouble(rest.hi / b.hi);
+  DoubleDouble remainder = a - DoubleDouble(q1) * b;
+  const double q2 = remainder.hi / b.hi;
+  remainder = remainder - DoubleDouble(q2) * b;
+  return quick_two_sum(q1, q2) + DoubleDouble(remainder.hi / b.hi);
 }
 
 }  // namespace evenlift

@@ -8,13 +8,14 @@
 namespace evenlift {
 namespace {
 
-// Below this size products may underflow and the error bounds do not hold.
+// Below this size products may underflow, and the error bounds do not hold.
 constexpr double smallest_safe = 1e-250;
-// A double result larger than this part of the sum of its products has a relative error below
-// 2^-45: each product is off by at most 2^-50 of the sizes that entered it.
-constexpr double double_is_enough = 0x1p-5;
-// The same for double-double, whose products are off by at most 2^-98.
-constexpr double double_double_is_enough = 0x1p-55;
+// Stage A, the floating-point filter. Each product has an error of at most 2^-50 of the sizes that
+// entered it, so a result that exceeds this part of their sum has a relative error below 2^-45.
+constexpr double double_filter_threshold = 0x1p-5;
+// Stage B, the same for double-double, whose products have errors of at most 2^-98. The last stage
+// is exact and needs no bound.
+constexpr double double_double_filter_threshold = 0x1p-55;
 
 // The factors of x1 y2 - x2 y1 in a number type.
 template <class Number>
@@ -22,13 +23,14 @@ struct Products {
   Number x1, y1, x2, y2;
 };
 
-// The determinant x1 y2 - x2 y1. `coarse` holds the four factors rounded once from at most two
-// differences, `size1` and `size2` bounds on what entered the factors of each product; `fine` and
-// `exact` make the factors again in the better number types, only when asked.
+// The determinant x1 y2 - x2 y1, evaluated in up to three stages. `coarse` holds the four factors
+// in doubles, each a sum of at most two rounded differences. `size1` and `size2` bound the sizes
+// that entered the two products. `fine` and `exact` compute the factors again in the better number
+// types, and are called only if their stage is reached.
 template <class Fine, class Exact>
-double robust(const Products<double>& coarse, double size1, double size2, const Fine& fine,
-              const Exact& exact) {
-  // A factor is exactly 0 only if its differences are: gradual underflow.
+double adaptive_determinant(const Products<double>& coarse, double size1, double size2,
+                            const Fine& fine, const Exact& exact) {
+  // Thanks to gradual underflow, a rounded difference is 0 only if the exact one is.
   const bool first_is_zero = coarse.x1 == 0 || coarse.y2 == 0;
   const bool second_is_zero = coarse.x2 == 0 || coarse.y1 == 0;
   if (first_is_zero && second_is_zero) return 0;
@@ -36,12 +38,12 @@ double robust(const Products<double>& coarse, double size1, double size2, const 
   const double size = size1 + size2;
   if (size > smallest_safe) {
     const double value = coarse.x1 * coarse.y2 - coarse.x2 * coarse.y1;
-    if (std::fabs(value) > double_is_enough * size) return value;
+    if (std::fabs(value) > double_filter_threshold * size) return value;
 
     const Products<DoubleDouble> f = fine();
     if (f.x1.is_double() && f.y1.is_double() && f.x2.is_double() && f.y2.is_double()) {
-      // Integers and other short coordinates: both products are exact. Equal products are what
-      // points on one line of a grid give, the most frequent case after the first test.
+      // With integers and other short coordinates both products are exact. Points on one line of a
+      // grid give equal products, which is the most frequent case after the filter.
       const DoubleDouble first = two_product(f.x1.hi, f.y2.hi),
                          second = two_product(f.x2.hi, f.y1.hi);
       if (first.hi == second.hi && first.lo == second.lo) return 0;
@@ -51,7 +53,7 @@ double robust(const Products<double>& coarse, double size1, double size2, const 
     const DoubleDouble first = f.x1 * f.y2, second = f.x2 * f.y1;
     const DoubleDouble difference = first - second;
     const double refined = difference.to_double();
-    if (std::fabs(refined) > double_double_is_enough * size) return refined;
+    if (std::fabs(refined) > double_double_filter_threshold * size) return refined;
   }
 
   const Products<Dyadic> e = exact();
@@ -65,7 +67,7 @@ Dyadic exact_difference(double a, double b) { return Dyadic(a) - Dyadic(b); }
 
 double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
   const Products<double> coarse{a1.x() - a0.x(), a1.y() - a0.y(), b1.x() - b0.x(), b1.y() - b0.y()};
-  return robust(
+  return adaptive_determinant(
       coarse, std::fabs(coarse.x1 * coarse.y2), std::fabs(coarse.x2 * coarse.y1),
       [&] {
         return Products<DoubleDouble>{
@@ -83,23 +85,24 @@ double orient(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 double dot_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
-  // a . b = a x (b turned by +90 degrees): the same determinant with other coordinates.
+  // a . b is the cross product of a and b turned by +90 degrees.
   const Vec2 c0(-b0.y(), b0.x()), c1(-b1.y(), b1.x());
   return cross_of_differences(a0, a1, c0, c1);
 }
 
 double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c) {
-  // b - w' = (b - centre) + (w - centre)
+  // b - w' is (b - centre) + (w - centre).
   const double bx = b.x() - centre.x(), by = b.y() - centre.y();
   const double wx = w.x() - centre.x(), wy = w.y() - centre.y();
   const Products<double> coarse{bx + wx, by + wy, c.x() - b.x(), c.y() - b.y()};
   const double size1 = (std::fabs(bx) + std::fabs(wx)) * std::fabs(coarse.y2);
   const double size2 = (std::fabs(by) + std::fabs(wy)) * std::fabs(coarse.x2);
-  // The rounded sum may vanish without its parts doing so: tell `robust` by a factor that does not.
+  // The rounded sum may vanish although the exact one does not. A factor other than 0 keeps the
+  // shortcut for zero factors from being taken.
   Products<double> guarded = coarse;
   if (guarded.x1 == 0 && bx != 0) guarded.x1 = 0x1p-1074;
   if (guarded.y1 == 0 && by != 0) guarded.y1 = 0x1p-1074;
-  return robust(
+  return adaptive_determinant(
       guarded, size1, size2,
       [&] {
         return Products<DoubleDouble>{

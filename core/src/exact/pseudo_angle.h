@@ -1,4 +1,4 @@
-// Order by direction as seen from C, without trigonometry.
+// Pseudo-angles: numbers that order directions as their angles do, without trigonometry.
 #pragma once
 
 #include <algorithm>
@@ -11,54 +11,64 @@
 
 namespace evenlift {
 
-// In [0, 4), growing counter-clockwise from the positive x axis; opposite directions differ by 2.
-// The rounding is far below the tolerance with which directions agree. O(1).
-inline double direction_key(const Vec2& u) {
+// The diamond angle of a direction: its position along the diamond |x| + |y| = 1, in [0, 4), which
+// grows counter-clockwise from the positive x axis. Opposite directions differ by 2. The rounding
+// is far below the tolerance within which directions agree. 0 for the zero vector. O(1).
+inline double pseudo_angle(const Vec2& u) {
   const double size = std::fabs(u.x()) + std::fabs(u.y());
   if (size == 0) return 0;
   const double part = u.y() / size;
   if (u.x() < 0) return 2 - part;
   if (u.y() >= 0) return part;
-  const double key = 4 + part;
-  return key < 4 ? key : 0;  // a part below the last place of 4 rounds up to the full turn
+  const double angle = 4 + part;
+  return angle < 4 ? angle : 0;  // a part below the last place of 4 rounds up to the full turn
 }
 
-// The key `key` counted from `origin`, in [-1, 3): what lies a little before the origin is
-// negative.
-inline double key_from(double origin, double key) {
-  double difference = key - origin;
+// The pseudo-angle `angle` measured from `origin`, in [-1, 3): a direction a little before the
+// origin has a negative one.
+inline double pseudo_angle_from(double origin, double angle) {
+  double difference = angle - origin;
   if (difference < -1) difference += 4;
   if (difference >= 3) difference -= 4;
   return difference;
+}
+
+// A pseudo-angle of the line along u, which must not be 0: its position along the square
+// max(|x|, |y|) = 1. It grows from -2 to 2 while u turns from -90 to 90 degrees, and on to 3 at 135
+// degrees, where it falls to -1. It never falls elsewhere, since each operation rounds correctly.
+// O(1).
+inline double line_pseudo_angle(const Vec2& u) {
+  if (std::fabs(u.y()) <= std::fabs(u.x())) return u.y() / u.x();
+  return (u.y() > 0 ? 2.0 : -2.0) - u.x() / u.y();
 }
 
 // Where C sees an item that is visited by for_each_between.
 enum class SeenAt : std::uint8_t { first_corner, between, second_corner };
 
 // Calls visit(item, seen_at) for the items that C sees between two corners of H or in the direction
-// of one of them, in counter-clockwise order. A direction that agrees with a corner's is the
-// corner's. `items` are sorted by key, seen(item) has `position` (relative to C) and `key`.
-// O(log m) besides the visits.
+// of one of them, in counter-clockwise order. A direction that agrees with that of a corner counts
+// as the corner's. `items` are sorted by pseudo-angle; seen(item) has the members `position`
+// (relative to C) and `pseudo_angle`. O(log m) besides the visits.
 template <class Items, class See, class Visit>
 void for_each_between(const Items& items, See seen, const Vec2& h1, const Vec2& h2, Visit visit) {
-  const double margin = 4 * tau;  // keys of directions that agree differ by less
-  const double key1 = direction_key(h1);
-  const double width = key_from(key1, direction_key(h2));
-  const double start = key1 - margin < 0 ? key1 - margin + 4 : key1 - margin;
-  const auto first =
-      std::lower_bound(items.begin(), items.end(), start,
-                       [&](const auto& item, double key) { return seen(item).key < key; });
+  const double margin = 4 * tau;  // pseudo-angles of directions that agree differ by less
+  const double angle1 = pseudo_angle(h1);
+  const double width = pseudo_angle_from(angle1, pseudo_angle(h2));
+  const double start = angle1 - margin < 0 ? angle1 - margin + 4 : angle1 - margin;
+  const auto first = std::lower_bound(
+      items.begin(), items.end(), start,
+      [&](const auto& item, double angle) { return seen(item).pseudo_angle < angle; });
   const std::size_t n = items.size(), offset = static_cast<std::size_t>(first - items.begin());
   for (std::size_t k = 0; k < n; ++k) {
     const auto& item = items[offset + k < n ? offset + k : offset + k - n];
-    const double key = key_from(key1, seen(item).key);
-    if (key > width + margin) break;
+    const double angle = pseudo_angle_from(angle1, seen(item).pseudo_angle);
+    if (angle > width + margin) break;
     const Vec2& position = seen(item).position;
     if (directions_agree(h1, position)) {
       visit(item, SeenAt::first_corner);
     } else if (directions_agree(h2, position)) {
       visit(item, SeenAt::second_corner);
-    } else if (key >= 0 && key < width) {
+    } else if (angle >= 0 && angle < width) {
       visit(item, SeenAt::between);
     }
   }

@@ -14,12 +14,11 @@ namespace evenlift {
 
 using SortedIndices = std::vector<std::uint32_t>;
 
-// Tells whether element i goes before element j of what `order` points to.
+// Whether element i comes before element j in the order that `order` points to.
 using IsBefore = bool (*)(const void* order, std::uint32_t i, std::uint32_t j);
 void sort_indices(std::span<std::uint32_t> indices, const void* order, IsBefore is_before);
 
-// Sorts indices by before(i, j), a strict weak order; those that it does not tell apart keep their
-// order. O(n log n) calls.
+// Sorts indices by before(i, j), a strict weak order. The sort is stable. O(n log n) calls.
 template <class Before>
 void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
   sort_indices(indices, &before, [](const void* order, std::uint32_t i, std::uint32_t j) {
@@ -27,10 +26,11 @@ void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
   });
 }
 
+// The indices 0 ... n - 1. O(n).
 SortedIndices indices_below(std::size_t n);
 
-// The indices 0 ... n - 1 sorted by before(i, j), a strict weak order; those that it does not tell
-// apart stay in order of index. O(n log n) calls. Needs n < 2^32.
+// The indices 0 ... n - 1 sorted by before(i, j), a strict weak order; equivalent ones stay in
+// order of index. n must be below 2^32. O(n log n) calls.
 template <class Before>
 SortedIndices sorted_indices(std::size_t n, const Before& before) {
   SortedIndices indices = indices_below(n);
@@ -42,8 +42,8 @@ inline bool lexicographically_before(const Vec2& a, const Vec2& b) {
   return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }
 
-// The points' indices from left to right, of equal x from below, of equal points in order of index.
-// O(n log n).
+// The indices of the points from left to right; points of equal x from below, equal points in order
+// of index. O(n log n).
 SortedIndices lexicographic_order(const Points& points);
 
 }  // namespace evenlift

@@ -1,6 +1,6 @@
-// Ties by tolerance are no equivalence, so no sort can be given them. The rule of algorithm.md
-// ("those that tie with the best of the remaining stay") as an order: sort by the key, best first,
-// then cut into classes of those that tie with the best of the class.
+// Ties within a tolerance are not transitive, so they cannot be part of a sort's order. This is the
+// rule of algorithm.md ("those that tie with the best of the remaining stay"): sort by the key,
+// best first, then cut the list into classes whose members all tie with the best of their class.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 namespace evenlift {
 
 // Sorts indices by key, largest first, and calls visit(class) for each class of ties, best first.
-// `ties(best, key)` tells whether a key not larger than the best still ties with it. O(m log m).
+// `ties(best, key)` says whether a key that is not larger than the best ties with it. O(m log m).
 template <class Key, class Ties, class Visit>
 void for_each_tie_class(std::span<std::uint32_t> indices, Key key, Ties ties, Visit visit) {
-  if (indices.size() == 1) return visit(indices);  // most often; sorting would ask for memory
+  if (indices.size() == 1) return visit(indices);  // the most frequent case; sorting would allocate
   sort_indices(indices, [&](std::uint32_t i, std::uint32_t j) { return key(i) > key(j); });
   for (std::size_t begin = 0, end; begin < indices.size(); begin = end) {
     end = begin + 1;

@@ -6,8 +6,8 @@
 namespace evenlift {
 namespace {
 
-// Never below the length.
-double sum_of_parts(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y()); }
+// The 1-norm, which is never below the length.
+double one_norm(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y()); }
 
 }  // namespace
 
@@ -19,14 +19,14 @@ double score_slack(double best, double floor) { return std::max(tau * best, floo
 
 bool directions_agree(const Vec2& a, const Vec2& b) {
   const double side = std::fabs(cross(a, b));
-  // Without a square root where that is far from needed.
-  if (side > 2 * tau * (sum_of_parts(a) * sum_of_parts(b))) return false;
+  // A cheap test first: it avoids two square roots in most calls.
+  if (side > 2 * tau * (one_norm(a) * one_norm(b))) return false;
   return dot(a, b) > 0 && side <= tau * length(a) * length(b);
 }
 
 bool is_vertical(const Vec2& direction) {
   const double x = std::fabs(direction.x());
-  return x <= 2 * tau * sum_of_parts(direction) && x <= tau * length(direction);
+  return x <= 2 * tau * one_norm(direction) && x <= tau * length(direction);
 }
 
 }  // namespace evenlift

@@ -1,6 +1,6 @@
-// GeoJSON (RFC 7946): a Polygon, or a Feature of one, whose property `centre_of_mass: [x, y]` is
-// taken. Members may come in any order, so what is wrong with coordinates is kept until the type
-// is known: they may be another geometry's.
+// GeoJSON (RFC 7946): a Polygon, or a Feature of one, perhaps with a property `centre_of_mass: [x,
+// y]`. Members may come in any order. So a fault in coordinates is kept until the type is known,
+// since they may belong to a geometry of another kind.
 #include <vector>
 
 #include "formats/readers.h"
@@ -10,19 +10,19 @@
 namespace evenlift {
 namespace {
 
-// What a value is to us.
+// The part that a JSON value plays in GeoJSON.
 enum class Role : std::uint8_t {
   ignored,
-  whole,
-  type,           // of the whole or of the geometry
-  geometry,       // of the whole
-  properties,     // of the whole
-  centre,         // of the properties: an array of
-  centre_number,  // numbers
-  rings,          // "coordinates" of the whole or of the geometry: an array of
-  ring,           // arrays of
-  position,       // arrays of
-  number          // numbers
+  whole,          // the outermost object
+  type,           // "type" of the whole or of the geometry
+  geometry,       // "geometry" of the whole
+  properties,     // "properties" of the whole
+  centre,         // "centre_of_mass" of the properties
+  centre_number,  // an element of the centre
+  rings,          // "coordinates" of the whole or of the geometry
+  ring,           // an element of the rings
+  position,       // an element of a ring
+  number          // an element of a position
 };
 
 Role role_of_member(Role object, std::string_view name) {
@@ -51,13 +51,13 @@ Role role_of_element(Role array) {
   }
 }
 
-// What the whole, or its geometry, says of itself.
-struct Shape {
+// A geometry object as read so far: the whole or its geometry.
+struct GeometryObject {
   std::optional<std::string> type;
   std::size_t type_offset = 0;
   bool has_coordinates = false;
   Points ring;
-  std::optional<InputError> fault;  // the first in the coordinates, taken as a polygon's
+  std::optional<InputError> fault;  // the first in the coordinates, if they are a polygon's
 };
 
 class GeojsonReader final : public JsonSink {
@@ -70,7 +70,8 @@ class GeojsonReader final : public JsonSink {
   bool end() override;
 
  private:
-  struct Level {  // an object or array that is open
+  // An object or array that is being read.
+  struct Level {
     Role role;
     Role next = Role::ignored;  // of the value that comes next
     std::size_t elements = 0;   // of an array, so far
@@ -81,23 +82,24 @@ class GeojsonReader final : public JsonSink {
   InputError error_at(std::size_t offset, ErrorCode code, const char* message) const {
     return text_error(code, message, text_, offset);
   }
-  // Ends the reading.
+  // Stops with an error.
   bool fail(ErrorCode code, const char* message, std::size_t offset) {
     error_ = error_at(offset, code, message);
     return false;
   }
-  // Goes on, as it may not matter.
-  bool blame(ErrorCode code, const char* message, std::size_t offset) {
-    if (!shape().fault) shape().fault = error_at(offset, code, message);
+  // Records the first fault and continues: the coordinates may belong to a geometry that is
+  // ignored.
+  bool note_fault(ErrorCode code, const char* message, std::size_t offset) {
+    if (!object().fault) object().fault = error_at(offset, code, message);
     return true;
   }
-  Shape& shape() { return in_geometry_ ? geometry_ : whole_; }
+  GeometryObject& object() { return in_geometry_ ? geometry_ : whole_; }
 
   bool take(Role role, const JsonValue& value, std::size_t index);
   bool take_centre(Role role, const JsonValue& value, std::size_t index);
   bool take_coordinates(Role role, const JsonValue& value, std::size_t index);
   bool end_of(const Level& level);
-  Result<Document> document_of(Shape& shape);
+  Result<Document> document_of(GeometryObject& object);
   Result<Document> finish();
 
   std::string_view text_;
@@ -105,8 +107,8 @@ class GeojsonReader final : public JsonSink {
   std::size_t offset_ = 0;  // of the last value
   bool in_geometry_ = false;
   bool has_geometry_ = false;
-  Shape whole_;
-  Shape geometry_;
+  GeometryObject whole_;
+  GeometryObject geometry_;
   Vec2 centre_ = Vec2::Zero();
   bool has_centre_ = false;
   Vec2 position_ = Vec2::Zero();
@@ -160,8 +162,8 @@ bool GeojsonReader::take(Role role, const JsonValue& value, std::size_t index) {
       if (value.kind != Kind::string) {
         return fail(ErrorCode::bad_syntax, "the \"type\" is not a string", value.offset);
       }
-      shape().type = std::string(value.text);
-      shape().type_offset = value.offset;
+      object().type = std::string(value.text);
+      object().type_offset = value.offset;
       return true;
     case Role::geometry:
       has_geometry_ = value.kind == Kind::object;
@@ -183,7 +185,7 @@ bool GeojsonReader::take(Role role, const JsonValue& value, std::size_t index) {
 
 bool GeojsonReader::take_centre(Role role, const JsonValue& value, std::size_t index) {
   if (role == Role::centre) {
-    if (value.kind == Kind::null) return true;  // the same as none
+    if (value.kind == Kind::null) return true;  // null means none
     has_centre_ = value.kind == Kind::array;
     if (has_centre_) return true;
   } else if (value.kind == Kind::number) {
@@ -195,21 +197,21 @@ bool GeojsonReader::take_centre(Role role, const JsonValue& value, std::size_t i
 }
 
 bool GeojsonReader::take_coordinates(Role role, const JsonValue& value, std::size_t index) {
-  if (role == Role::rings) shape().has_coordinates = true;
+  if (role == Role::rings) object().has_coordinates = true;
   if (role == Role::ring && index > 0) {
-    return blame(ErrorCode::unsupported, no_holes, value.offset);
+    return note_fault(ErrorCode::unsupported, no_holes, value.offset);
   }
   if (role != Role::number) {
     if (value.kind == Kind::array) return true;
-    return blame(ErrorCode::bad_syntax,
-                 role == Role::position ? "expected a position [x, y] in the ring"
-                                        : "expected an array of rings of positions [x, y]",
-                 value.offset);
+    return note_fault(ErrorCode::bad_syntax,
+                      role == Role::position ? "expected a position [x, y] in the ring"
+                                             : "expected an array of rings of positions [x, y]",
+                      value.offset);
   }
   if (value.kind != Kind::number) {
-    return blame(ErrorCode::bad_syntax, "expected a number as a coordinate", value.offset);
+    return note_fault(ErrorCode::bad_syntax, "expected a number as a coordinate", value.offset);
   }
-  if (index > 1) return blame(ErrorCode::unsupported, no_third_coordinate, value.offset);
+  if (index > 1) return note_fault(ErrorCode::unsupported, no_third_coordinate, value.offset);
   position_[static_cast<Eigen::Index>(index)] = value.number;
   return true;
 }
@@ -218,31 +220,32 @@ bool GeojsonReader::end_of(const Level& level) {
   if (level.role == Role::centre && level.elements < 2) {
     return fail(ErrorCode::bad_syntax, "\"centre_of_mass\" is not [x, y]", offset_);
   }
-  if (level.role != Role::position || shape().fault) return true;
+  if (level.role != Role::position || object().fault) return true;
   if (level.elements < 2) {
-    return blame(ErrorCode::bad_syntax, "a position has fewer than two coordinates", offset_);
+    return note_fault(ErrorCode::bad_syntax, "a position has fewer than two coordinates", offset_);
   }
-  if (shape().ring.size() > max_vertices) {  // one more than that may close the ring
-    return blame(ErrorCode::too_many_vertices, no_more_vertices, offset_);
+  if (object().ring.size() > max_vertices) {  // one vertex more may close the ring
+    return note_fault(ErrorCode::too_many_vertices, no_more_vertices, offset_);
   }
-  shape().ring.push_back(position_);
+  object().ring.push_back(position_);
   return true;
 }
 
-Result<Document> GeojsonReader::document_of(Shape& shape) {
-  if (!shape.has_coordinates) {
-    return error_at(shape.type_offset, ErrorCode::bad_syntax, "the Polygon has no \"coordinates\"");
+Result<Document> GeojsonReader::document_of(GeometryObject& object) {
+  if (!object.has_coordinates) {
+    return error_at(object.type_offset, ErrorCode::bad_syntax,
+                    "the Polygon has no \"coordinates\"");
   }
-  if (shape.fault) return *std::move(shape.fault);
-  drop_closing_vertex(shape.ring);
-  if (shape.ring.empty()) {
-    return error_at(shape.type_offset, ErrorCode::too_few_vertices, no_vertices);
+  if (object.fault) return *std::move(object.fault);
+  drop_closing_vertex(object.ring);
+  if (object.ring.empty()) {
+    return error_at(object.type_offset, ErrorCode::too_few_vertices, no_vertices);
   }
-  if (shape.ring.size() > max_vertices) {
+  if (object.ring.size() > max_vertices) {
     return error_at(offset_, ErrorCode::too_many_vertices, no_more_vertices);
   }
   Document document;
-  document.vertices = std::move(shape.ring);
+  document.vertices = std::move(object.ring);
   return document;
 }
 

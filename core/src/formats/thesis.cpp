@@ -1,11 +1,12 @@
-// The thesis's format (appendix A.1): `CoM:(x,y)` on the first line, perhaps, and a `(x,y)` a line.
+// The thesis's format (appendix A.1): perhaps `CoM:(x,y)` on the first line, then one `(x,y)` on
+// each line.
 #include "formats/readers.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
 namespace {
 
-// `(x,y)`, with spaces anywhere but no line break.
+// Reads `(x,y)`, with spaces anywhere but no line break.
 std::optional<InputError> take_pair(TextCursor& cursor, const char* before, Vec2& point) {
   if (!cursor.take('(')) return cursor.expected(before);
   cursor.skip_spaces_in_line();

@@ -1,4 +1,4 @@
-// Well-known text: `POLYGON ((x y, ...))`, one ring, two coordinates.
+// Well-known text: `POLYGON ((x y, ...))` with one ring and two coordinates.
 #include <algorithm>
 #include <iterator>
 
@@ -22,7 +22,7 @@ bool names_dimensions(std::string_view word) {
   return same_word(word, "z") || same_word(word, "m") || same_word(word, "zm");
 }
 
-// Everything before the first parenthesis.
+// Reads everything before the first parenthesis.
 std::optional<InputError> take_keywords(TextCursor& cursor) {
   const std::size_t start = cursor.offset();
   const std::string_view word = cursor.take_word();
@@ -57,7 +57,7 @@ std::optional<InputError> take_keywords(TextCursor& cursor) {
   return std::nullopt;
 }
 
-// `x y`; what may follow is the caller's.
+// Reads `x y`. The caller checks what follows.
 std::optional<InputError> take_position(TextCursor& cursor, Vec2& point) {
   cursor.skip_white_space();
   if (auto error = cursor.take_number(point.x(), "a number")) return error;

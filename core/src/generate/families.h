@@ -1,4 +1,4 @@
-// The families behind generate(): each gives its vertices on an integer grid, where turns and
+// The families behind generate(). Each places its vertices on an integer grid, where turns and
 // orders are exact; generate() turns them into decimals.
 #pragma once
 
@@ -21,7 +21,7 @@ struct GridPolygon {
   int decimals = 3;                 // 0 .. 9
 };
 
-// Positive when c is to the left of a -> b; exact for coordinates up to 1e9 in size.
+// Positive if c is to the left of a -> b; exact for coordinates up to 1e9 in size.
 inline std::int64_t turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -32,7 +32,8 @@ double doubled_area(const std::vector<GridPoint>& vertices);
 // 10^decimals, exact.
 double units(int decimals);
 
-// The whole number nearest to value, halves away from zero: symmetric shapes stay symmetric.
+// The whole number nearest to value. Halves round away from zero, so that symmetric shapes stay
+// symmetric.
 std::int64_t nearest(double value);
 
 GridPolygon regular(std::size_t n);              // O(n)

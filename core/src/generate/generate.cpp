@@ -48,20 +48,20 @@ GridPoint polar(double distance, double angle_rad, int decimals) {
   return p;
 }
 
-// Three decimals while a file is something to read; beyond, enough to keep n vertices apart.
+// Three decimals while people read the file; beyond that, enough to keep n vertices apart.
 int readable_decimals(std::size_t n) { return n <= 1000 ? 3 : 6; }
 
 }  // namespace
 
-// The first edge lies flat at the bottom. A turn of a regular polygon is about (2 pi)^3 r^2 / n^3,
-// and rounding must stay well below it.
+// The first edge lies at the bottom. The turn at a vertex of a regular polygon is about
+// (2 pi)^3 r^2 / n^3, and rounding must stay well below it.
 GridPolygon regular(std::size_t n) {
   GridPolygon polygon;
   polygon.decimals = n <= 1000 ? 3 : n <= 10000 ? 5 : n <= 100000 ? 7 : 9;
   const auto count = static_cast<std::int64_t>(n);
   for (std::int64_t i = 0; i < count; ++i) {
-    // Half steps from straight down, in (-n, n], so that mirrored vertices have mirrored
-    // coordinates.
+    // The angle from straight down, in half steps, is in (-n, n], so that mirrored vertices have
+    // mirrored coordinates.
     const std::int64_t half_steps = 2 * i - 1 > count ? 2 * i - 1 - 2 * count : 2 * i - 1;
     const double angle = pi * static_cast<double>(half_steps) / static_cast<double>(count);
     GridPoint p = on_grid(radius * sine(angle), -radius * cosine(angle), polygon.decimals);
@@ -71,8 +71,8 @@ GridPolygon regular(std::size_t n) {
   return polygon;
 }
 
-// Directions are drawn one in each n-th of the circle, less a margin, so that they stay in order
-// after rounding and, of three or four, no two are 180 degrees apart.
+// One direction is drawn in each n-th of the circle, less a margin. So they stay in order after
+// rounding, and of three or four directions no two are 180 degrees apart.
 GridPolygon star(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);
@@ -87,9 +87,8 @@ GridPolygon star(std::size_t n, Rng& rng) {
 }
 
 // A flat base with teeth to the left and right of a block in the middle. All slanted edges cross
-// the height of C, so that a level line through C meets all of them, and every edge on
-// the left faces every edge on the right. The outline above the base goes strictly leftwards: it is
-// simple.
+// the height of C, so a level line through C meets all of them, and every edge on the left faces
+// every edge on the right. The outline above the base goes strictly leftwards, so it is simple.
 GridPolygon comb(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);
@@ -99,8 +98,7 @@ GridPolygon comb(std::size_t n, Rng& rng) {
   const auto valley = [&] { return 120 + 100 * rng.uniform(); };
   const auto tip = [&] { return 860 + 140 * rng.uniform(); };
 
-  // From the block's edge outwards: a valley, a tip, and so on; the last one at the end of the
-  // base.
+  // From the block outwards, a valley and a tip take turns. The last one is at the end of the base.
   struct Tooth {
     double distance, height;
   };
@@ -130,8 +128,8 @@ GridPolygon comb(std::size_t n, Rng& rng) {
 }
 
 // A strip wound about (500, 500) along r = start + pitch * turns. The vertices of all turns lie on
-// the same k rays; between two neighbouring rays the strip's edges keep the order in which
-// they cross both, so none meet. Six turns are enough for ever more vertices: they make it rounder.
+// the same k rays. Between two neighbouring rays the strip's edges keep the order in which they
+// cross both, so none meet. There are at most six turns; more vertices make the spiral rounder.
 GridPolygon spiral(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);
@@ -223,7 +221,8 @@ Result<Points> generate(Family family, std::size_t n, std::uint64_t seed) {
     std::reverse(polygon.vertices.begin(), polygon.vertices.end());
   Points points;
   points.reserve(n);
-  // A quotient of whole numbers is the double nearest to the decimal number: it is written as such.
+  // The quotient of two whole numbers is the double nearest to the decimal number, and is printed
+  // as that.
   const double unit = families::units(polygon.decimals);
   for (const families::GridPoint& p : polygon.vertices)
     points.emplace_back(static_cast<double>(p.x) / unit, static_cast<double>(p.y) / unit);

@@ -1,12 +1,12 @@
 // Family::random: the outline of a tree of cells. A tree grows at random over a coarse grid of
-// cells; its outline visits each of the 2 x 2 points of every cell once. Then each point moves
-// within its own box, and vertices are cut off at random until n are left. Rays cross about sqrt(n)
-// edges; no step tests edges against edges, for it stays simple throughout:
-// - Columns and rows have disjoint bands, and a point's box is where its column's and its row's
-// band meet. An edge
-//   between neighbours stays in one column's or one row's band and between their two boxes, so two
-//   edges meet only in a box, which holds one vertex.
-// - Cutting off a vertex is safe when no other vertex lies in the closed triangle that goes.
+// cells, and its outline visits each of the 2 x 2 points of every cell once. Then each point moves
+// within its own box, and vertices are cut off at random until n are left. A ray crosses about
+// sqrt(n) edges. No step tests edges against edges, because the outline stays simple throughout:
+// - Columns and rows have disjoint bands, and the box of a point is where the bands of its column
+// and its
+//   row meet. An edge between neighbours stays in the band of one column or row and between the two
+//   boxes. So two edges can meet only in a box, and a box holds one vertex.
+// - Cutting off a vertex is safe if no other vertex lies in the closed triangle that goes.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// A tree over the cells of a square: for each cell, to which neighbours it is joined.
+// A tree over the cells of a square: it says for each cell to which neighbours it is joined.
 struct CellTree {
   std::size_t side = 0;
   std::size_t first = 0;
@@ -29,9 +29,9 @@ struct CellTree {
   std::vector<Joints> cells;
 };
 
-// Grows `size` cells from the middle of a square of which they fill about two thirds. Going on from
-// the newest cell makes corridors, from any cell branches; taking turns at random gives both.
-// O(size).
+// Grows `size` cells from the middle of a square, of which they fill about two thirds. Growing from
+// the newest cell makes corridors and growing from any cell makes branches; a random mixture gives
+// both. O(size).
 CellTree grow_tree(std::size_t size, Rng& rng) {
   CellTree tree;
   tree.side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(size) / 0.68)));
@@ -55,7 +55,7 @@ CellTree grow_tree(std::size_t size, Rng& rng) {
     consider(row + 1 < side, cell + side);
     consider(column > 0, cell - 1);
     consider(row > 0, cell - side);
-    if (count == 0) {  // this cell is done for good
+    if (count == 0) {  // this cell cannot grow any more
       std::swap(growing[choice], growing.back());
       growing.pop_back();
       continue;
@@ -83,8 +83,8 @@ struct Node {
   std::size_t column = 0, row = 0;
 };
 
-// Counter-clockwise around the tree: along a cell's south, east, north and west sides, and across
-// wherever the cell is joined to its neighbour. O(cells of the tree).
+// Walks counter-clockwise around the tree: along the south, east, north and west sides of a cell,
+// and across wherever the cell is joined to its neighbour. O(cells of the tree).
 std::vector<Node> walk_around(const CellTree& tree) {
   const Node start = {tree.first % tree.side * 2, tree.first / tree.side * 2};
   std::vector<Node> walk;
@@ -121,7 +121,7 @@ Bands draw_bands(std::size_t count, Rng& rng) {
   return bands;
 }
 
-// The outline while vertices are being cut off: a ring of the walk's nodes, and who stands in each
+// The outline while vertices are being cut off: a ring of the walk's nodes, and the node in each
 // box.
 class Outline {
  public:
@@ -137,9 +137,9 @@ class Outline {
     left_ = count;
   }
 
-  // Cuts vertices off in random order until n are left. O(nodes) expected: all but a few small
-  // outlines are done in the first rounds, and a triangle that spans many boxes is not looked into
-  // before the later ones.
+  // Cuts off vertices in random order until n are left. Expected O(nodes): all but a few small
+  // outlines are finished in the first rounds, and only later rounds look into triangles that span
+  // many boxes.
   void cut_down_to(std::size_t n, Rng& rng) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < nodes_.size(); ++i) order.push_back(i);
@@ -150,7 +150,7 @@ class Outline {
     while (left_ > n) {
       for (std::size_t i = 0; i < order.size() && left_ > n; ++i)
         if (next_[order[i]] != none && can_cut(order[i], most_boxes, clearance)) cut(order[i]);
-      // There is always a vertex to cut once all limits are off: every polygon has two ears.
+      // In the end a vertex can always be cut, since every polygon has two ears.
       most_boxes *= 4;
       clearance *= 0.5;
     }
@@ -165,8 +165,8 @@ class Outline {
   }
 
  private:
-  // Puts each node somewhere in its box: the middle three quarters of its column and of its row.
-  // The whole fills 0 .. 1000 in the longer direction.
+  // Puts each node somewhere in its box, the middle three quarters of its column and of its row.
+  // The outline fills 0 .. 1000 in the longer direction.
   void place_nodes(std::size_t columns, std::size_t rows, int decimals, Rng& rng) {
     const Bands across = draw_bands(columns, rng);
     const Bands up = draw_bands(rows, rng);
@@ -184,8 +184,8 @@ class Outline {
       points_.push_back({nearest((x - x0) * unit_), nearest((y - y0) * unit_)});
   }
 
-  // Whether the triangle of v and its neighbours holds no other vertex, and the cut would leave
-  // some room between itself and the rest.
+  // Whether the triangle of v and its neighbours contains no other vertex, and the new edge keeps
+  // at least `clearance` from all other vertices.
   bool can_cut(std::size_t v, std::size_t most_boxes, double clearance) const {
     const std::size_t a = previous_[v], c = next_[v];
     std::size_t column0 = none, column1 = 0, row0 = none, row1 = 0;
@@ -218,7 +218,7 @@ class Outline {
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
   }
 
-  // From p to the segment a b, a != b.
+  // The distance of p from the segment a b, a != b.
   static double distance(const GridPoint& p, const GridPoint& a, const GridPoint& b) {
     const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
     const auto px = static_cast<double>(p.x - a.x), py = static_cast<double>(p.y - a.y);
@@ -236,9 +236,10 @@ class Outline {
   std::size_t left_ = 0;
 };
 
-// Whether some point, or almost one, sees the whole of a counter-clockwise outline: clips the
-// outline's box by the inner side of each edge. O(n) times the corners of what is left, which is
-// soon nothing.
+// Whether some point, or almost one, sees the whole of a counter-clockwise outline. The kernel of
+// the outline is found by clipping a large square by the inner side of each edge. (polygon/clip.h
+// keeps nothing outside a line; here a little slack must be kept.) O(n) times the corners of what
+// is left, which is soon nothing.
 bool is_star_shaped(const std::vector<GridPoint>& outline) {
   struct Corner {
     double x, y;
@@ -274,11 +275,11 @@ bool is_star_shaped(const std::vector<GridPoint>& outline) {
 
 GridPolygon labyrinth(std::size_t n, Rng& rng) {
   GridPolygon polygon;
-  // A third more than is kept: cuts make edges of all lengths and directions. With few vertices,
-  // enough cells for a bend.
+  // The tree has a third more vertices than are kept, because cuts make edges of all lengths and
+  // directions. For few vertices it has enough cells for a bend.
   const std::size_t cells = std::max<std::size_t>(n <= 5 ? 2 : 4, (n + n / 3 + 3) / 4);
-  // Up to five vertices every polygon is star-shaped; with a few more some trees are, so try
-  // others.
+  // Up to five vertices every polygon is star-shaped. With a few more some outlines are, and others
+  // are tried.
   const int attempts = n <= 5 ? 1 : 1000;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const CellTree tree = grow_tree(cells, rng);

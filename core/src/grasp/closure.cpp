@@ -15,16 +15,16 @@
 namespace evenlift {
 namespace {
 
-// Half the side of the square about C that regions are clipped to, in units of L.
+// Half the side of the square about C to which regions are clipped, in units of L.
 constexpr double square_half_side = 100;
 
 enum class Sense { counterclockwise, clockwise };
 
-// The object and its contacts, with each contact's edge directed so that the interior is on its
-// left: the inward normal is the edge's direction turned by +90 degrees.
+// The object and its contacts. Each contact's edge is directed so that the interior is on its left,
+// so the inward normal is the edge's direction turned by +90 degrees.
 struct Grasp {
   struct Touch {
-    Vec2 from, to;  // of the edge, as directed
+    Vec2 from, to;  // the ends of the edge, as directed
     Vec2 position;
     std::uint32_t edge;
     Vec2 direction() const { return to - from; }
@@ -37,13 +37,14 @@ struct Grasp {
   std::vector<Touch> touches;
 };
 
-// How far along its edge a touch is, from the foot of C, in units of the edge's length squared.
+// The position of a touch along its edge, from the foot of the perpendicular from C, times the
+// edge's length.
 double along(const Grasp& grasp, const Grasp::Touch& touch) {
   return dot_of_differences(touch.from, touch.to, grasp.centre, touch.position);
 }
 
-// Keeps of the touches on one edge the first and the last, in their order: the wrenches of those
-// between lie between theirs, and so do their normal lines.
+// Keeps only the first and the last of the touches on each edge, in their order. The wrenches and
+// the normal lines of the others lie between theirs and add nothing.
 void keep_extremes(Grasp& grasp) {
   const std::vector<Grasp::Touch>& touches = grasp.touches;
   std::vector<double> place(touches.size());
@@ -79,9 +80,10 @@ Grasp make_grasp(const Polygon& polygon, const Vec2& centre, const std::vector<C
   return grasp;
 }
 
-// The free rotation centres of one sense, relative to C, widened by `offset`: those on or left of
-// every normal line (counter-clockwise) or on or right of it. With d the edge's direction, which
-// the normal line crosses at a right angle, left of the line at p is d . (q - p) <= 0.
+// Reuleaux's half-planes of one sense, relative to C and widened by `offset`. The free
+// instantaneous centres of counter-clockwise rotation are those on or left of every contact's
+// normal line, those of clockwise rotation on or right of it. With d the edge's direction, which is
+// perpendicular to the normal line, left of the line at p means d . (q - p) <= 0.
 std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double offset) {
   std::vector<HalfPlane> planes;
   planes.reserve(grasp.touches.size());
@@ -98,8 +100,8 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
 }
 
 // The largest distance along an axis at which a rotation centre still counts. A rotation about a
-// point farther away is a translation within tolerance. Lines that are parallel as drawn meet out
-// there, or not, as rounding has it.
+// point farther away is a translation within tolerance, and whether lines that were drawn parallel
+// meet out there depends on rounding.
 double farthest_centre(const Grasp& grasp) { return grasp.diagonal / tau; }
 
 constexpr int axes = 4;
@@ -108,7 +110,7 @@ HalfPlane within_reach(int axis, double reach) {
   return {Vec2::Zero(), directions[axis], reach};
 }
 
-// Whether some centre of rotation is free once the half-planes are widened by `offset`.
+// Whether some centre of rotation is free after the half-planes are widened by `offset`.
 bool some_centre_is_free(const Grasp& grasp, Sense sense, double offset) {
   std::vector<HalfPlane> planes = rotation_centres(grasp, sense, offset);
   for (int axis = 0; axis < axes; ++axis)
@@ -127,19 +129,19 @@ Points clip_square(const Grasp& grasp, const std::vector<HalfPlane>& planes) {
   return region;
 }
 
-// The part of the line through `point` along `direction` that lies in all half-planes and no
-// farther than `reach` from C along either axis: its ends, or nothing.
+// The part of the line through `point` along `direction` that lies in all half-planes and within
+// `reach` of C along both axes: its two ends, or no points.
 Points clip_line(const std::vector<HalfPlane>& planes, double reach, const Vec2& point,
                  const Vec2& direction) {
   const Vec2 unit = direction / length(direction);
   double low = -4 * reach, high = 4 * reach;
   const auto keep = [&](const Vec2& normal, double bound) {
-    const double slope = dot(normal, unit), rest = bound - dot(normal, point);
+    const double slope = dot(normal, unit), slack = bound - dot(normal, point);
     if (std::fabs(slope) <= tau * length(normal)) return;
     if (slope > 0) {
-      high = std::min(high, rest / slope);
+      high = std::min(high, slack / slope);
     } else {
-      low = std::max(low, rest / slope);
+      low = std::max(low, slack / slope);
     }
   };
   for (const HalfPlane& plane : planes) keep(plane.normal(), plane.bound);
@@ -148,7 +150,7 @@ Points clip_line(const std::vector<HalfPlane>& planes, double reach, const Vec2&
   return {point + low * unit, point + high * unit};
 }
 
-// Two half-planes whose normals are opposite and whose lines are one, within tolerance.
+// Two half-planes with opposite normals and the same line, within tolerance.
 std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(
     const std::vector<HalfPlane>& planes, double near) {
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -156,7 +158,8 @@ std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
       const Vec2 nj = planes[j].normal();
       if (!directions_agree(ni, -nj)) continue;
-      // Both are widened by `near` already: lines that coincide leave a strip of twice that.
+      // Both are widened by `near` already, so lines that coincide leave a strip of twice that
+      // width.
       const double width = planes[i].bound / length(ni) + planes[j].bound / length(nj);
       if (width >= 0 && width <= 4 * near) return std::pair(i, j);
     }
@@ -164,8 +167,8 @@ std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(
   return std::nullopt;
 }
 
-// The least widening, to far below the tolerance, at which a bounded region exists that vanishes
-// when narrowed by `near`; and the region there.
+// The region at the least widening at which it exists, found by bisection to far below the
+// tolerance. The region must be bounded and must vanish when it is narrowed by `near`.
 Points sharpest_region(const Grasp& grasp, Sense sense) {
   double empty = -grasp.near, full = grasp.near;
   for (int i = 0; i < 40; ++i) {
@@ -175,8 +178,8 @@ Points sharpest_region(const Grasp& grasp, Sense sense) {
   return bounded_intersection(rotation_centres(grasp, sense, full));
 }
 
-// One point or the two ends of a region without area, relative to C, no farther from it than
-// `reach` along either axis.
+// A region without area, relative to C and within `reach` of it along both axes: one point, or the
+// two ends of a segment, or no points.
 Points degenerate_region(const Grasp& grasp, Sense sense, double reach) {
   const auto planes = rotation_centres(grasp, sense, grasp.near);
   if (const auto pair = coinciding_lines(planes, grasp.near)) {
@@ -207,25 +210,27 @@ FreeRegion free_region(const Grasp& grasp, Sense sense) {
   return region;
 }
 
-// A direction of free translation, if there is one: it makes no obtuse angle with any inward
-// normal, so the normals leave a gap of at least 180 degrees, within tolerance.
+// A direction of free translation, if there is one. It makes no obtuse angle with any inward
+// normal, so it exists if and only if the normals leave a gap of at least 180 degrees, within
+// tolerance.
 std::optional<Vec2> free_translation(const Grasp& grasp) {
   if (grasp.touches.empty()) return Vec2(1, 0);
   std::vector<HalfPlane> directions;
   for (const Grasp::Touch& touch : grasp.touches) directions.push_back({touch.from, touch.to, 0});
   const NormalGap gap = widest_gap(directions, tau);
-  if (gap.excess < 0) return std::nullopt;
-  // The middle of the fan of normals, which opens from `after` counter-clockwise to `before` by at
-  // most 180 degrees, within tolerance. Either half of the sum may vanish, both cannot.
+  if (gap.compare_to_half_turn < 0) return std::nullopt;
+  // The middle of the fan of normals, which spans at most 180 degrees, within tolerance, from
+  // `after` counter-clockwise to `before`. Either half of the sum may vanish, but not both.
   const Vec2 first = grasp.touches[gap.after].inward(), last = grasp.touches[gap.before].inward();
   const Vec2 middle = (first + last) + (left_normal(first) - left_normal(last));
   return Vec2(middle / length(middle));
 }
 
-// Whether contacts whose normals pass through c (relative to C) resist the second-order motion:
-// some balanced non-negative weights have a positive sum of signed distances to c. By Farkas' lemma
-// that is so just if no q has n . q <= -d for all of them. Keeping q within L / tau lets forces
-// balance within tolerance: nearly opposite normals would meet farther out.
+// Whether the contacts whose normals pass through c (relative to C) prevent the rotation about c to
+// second order: whether some non-negative weights balance the normals n and give the signed
+// distances d of c along them a positive sum. By Farkas' lemma that is so if and only if no q has n
+// . q <= -d for all of them. Keeping q within L / tau lets forces balance within tolerance, since
+// nearly opposite normals would meet farther out.
 bool resists_at(const Grasp& grasp, const Vec2& c) {
   std::vector<HalfPlane> planes;
   for (int axis = 0; axis < axes; ++axis)
@@ -241,6 +246,8 @@ bool resists_at(const Grasp& grasp, const Vec2& c) {
   return !have_common_point(planes);
 }
 
+// Second-order immobility (Rimon and Burdick): the curvature of every motion that is free to first
+// order runs the object into a robot.
 bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
   if (closure.form_closure || closure.translation_free) return false;
   for (const auto& [region, sense] :
@@ -248,8 +255,8 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
         std::pair(&closure.counterclockwise, Sense::counterclockwise)}) {
     if (!region->exists) continue;
     if (region->has_area) return false;
-    // Bounded, since no translation is free; the reach is only a finite number beyond all it can
-    // be.
+    // The region is bounded, since no translation is free. The reach is only a finite number that
+    // is large enough.
     const Points region_at_rest = degenerate_region(grasp, sense, farthest_centre(grasp));
     if (region_at_rest.empty()) return false;
     if (!resists_at(grasp, 0.5 * (region_at_rest.front() + region_at_rest.back()))) return false;
@@ -257,8 +264,8 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
   return true;
 }
 
-// Wrenches of the contacts, torques in units of R; by edge and torque, so that the margin does not
-// depend on the order of the robots.
+// The wrenches of the contacts, with torques in units of R. They are sorted by edge and torque, so
+// that the margin does not depend on the order of the robots.
 std::vector<Wrench> wrenches(const Grasp& grasp) {
   std::vector<Wrench> all;
   for (const Grasp::Touch& touch : grasp.touches) {

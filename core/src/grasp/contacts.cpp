@@ -7,13 +7,14 @@
 namespace evenlift {
 namespace {
 
-// Finds the vertex within a distance of a point.
+// Finds the nearest vertex within a distance of a point.
 class VertexFinder {
  public:
   VertexFinder(const Polygon& polygon, double near)
       : polygon_(polygon), near_(near), by_x_(lexicographic_order(polygon.vertices())) {}
 
-  // The nearest one within `near`, if any.
+  // The nearest vertex within `near`, if there is one. O(log n) and the vertices within `near` in
+  // x.
   std::optional<std::uint32_t> find(const Vec2& p) const {
     auto at =
         std::lower_bound(by_x_.begin(), by_x_.end(), p.x() - near_,
@@ -40,7 +41,7 @@ class VertexFinder {
 
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
   Vec2 along = polygon.edge_end(edge) - polygon.edge_start(edge);
-  // The squares of shorter edges would leave the range of doubles.
+  // The squared length of a shorter edge would underflow.
   if (along.cwiseAbs().maxCoeff() < 0x1p-400) along *= 0x1p600;
   const Vec2 left = left_normal(along) / length(along);
   return polygon.counter_clockwise() ? left : Vec2(-left);

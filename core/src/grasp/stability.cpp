@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// Beyond the end r of a segment H, on its line.
+// The force that tips at q, on the line of a segment H beyond its end r.
 double force_beyond_end(const Vec2& r, const Vec2& centre, double weight, const Vec2& q) {
   return weight * length(r - centre) / length(q - r);
 }
@@ -28,14 +28,15 @@ double segment_tipping_force(const Points& hull, const Vec2& centre, double weig
 
 double coverage(const Polygon& polygon, const Points& hull) {
   if (hull.size() < 3) return 0;
-  // Relative to a corner of H, so that a polygon far from the origin loses nothing.
+  // Coordinates are relative to a corner of H, so that a polygon far from the origin loses no
+  // digits.
   const Vec2& origin = hull.front();
   Points part;
   part.reserve(polygon.size());
   for (const Vec2& v : polygon.vertices()) part.push_back(v - origin);
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    // The direction from the corners as they are: of two that only rounding keeps apart it would be
-    // lost.
+    // The direction is taken from the corners as they are. If two of them differ only by rounding,
+    // translation would change it.
     part = clip_left_of_ray(part, hull[i] - origin, hull[(i + 1) % hull.size()] - hull[i]);
   }
   return std::clamp(std::fabs(signed_area(part)) / polygon.area(), 0.0, 1.0);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "exact/dyadic.h"
 
@@ -18,12 +19,13 @@ namespace {
 using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;
 
-// Sign of (b - a) x (c - a) . (d - a), exactly.
+// The exact sign of (b - a) x (c - a) . (d - a): of the orientation of a tetrahedron.
 int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) {
   const Wrench p = b - a, q = c - a, r = d - a;
   const double value = p.dot(q.cross(r));
-  const double size = p.cwiseAbs().sum() * q.cwiseAbs().sum() * r.cwiseAbs().sum();
-  if (std::fabs(value) > 0x1p-48 * size) return value > 0 ? 1 : -1;
+  const double permanent = p.cwiseAbs().sum() * q.cwiseAbs().sum() * r.cwiseAbs().sum();
+  constexpr double filter_threshold = 0x1p-48;  // a floating-point filter, as in predicates.cpp
+  if (std::fabs(value) > filter_threshold * permanent) return value > 0 ? 1 : -1;
   using Row = std::array<Dyadic, 3>;
   const auto difference = [&](const Wrench& v) {
     return Row{Dyadic(v.x()) - Dyadic(a.x()), Dyadic(v.y()) - Dyadic(a.y()),
@@ -36,7 +38,7 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
 }
 
 bool collinear(const Wrench& a, const Wrench& b, const Wrench& c) {
-  // In space three points are on one line if their shadows on the coordinate planes are.
+  // Three points in space are on one line if their projections to the coordinate planes are.
   const auto flat = [&](int i, int j) {
     const auto d = [](double u, double v) { return Dyadic(u) - Dyadic(v); };
     return (d(b[i], a[i]) * d(c[j], a[j]) - d(b[j], a[j]) * d(c[i], a[i])).sign() == 0;
@@ -44,8 +46,8 @@ bool collinear(const Wrench& a, const Wrench& b, const Wrench& c) {
   return flat(0, 1) && flat(1, 2) && flat(2, 0);
 }
 
-// Four points that are not on one plane, the first three counter-clockwise seen from outside; none
-// if all are on one.
+// Four points that are not in one plane, the first three counter-clockwise as seen from outside;
+// nothing if all points are in one plane.
 std::optional<std::array<Index, 4>> first_tetrahedron(const std::vector<Wrench>& w) {
   const auto n = static_cast<Index>(w.size());
   Index b = 1;
@@ -60,8 +62,9 @@ std::optional<std::array<Index, 4>> first_tetrahedron(const std::vector<Wrench>&
   return std::nullopt;
 }
 
-// Facets of the convex hull, counter-clockwise seen from outside; empty if all points are on one
-// plane. Point after point: the facets that see it give way to the cone from it over their rim.
+// The facets of the convex hull, counter-clockwise as seen from outside; empty if all points are in
+// one plane. The hull grows point by point: the facets that the new point sees are replaced by
+// triangles from it to the edges of their rim.
 std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
   const auto start = first_tetrahedron(w);
   if (!start) return {};
@@ -84,14 +87,15 @@ std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
   return facets;
 }
 
-// Distance of the plane through three points from the origin, positive if they turn
-// counter-clockwise seen from beyond it. Wrenches of parallel edges are on one line but for
-// rounding, which leaves facets that are slivers: only exactly do these lie outside the hull.
+// The distance of the plane through three points from the origin, positive if they turn
+// counter-clockwise as seen from beyond it. Wrenches of parallel edges are on one line except for
+// rounding, and so give facets that are slivers. The plane of a sliver must be computed exactly, or
+// it could cut through the hull.
 double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
   const Wrench p = b - a, q = c - a;
   const Wrench normal = p.cross(q);
-  constexpr double wide_enough = 1e-6;
-  if (normal.squaredNorm() > wide_enough * p.squaredNorm() * q.squaredNorm())
+  constexpr double not_a_sliver = 1e-6;  // the squared sine of the angle at a
+  if (normal.squaredNorm() > not_a_sliver * p.squaredNorm() * q.squaredNorm())
     return normal.dot(a) / normal.norm();
 
   const auto difference = [&](const Wrench& v, int i) { return Dyadic(v[i]) - Dyadic(a[i]); };
@@ -104,73 +108,106 @@ double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
          Wrench(exact[0].to_double(), exact[1].to_double(), exact[2].to_double()).norm();
 }
 
-// The point of least length in the affine hull of the corral, as weights of its points.
-std::optional<Eigen::VectorXd> affine_minimizer(const std::vector<Wrench>& w,
-                                                const std::vector<Index>& corral) {
-  const auto n = static_cast<Eigen::Index>(corral.size());
-  Eigen::MatrixXd system = Eigen::MatrixXd::Ones(n + 1, n + 1);
-  system(0, 0) = 0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      system(i + 1, j + 1) =
-          w[corral[static_cast<std::size_t>(i)]].dot(w[corral[static_cast<std::size_t>(j)]]);
-    }
-  }
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
-  right(0) = 1;
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(system);
-  if (lu.rank() < n + 1) return std::nullopt;
-  return Eigen::VectorXd(lu.solve(right).tail(n));
-}
+// P. Wolfe's algorithm for the nearest point of a polytope (Finding the nearest point in a
+// polytope, 1976). It also serves points in one plane, on one line or at one place.
+class NearestPoint {
+ public:
+  explicit NearestPoint(const std::vector<Wrench>& points) : points_(points), nearest_(points[0]) {}
 
-// Distance of the origin from the hull of points: P. Wolfe, Finding the nearest point in a polytope
-// (1976). Also for points on one plane, line or place.
-double distance_from_origin(const std::vector<Wrench>& w) {
-  std::vector<Index> corral{0};
-  std::vector<double> weights{1};
-  Wrench nearest = w[0];
-  for (std::size_t round = 0; round < 50 * w.size() + 100; ++round) {
-    Index best = 0;
-    for (Index i = 1; i < w.size(); ++i) {
-      if (w[i].dot(nearest) < w[best].dot(nearest)) best = i;
+  // The distance of the origin from the convex hull of the points.
+  double distance_from_origin() {
+    const std::size_t most_cycles = 50 * points_.size() + 100;
+    for (std::size_t cycle = 0; cycle < most_cycles; ++cycle) {
+      if (!major_cycle()) break;
     }
-    const double gap = nearest.squaredNorm() - w[best].dot(nearest);
-    if (gap <= 1e-15 * std::max(1.0, nearest.squaredNorm())) break;
-    if (std::find(corral.begin(), corral.end(), best) != corral.end()) break;
-    corral.push_back(best);
-    weights.push_back(0);
-    // Move to the minimizer, leaving points behind whose weight would turn negative.
-    for (bool inside = false; !inside && !corral.empty();) {
-      const auto target = affine_minimizer(w, corral);
-      if (!target) {
-        corral.pop_back();
-        weights.pop_back();
-        break;
-      }
-      double step = 1;
-      for (std::size_t k = 0; k < corral.size(); ++k) {
-        const double goal = (*target)(static_cast<Eigen::Index>(k));
-        if (goal < 1e-14) step = std::min(step, weights[k] / std::max(weights[k] - goal, 1e-300));
-      }
-      inside = step >= 1;
-      std::vector<Index> kept;
-      std::vector<double> kept_weights;
-      for (std::size_t k = 0; k < corral.size(); ++k) {
-        const double weight =
-            weights[k] + step * ((*target)(static_cast<Eigen::Index>(k)) - weights[k]);
-        if (weight <= 1e-14) continue;
-        kept.push_back(corral[k]);
-        kept_weights.push_back(weight);
-      }
-      inside = inside || kept.size() == corral.size();
-      corral = kept;
-      weights = kept_weights;
-    }
-    nearest.setZero();
-    for (std::size_t k = 0; k < corral.size(); ++k) nearest += weights[k] * w[corral[k]];
+    return nearest_.norm();
   }
-  return nearest.norm();
-}
+
+ private:
+  // A major cycle adds the point that lies farthest towards the origin to the corral and moves to
+  // the new nearest point. False if there is no such point, so that the nearest point is found.
+  bool major_cycle() {
+    constexpr double optimality_gap = 1e-15;
+    const Index added = farthest_towards_origin();
+    const double gap = nearest_.squaredNorm() - points_[added].dot(nearest_);
+    if (gap <= optimality_gap * std::max(1.0, nearest_.squaredNorm())) return false;
+    if (std::find(corral_.begin(), corral_.end(), added) != corral_.end()) return false;
+    corral_.push_back(added);
+    weights_.push_back(0);
+    while (!corral_.empty() && minor_cycle()) {
+    }
+    nearest_.setZero();
+    for (std::size_t k = 0; k < corral_.size(); ++k) nearest_ += weights_[k] * points_[corral_[k]];
+    return true;
+  }
+
+  // A minor cycle moves towards the nearest point of the corral's affine hull, until that point or
+  // the boundary of the corral's convex hull is reached. Points whose weight has become 0 leave the
+  // corral. True if another minor cycle must follow.
+  bool minor_cycle() {
+    const auto target = affine_minimizer();
+    if (!target) {
+      corral_.pop_back();
+      weights_.pop_back();
+      return false;
+    }
+    double step = 1;
+    for (std::size_t k = 0; k < corral_.size(); ++k) {
+      const double goal = (*target)(static_cast<Eigen::Index>(k));
+      if (goal < least_weight)
+        step = std::min(step, weights_[k] / std::max(weights_[k] - goal, 1e-300));
+    }
+    std::vector<Index> kept;
+    std::vector<double> kept_weights;
+    for (std::size_t k = 0; k < corral_.size(); ++k) {
+      const double weight =
+          weights_[k] + step * ((*target)(static_cast<Eigen::Index>(k)) - weights_[k]);
+      if (weight <= least_weight) continue;
+      kept.push_back(corral_[k]);
+      kept_weights.push_back(weight);
+    }
+    const bool is_last = step >= 1 || kept.size() == corral_.size();
+    corral_ = std::move(kept);
+    weights_ = std::move(kept_weights);
+    return !is_last;
+  }
+
+  Index farthest_towards_origin() const {
+    Index best = 0;
+    for (Index i = 1; i < points_.size(); ++i) {
+      if (points_[i].dot(nearest_) < points_[best].dot(nearest_)) best = i;
+    }
+    return best;
+  }
+
+  // The point of the corral's affine hull that is nearest to the origin, as weights of the corral's
+  // points; nothing if these are affinely dependent.
+  std::optional<Eigen::VectorXd> affine_minimizer() const {
+    const auto n = static_cast<Eigen::Index>(corral_.size());
+    const auto point = [&](Eigen::Index i) -> const Wrench& {
+      return points_[corral_[static_cast<std::size_t>(i)]];
+    };
+    Eigen::MatrixXd system = Eigen::MatrixXd::Ones(n + 1, n + 1);
+    system(0, 0) = 0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index j = 0; j < n; ++j) system(i + 1, j + 1) = point(i).dot(point(j));
+    }
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
+    right(0) = 1;
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(system);
+    if (lu.rank() < n + 1) return std::nullopt;
+    return Eigen::VectorXd(lu.solve(right).tail(n));
+  }
+
+  static constexpr double least_weight = 1e-14;  // a smaller one counts as 0
+
+  const std::vector<Wrench>& points_;
+  Wrench nearest_;
+  // The corral: affinely independent points whose convex combination with these weights is
+  // `nearest_`.
+  std::vector<Index> corral_{0};
+  std::vector<double> weights_{1};
+};
 
 }  // namespace
 
@@ -178,13 +215,13 @@ double wrench_margin(const std::vector<Wrench>& wrenches) {
   const std::vector<Triangle> facets = hull_facets(wrenches);
   double least = facets.empty() ? 0 : std::numeric_limits<double>::infinity();
   for (Triangle facet : facets) {
-    // From its first wrench on: where std::partition leaves a facet, and so how it began, differs
-    // between standard libraries, and the rounding must not.
+    // Begins with the facet's first wrench. The order in which std::partition leaves facets, and so
+    // where they began, differs between standard libraries; the rounding must not.
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
     least = std::min(least,
                      distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]));
   }
-  return least > 0 ? least : 0.0 - distance_from_origin(wrenches);  // never -0
+  return least > 0 ? least : 0.0 - NearestPoint(wrenches).distance_from_origin();  // never -0
 }
 
 }  // namespace evenlift

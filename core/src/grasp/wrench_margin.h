@@ -1,4 +1,6 @@
-// How far the origin lies inside (or, negative, outside) the hull of wrenches.
+// The quality of a grasp: how far the origin lies inside the convex hull of the contacts' wrenches,
+// or outside, which is negative (C. Ferrari and J. Canny, Planning optimal grasps, 1992; their
+// measure is often called epsilon or Q1).
 #pragma once
 
 #include <Eigen/Core>
@@ -6,11 +8,12 @@
 
 namespace evenlift {
 
-using Wrench = Eigen::Vector3d;
+using Wrench = Eigen::Vector3d;  // force x, force y, torque
 
-// The minimum over unit vectors u of the maximum over wrenches of u . w; at least one wrench.
-// Inside the hull that is the radius of the largest ball about the origin, outside minus the
-// distance. O(m^2) for m wrenches.
+// The minimum over all unit vectors u of the maximum of u . w over the wrenches w, of which there
+// must be at least one. If the origin is inside the hull, that is the radius of the largest ball
+// about it within the hull; if it is outside, minus its distance from the hull. O(m^2) for m
+// wrenches.
 double wrench_margin(const std::vector<Wrench>& wrenches);
 
 }  // namespace evenlift

@@ -10,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// How many bits at the end of every coordinate are 0.
+// The number of trailing bits that are 0 in every coordinate.
 int common_zero_bits(const Points& vertices) {
   std::uint64_t any = std::uint64_t{1} << 52;
   for (const Vec2& vertex : vertices) any |= to_bits(vertex.x()) | to_bits(vertex.y());
@@ -19,8 +19,8 @@ int common_zero_bits(const Points& vertices) {
   return zeros;
 }
 
-// The scales that promise the shortest link, at most two. Integers only, so that every platform
-// chooses alike.
+// The scales that promise the shortest link, at most two. The estimate uses integers only, so that
+// every platform chooses the same.
 std::vector<Scale> likely_scales(const Points& vertices) {
   std::array<std::size_t, Scale::doubles + 1> with_decimals{};
   double greatest = 1;
@@ -58,21 +58,21 @@ std::vector<Scale> likely_scales(const Points& vertices) {
   return scales;
 }
 
-// About how many bits the vertices take in this way.
-std::uint64_t estimated_bits(const Way& way, const Cells& cells) {
-  const bool plain_doubles = !way.scale.decimal() && way.guess == Guess::nothing;
+// An estimate of the bits that the vertices take in this encoding.
+std::uint64_t estimated_bits(const Encoding& encoding, const QuantizedVertices& quantized) {
+  const bool plain_doubles = !encoding.scale.decimal() && encoding.predictor == Predictor::nothing;
   std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (std::size_t i = 0; i < quantized.size(); ++i) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const Cell& cell = cells[i][axis];
-      if (cell.off_scale) {
+      const QuantizedCoordinate& coordinate = quantized[i][axis];
+      if (coordinate.escaped) {
         bits += 66;
       } else if (plain_doubles) {
-        bits += static_cast<std::uint64_t>(54 - way.scale.zero_bits());
+        bits += static_cast<std::uint64_t>(54 - encoding.scale.zero_bits());
       } else {
-        const std::uint64_t rest =
-            static_cast<std::uint64_t>(cell.number) - guess_number(way.guess, cells, i, axis);
-        const std::uint64_t size = (rest >> 63) != 0 ? 0 - rest : rest;
+        const std::uint64_t residual = static_cast<std::uint64_t>(coordinate.number) -
+                                       predict(encoding.predictor, quantized, i, axis);
+        const std::uint64_t size = (residual >> 63) != 0 ? 0 - residual : residual;
         bits += static_cast<std::uint64_t>(std::bit_width(size)) + 1;
       }
     }
@@ -82,27 +82,27 @@ std::uint64_t estimated_bits(const Way& way, const Cells& cells) {
 
 }  // namespace
 
-std::vector<WrittenWay> likely_ways(const Points& vertices) {
-  std::vector<WrittenWay> ways;
+std::vector<QuantizedPolygon> likely_encodings(const Points& vertices) {
+  std::vector<QuantizedPolygon> encodings;
   std::uint64_t fewest_bits = 0;
   for (const Scale& scale : likely_scales(vertices)) {
-    const Cells cells = cells_on(scale, vertices);
-    for (const Guess guess : all_guesses) {
-      const Way way{scale, guess};
-      // Of many vertices the estimate finds the shortest; of few it is not good enough, but then
-      // there is time to try all.
+    const QuantizedVertices quantized = quantize(scale, vertices);
+    for (const Predictor predictor : all_predictors) {
+      const Encoding encoding{scale, predictor};
+      // For many vertices the estimate is good enough to find the shortest. For few it is not, but
+      // then there is time to try them all.
       if (vertices.size() <= 128) {
-        ways.push_back({way, cells});
+        encodings.push_back({encoding, quantized});
         continue;
       }
-      const std::uint64_t bits = estimated_bits(way, cells);
-      if (ways.empty() || bits < fewest_bits) {
-        ways.assign(1, {way, cells});
+      const std::uint64_t bits = estimated_bits(encoding, quantized);
+      if (encodings.empty() || bits < fewest_bits) {
+        encodings.assign(1, {encoding, quantized});
         fewest_bits = bits;
       }
     }
   }
-  return ways;
+  return encodings;
 }
 
 }  // namespace evenlift

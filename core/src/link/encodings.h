@@ -1,4 +1,5 @@
-// Which ways of writing a polygon are worth a try. No part of the format: any way can be read.
+// Chooses the encodings of a polygon that are worth trying. This is no part of the format: a reader
+// accepts every encoding.
 #pragma once
 
 #include <vector>
@@ -7,14 +8,14 @@
 
 namespace evenlift {
 
-// A way, and the vertices on its scale.
-struct WrittenWay {
-  Way way;
-  Cells cells;
+// An encoding, and the vertices quantized by its scale.
+struct QuantizedPolygon {
+  Encoding encoding;
+  QuantizedVertices quantized;
 };
 
-// At least one; several if the polygon is small. Decided in integers, so that every platform comes
-// to the same. O(n).
-std::vector<WrittenWay> likely_ways(const Points& vertices);
+// Returns at least one encoding, and several if the polygon is small. It compares integers only, so
+// that every platform chooses the same. O(n).
+std::vector<QuantizedPolygon> likely_encodings(const Points& vertices);
 
 }  // namespace evenlift

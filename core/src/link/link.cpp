@@ -1,5 +1,5 @@
-// The text of share links: address, version, characters, checksum. What the payload means is in
-// link_payload.h.
+// The text of share links: address, version, characters, checksum. payload.h has the meaning of the
+// payload.
 #include "evenlift/link.h"
 
 #include <cmath>
@@ -21,15 +21,16 @@ constexpr std::size_t checksum_digits = 4;
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_white_space(char c) { return is_space_in_line(c) || ends_line(c); }
 
-// 0 .. 63, or none.
+// The value 0 .. 63 of a character of the alphabet.
 std::optional<std::uint8_t> digit_of(char c) {
   const std::size_t at = alphabet.find(c);
   if (at == std::string_view::npos) return std::nullopt;
   return static_cast<std::uint8_t>(at);
 }
 
-// CRC-24 as in OpenPGP (RFC 4880, 6.1): sees any change within 24 bits in a row, so any character
-// changed and any two neighbours swapped, and all but one of 16 million other changes.
+// The CRC-24 of OpenPGP (RFC 4880, 6.1). It detects every change within 24 consecutive bits, so
+// also a changed character and two swapped neighbours; of other changes it misses one in 16
+// million.
 std::uint32_t checksum(std::string_view text) {
   std::uint32_t crc = 0xb704ce;
   for (const char c : text) {
@@ -42,7 +43,7 @@ std::uint32_t checksum(std::string_view text) {
   return crc;
 }
 
-// The checksum of the text as digits.
+// The checksum of the text, as characters of the alphabet.
 std::string checksum_text(std::string_view text) {
   std::uint32_t rest = checksum(text);
   std::string digits(checksum_digits, ' ');
@@ -50,7 +51,7 @@ std::string checksum_text(std::string_view text) {
   return digits;
 }
 
-// --- what may be in a link
+// --- What a link may contain
 
 std::optional<InputError> check_point(const Vec2& point, const Place& place) {
   if (!std::isfinite(point.x()) || !std::isfinite(point.y())) {
@@ -77,15 +78,16 @@ std::optional<InputError> check_linkable(const Document& document) {
   return check_ranges(document.settings);
 }
 
-// --- a link in a text
+// --- A link within a text
 
 InputError link_error(ErrorCode code, std::string message, std::size_t character = 0) {
   return {code, std::move(message), {Place::Kind::link, character, 0, {}}};
 }
 
-// Where the link is in a text that may have an address before it and white space around it.
+// The place of a link in a text that may have an address before it and white space around it.
 struct Span {
-  std::size_t address;  // where it begins; with its '#' it ends at `begin`
+  std::size_t
+      address;  // the first character of the address, which ends with the '#' before `begin`
   std::size_t begin;
   std::size_t end;
 
@@ -101,7 +103,7 @@ Span find_link(std::string_view text) {
   return span;
 }
 
-// Why the character at `at` cannot be in a link.
+// Says why a link cannot contain the character at `at`.
 InputError bad_character(std::string_view text, std::size_t at) {
   if (text[at] == '%') {
     return link_error(ErrorCode::bad_link,
@@ -114,9 +116,9 @@ InputError bad_character(std::string_view text, std::size_t at) {
   return link_error(ErrorCode::bad_link, found_in_text(text, at) + " cannot be in a link", at + 1);
 }
 
-// The version of a link, and where its payload begins.
+// The version of a link, and the offset of its payload.
 struct Version {
-  std::uint64_t number;  // of one beyond 2^64 the largest
+  std::uint64_t number;  // a version that does not fit is 2^64 - 1
   std::size_t payload;
 };
 
@@ -169,7 +171,7 @@ Result<std::string> encode_link(const Document& document) {
   std::string link(version_1);
   for (const std::uint8_t digit : encode_payload_1(document)) link += alphabet[digit];
   link += checksum_text(link);
-  if (link.size() > max_link_bytes) {  // so long a link is not known
+  if (link.size() > max_link_bytes) {  // no known document has so long a link
     return InputError{ErrorCode::text_too_long, "the link would be longer than 1 MiB", {}};
   }
   return link;

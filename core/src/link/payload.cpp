@@ -12,17 +12,17 @@
 namespace evenlift {
 namespace {
 
-// The least box of numbers of the scale that holds all vertices on it.
-struct Box {
+// The bounding box of the quantized vertices, without those coordinates that are escaped.
+struct NumberBox {
   std::int64_t low[2] = {std::numeric_limits<std::int64_t>::max(),
                          std::numeric_limits<std::int64_t>::max()};
   std::int64_t high[2] = {std::numeric_limits<std::int64_t>::min(),
                           std::numeric_limits<std::int64_t>::min()};
 
-  explicit Box(const Cells& cells) {
-    for (const auto& vertex : cells) {
+  explicit NumberBox(const QuantizedVertices& quantized) {
+    for (const auto& vertex : quantized) {
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        if (vertex[axis].off_scale) continue;
+        if (vertex[axis].escaped) continue;
         low[axis] = std::min(low[axis], vertex[axis].number);
         high[axis] = std::max(high[axis], vertex[axis].number);
       }
@@ -37,10 +37,12 @@ struct Box {
   }
 };
 
-// The centre of mass: in the box of the vertices and on their scale, or anywhere.
+// Codes the centre of mass. Usually it is on the scale of the vertices and within their bounding
+// box; otherwise its coordinates are numbers of their own.
 template <class Coder>
-Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale, const Cells& cells) {
-  const Box box(cells);
+Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale,
+                 const QuantizedVertices& quantized) {
+  const NumberBox box(quantized);
   std::int64_t numbers[2] = {0, 0};
   bool in_box = !box.empty();
   if constexpr (!Coder::decoding) {
@@ -50,8 +52,8 @@ Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale, const Cells& cel
       numbers[axis] = number.value_or(0);
     }
   }
-  Odds odds{{3, 1}};
-  in_box = !box.empty() && !coder.choice(!in_box, odds);
+  BitModel model{{3, 1}};
+  in_box = !box.empty() && !coder.code_bit(!in_box, model);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     double& value = centre[static_cast<Eigen::Index>(axis)];
     if (in_box) {
@@ -66,36 +68,38 @@ Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale, const Cells& cel
   return centre;
 }
 
-// What a link holds.
+// The content of a link.
 struct Content {
   Settings settings = defaults_of_link_1();
-  Cells cells;  // the vertices, on the scale of the way in which they are written
+  QuantizedVertices quantized;  // the vertices, by the scale of the encoding
   std::optional<Vec2> centre_of_mass;
 };
 
-// Writes the content, its vertices in the given way; or reads all of it.
+// An encoder writes the content, with the vertices in the given encoding. A decoder reads all of
+// it. Returns the encoding of the vertices.
 template <class Coder>
-Way code_content(Coder& coder, Content& content, Way way) {
+Encoding code_content(Coder& coder, Content& content, Encoding encoding) {
   constexpr int widest_count = 16;
   static_assert(max_link_vertices < (std::size_t{1} << widest_count));
 
   code_settings(coder, content.settings);
-  const std::uint64_t count = code_integer(coder, content.cells.size(), widest_count);
+  const std::uint64_t count = code_integer(coder, content.quantized.size(), widest_count);
   if (count > max_link_vertices) coder.fail();
-  if (coder.failed()) return way;
-  if (count > 0) way = code_vertices(coder, way, content.cells, static_cast<std::size_t>(count));
+  if (coder.failed()) return encoding;
+  if (count > 0)
+    encoding = code_vertices(coder, encoding, content.quantized, static_cast<std::size_t>(count));
 
   std::optional<Vec2>& centre = content.centre_of_mass;
-  const bool has_centre = coder.uniform(centre ? 1 : 0, 2) != 0;
+  const bool has_centre = coder.code_uniform(centre ? 1 : 0, 2) != 0;
   if (has_centre && !coder.failed()) {
-    centre = code_centre(coder, centre.value_or(Vec2::Zero()), way.scale, content.cells);
+    centre = code_centre(coder, centre.value_or(Vec2::Zero()), encoding.scale, content.quantized);
   }
-  return way;
+  return encoding;
 }
 
-Digits encode_in(const Way& way, Content& content) {
+Digits encode_in(const Encoding& encoding, Content& content) {
   Encoder encoder;
-  code_content(encoder, content, way);
+  code_content(encoder, content, encoding);
   return encoder.finish();
 }
 
@@ -104,9 +108,9 @@ Digits encode_in(const Way& way, Content& content) {
 Digits encode_payload_1(const Document& document) {
   Digits best;
   bool first = true;
-  for (WrittenWay& candidate : likely_ways(document.vertices)) {
-    Content content{document.settings, std::move(candidate.cells), document.centre_of_mass};
-    Digits digits = encode_in(candidate.way, content);
+  for (QuantizedPolygon& candidate : likely_encodings(document.vertices)) {
+    Content content{document.settings, std::move(candidate.quantized), document.centre_of_mass};
+    Digits digits = encode_in(candidate.encoding, content);
     if (first || digits.size() < best.size()) best = std::move(digits);
     first = false;
   }
@@ -116,14 +120,14 @@ Digits encode_payload_1(const Document& document) {
 std::optional<Document> decode_payload_1(std::span<const std::uint8_t> digits) {
   Decoder decoder(digits);
   Content content;
-  const Way way = code_content(decoder, content, Way{});
+  const Encoding encoding = code_content(decoder, content, Encoding{});
   if (decoder.failed()) return std::nullopt;
 
   Document document;
   document.settings = content.settings;
   document.centre_of_mass = content.centre_of_mass;
-  document.vertices.reserve(content.cells.size());
-  for (const auto& vertex : content.cells) {
+  document.vertices.reserve(content.quantized.size());
+  for (const auto& vertex : content.quantized) {
     document.vertices.emplace_back(vertex[0].value, vertex[1].value);
     if (!document.vertices.back().allFinite()) return std::nullopt;
   }
@@ -131,9 +135,10 @@ std::optional<Document> decode_payload_1(std::span<const std::uint8_t> digits) {
   if (!std::isfinite(document.settings.weight) || !std::isfinite(document.settings.min_ratio)) {
     return std::nullopt;
   }
-  // A document has one link in each way: nothing hides in digits that mean the same.
-  content.cells = cells_on(way.scale, document.vertices);
-  const Digits again = encode_in(way, content);
+  // In each encoding a document has one link only. So no two links mean the same, and nothing can
+  // hide in a link.
+  content.quantized = quantize(encoding.scale, document.vertices);
+  const Digits again = encode_in(encoding, content);
   if (!std::equal(again.begin(), again.end(), digits.begin(), digits.end())) return std::nullopt;
   return document;
 }

@@ -1,5 +1,5 @@
-// The payload of share links of version 1: a Document to digits and back. The format is described
-// in docs/link-format.md and fixed for ever; a change of it is a new version.
+// The payload of share links of version 1: a Document as digits, and back. docs/link-format.md
+// specifies the format. It is fixed for ever; any change makes a new version.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,14 @@
 
 namespace evenlift {
 
-// The shortest of a few ways to write the document. All its numbers must be finite, its vertices at
-// most max_link_vertices, its settings within their ranges. O(n).
+// Writes the document in a few encodings and returns the shortest result. All its numbers must be
+// finite, it has at most max_link_vertices vertices, and its settings are within their ranges.
+// O(n).
 Digits encode_payload_1(const Document& document);
 
-// The document, if encode_payload_1 could have written the digits in one of its ways; then every
-// number is finite and there are at most max_link_vertices vertices. Bounded work and memory for
-// any digits. O(digits).
+// The document, or nothing if encode_payload_1 could not have written these digits in any encoding.
+// All numbers of the document are finite, and it has at most max_link_vertices vertices. Work and
+// memory are bounded for any digits. O(digits).
 std::optional<Document> decode_payload_1(std::span<const std::uint8_t> digits);
 
 }  // namespace evenlift

@@ -2,16 +2,16 @@
 
 namespace evenlift {
 
-Cells cells_on(const Scale& scale, const Points& vertices) {
-  Cells cells(vertices.size());
+QuantizedVertices quantize(const Scale& scale, const Points& vertices) {
+  QuantizedVertices quantized(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double value = vertices[i][static_cast<Eigen::Index>(axis)];
       const auto number = scale.number_of(value);
-      cells[i][axis] = {value, number.value_or(0), !number};
+      quantized[i][axis] = {value, number.value_or(0), !number};
     }
   }
-  return cells;
+  return quantized;
 }
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// The coordinates of a polygon as a share link writes them: integers of a scale, and what each is
-// expected to be.
+// The coordinates of a polygon as a share link writes them: quantized to integers, and the
+// predictors of these integers.
 #pragma once
 
 #include <array>
@@ -12,43 +12,44 @@
 
 namespace evenlift {
 
-// What the number of a coordinate is expected to be, from those of the vertices before.
-enum class Guess : std::uint8_t {
-  nothing,   // 0
-  previous,  // the same as the last
-  line,      // straight on from the last two
-  repeat     // the step of four vertices ago again, as along a comb
+// Predicts the number of a coordinate from those of the vertices before it, on the same axis.
+enum class Predictor : std::uint8_t {
+  nothing,   // always 0
+  previous,  // the number of the last vertex
+  line,      // extrapolates the last two linearly
+  repeat     // the last one plus the step taken four vertices ago, as along a comb
 };
-inline constexpr Guess all_guesses[] = {Guess::nothing, Guess::previous, Guess::line,
-                                        Guess::repeat};
+inline constexpr Predictor all_predictors[] = {Predictor::nothing, Predictor::previous,
+                                               Predictor::line, Predictor::repeat};
 
-// A way to write vertices; the writer tries some and takes the shortest.
-struct Way {
+// How the vertices are written. The writer tries several encodings and keeps the shortest.
+struct Encoding {
   Scale scale{0};
-  Guess guess = Guess::nothing;
+  Predictor predictor = Predictor::nothing;
 };
 
-// A coordinate: its number, or that the scale has none for it. Then its number is the guess.
-struct Cell {
+// A quantized coordinate. If the scale has no number for the value, the coordinate is `escaped`:
+// the link holds the double itself, and for later predictions its number is the one predicted here.
+struct QuantizedCoordinate {
   double value = 0;
   std::int64_t number = 0;
-  bool off_scale = false;
+  bool escaped = false;
 };
-using Cells = std::vector<std::array<Cell, 2>>;
+using QuantizedVertices = std::vector<std::array<QuantizedCoordinate, 2>>;
 
-// The guess for vertex i from those before it. Wraps around beyond 64 bits. O(1).
-inline std::uint64_t guess_number(Guess guess, const Cells& cells, std::size_t i,
-                                  std::size_t axis) {
+// The predicted number of vertex i. It wraps around beyond 64 bits. O(1).
+inline std::uint64_t predict(Predictor predictor, const QuantizedVertices& quantized, std::size_t i,
+                             std::size_t axis) {
   const auto back = [&](std::size_t steps) {
-    return static_cast<std::uint64_t>(cells[i - steps][axis].number);
+    return static_cast<std::uint64_t>(quantized[i - steps][axis].number);
   };
-  if (i == 0 || guess == Guess::nothing) return 0;
-  if (guess == Guess::line && i >= 2) return 2 * back(1) - back(2);
-  if (guess == Guess::repeat && i >= 5) return back(1) + back(4) - back(5);
+  if (i == 0 || predictor == Predictor::nothing) return 0;
+  if (predictor == Predictor::line && i >= 2) return 2 * back(1) - back(2);
+  if (predictor == Predictor::repeat && i >= 5) return back(1) + back(4) - back(5);
   return back(1);
 }
 
-// The vertices on the scale. O(n).
-Cells cells_on(const Scale& scale, const Points& vertices);
+// Quantizes the vertices by the scale. O(n).
+QuantizedVertices quantize(const Scale& scale, const Points& vertices);
 
 }  // namespace evenlift

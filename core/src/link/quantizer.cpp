@@ -22,8 +22,8 @@ std::optional<std::int64_t> Scale::number_of(double value) const {
     const auto number = static_cast<std::int64_t>(size >> zero_bits_);
     return (to_bits(value) & sign_bit) != 0 ? ~number : number;
   }
-  // If m is there, it is less than 1/4 from the exact value * 10^k, and the product errs by less
-  // than 1/4.
+  // If m exists, it differs from the exact value * 10^k by less than 1/4, and rounding moves the
+  // product by less than 1/4.
   const double product = value * powers[kind_];
   if (!(std::fabs(product) < limit - 1)) return std::nullopt;
   const auto number = static_cast<std::int64_t>(product + (product < 0 ? -0.5 : 0.5));
@@ -39,8 +39,8 @@ double Scale::value_of(std::int64_t number) const {
 }
 
 int decimals_of(double value) {
-  // What has k decimals has more, too, up to where its number becomes too large: mostly one look
-  // there tells that there are none.
+  // If k decimals suffice, so do more, until the integer becomes too large. So testing the largest
+  // k first rejects most values at once.
   int most = 0;
   while (most < Scale::most_decimals && std::fabs(value) * powers[most + 1] < limit - 1) ++most;
   if (!Scale(most).number_of(value)) return Scale::doubles;

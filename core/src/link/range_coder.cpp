@@ -7,17 +7,17 @@ namespace evenlift {
 namespace {
 
 constexpr std::uint32_t whole = std::uint32_t{1} << 30;         // five digits
-constexpr std::uint32_t narrow_limit = std::uint32_t{1} << 24;  // a range above this is wide enough
-constexpr std::uint32_t top_unit = std::uint32_t{1} << 24;      // the first of five digits counts
+constexpr std::uint32_t narrow_limit = std::uint32_t{1} << 24;  // at or below it, a digit goes out
+constexpr std::uint32_t top_unit = std::uint32_t{1} << 24;      // one unit of the first digit
 
-// The part of the range that means false.
-std::uint32_t false_part(std::uint32_t range, const Odds& odds) {
-  return range / (std::uint32_t{odds.count[0]} + odds.count[1]) * odds.count[0];
+// The size of the part of the range that means false.
+std::uint32_t false_part(std::uint32_t range, const BitModel& model) {
+  return range / (std::uint32_t{model.count[0]} + model.count[1]) * model.count[0];
 }
 
 }  // namespace
 
-void Odds::learn(bool value) {
+void BitModel::update(bool value) {
   count[value ? 1 : 0] = static_cast<std::uint16_t>(count[value ? 1 : 0] + 2);
   if (count[0] + count[1] > 255) {
     count[0] = static_cast<std::uint16_t>((count[0] + 1) / 2);
@@ -25,16 +25,16 @@ void Odds::learn(bool value) {
   }
 }
 
-std::uint32_t Encoder::uniform(std::uint32_t value, std::uint32_t count) {
+std::uint32_t Encoder::code_uniform(std::uint32_t value, std::uint32_t count) {
   assert(count >= 1 && count <= 4096 && value < count);
   const std::uint32_t unit = range_ / count;
   narrow(unit * value, unit);
   return value;
 }
 
-bool Encoder::choice(bool value, Odds& odds) {
-  const std::uint32_t part = false_part(range_, odds);
-  odds.learn(value);
+bool Encoder::code_bit(bool value, BitModel& model) {
+  const std::uint32_t part = false_part(range_, model);
+  model.update(value);
   if (value) {
     narrow(part, range_ - part);
   } else {
@@ -54,8 +54,8 @@ void Encoder::narrow(std::uint32_t offset, std::uint32_t range) {
   }
 }
 
-// Adds one to the digits that are out. They began below 1 and stay there, so a digit below 63 is
-// among them.
+// Adds one to the digits already written. As a fraction they are below 1 and stay below it, so one
+// of them is below 63.
 void Encoder::carry() {
   low_ -= whole;
   std::size_t i = digits_.size();
@@ -64,8 +64,8 @@ void Encoder::carry() {
 }
 
 Digits Encoder::finish() {
-  // Of the numbers from low_ to below low_ + range_ the one with the fewest digits: the reader
-  // takes zeros for those that are missing.
+  // Any number in [low_, low_ + range_) will do. This finds the one with the fewest digits, since
+  // the decoder reads missing digits as 0.
   std::uint32_t unit = whole;
   std::uint32_t value = (low_ + unit - 1) / unit * unit;
   int count = 0;
@@ -90,15 +90,15 @@ Decoder::Decoder(std::span<const std::uint8_t> digits) : digits_(digits) {
 std::uint32_t Decoder::next_digit() {
   const std::size_t at = read_++;
   if (at < digits_.size()) return digits_[at];
-  if (at >= digits_.size() + 5) failed_ = true;  // an encoder leaves out five digits at most
+  if (at >= digits_.size() + 5) failed_ = true;  // an encoder omits at most five digits
   return 0;
 }
 
-std::uint32_t Decoder::uniform(std::uint32_t, std::uint32_t count) {
+std::uint32_t Decoder::code_uniform(std::uint32_t, std::uint32_t count) {
   if (failed_) return 0;
   const std::uint32_t unit = range_ / count;
   const std::uint32_t value = code_ / unit;
-  if (value >= count) {  // the rest that division leaves: no encoder goes there
+  if (value >= count) {  // in the remainder of the division, which no encoder uses
     failed_ = true;
     return 0;
   }
@@ -106,11 +106,11 @@ std::uint32_t Decoder::uniform(std::uint32_t, std::uint32_t count) {
   return value;
 }
 
-bool Decoder::choice(bool, Odds& odds) {
+bool Decoder::code_bit(bool, BitModel& model) {
   if (failed_) return false;
-  const std::uint32_t part = false_part(range_, odds);
+  const std::uint32_t part = false_part(range_, model);
   const bool value = code_ >= part;
-  odds.learn(value);
+  model.update(value);
   if (value) {
     narrow(part, range_ - part);
   } else {

@@ -1,9 +1,16 @@
-// The range coder of share links: values to base-64 digits and back, with a fraction of a bit lost
-// in all. docs/link-format.md, "Coder", describes it; a program that reads links must do the same.
+// An adaptive binary range coder (G. N. N. Martin, Range encoding: an algorithm for removing
+// redundancy from a digitised message, 1979) with digits of six bits. It turns values into base-64
+// digits and back, and wastes less than one digit on a whole link. docs/link-format.md, "Coder",
+// specifies it; every program that reads links must do the same.
 //
-// Encoder and Decoder have the same members, so that one function, a template over the coder,
-// describes what is written and what is read: each member takes the value to write and returns the
-// value read (the encoder returns what it was given, the decoder ignores what it is given).
+// Encoder and Decoder have the same members. Each member takes the value to write and returns the
+// value read: the encoder returns its argument, and the decoder ignores it. So one template over
+// the coder describes the format in both directions. For example,
+//
+//   settings.seed = code_integer(coder, settings.seed, 64);
+//
+// writes the seed if the coder is an Encoder, and replaces it by the seed in the link if the coder
+// is a Decoder.
 #pragma once
 
 #include <bit>
@@ -16,30 +23,33 @@ namespace evenlift {
 
 using Digits = std::vector<std::uint8_t>;  // each 0 .. 63
 
-// How often a choice fell to false and to true so far: what is usual costs less.
-struct Odds {
-  std::uint16_t count[2];
-  void learn(bool value);  // O(1)
+// An adaptive model of one binary decision: how often it was false and how often true so far. The
+// more frequent value takes less room.
+struct BitModel {
+  std::uint16_t count[2];   // of false and of true
+  void update(bool value);  // counts one more decision; O(1)
 };
 
 class Encoder {
  public:
   static constexpr bool decoding = false;
 
-  // value of 0 .. count - 1, all alike; 1 <= count <= 4096. O(1) amortized.
-  std::uint32_t uniform(std::uint32_t value, std::uint32_t count);
-  bool choice(bool value, Odds& odds);
+  // Codes a value of 0 .. count - 1, all equally likely; 1 <= count <= 4096. Amortized O(1).
+  std::uint32_t code_uniform(std::uint32_t value, std::uint32_t count);
+  // Codes one bit with the probabilities of the model, and updates the model. Amortized O(1).
+  bool code_bit(bool value, BitModel& model);
   bool failed() const { return false; }
   void fail() {}
 
-  // The digits, as few as can be read back; the encoder is used up. O(1) amortized.
+  // Returns the digits, as few as can be read back. The encoder cannot be used afterwards.
+  // Amortized O(1).
   Digits finish();
 
  private:
   void narrow(std::uint32_t offset, std::uint32_t range);
   void carry();
 
-  std::uint32_t low_ = 0;  // below 2^30: the digits that are still open
+  std::uint32_t low_ = 0;  // below 2^30: the digits that may still change
   std::uint32_t range_ = std::uint32_t{1} << 30;
   Digits digits_;
 };
@@ -50,11 +60,12 @@ class Decoder {
 
   explicit Decoder(std::span<const std::uint8_t> digits);
 
-  // As the encoder's. After a failure zeros, for ever: check failed() before believing anything.
-  std::uint32_t uniform(std::uint32_t, std::uint32_t count);
-  bool choice(bool, Odds& odds);
+  // The counterparts of the encoder's members. After a failure they return 0 for ever, so check
+  // failed() before using anything.
+  std::uint32_t code_uniform(std::uint32_t, std::uint32_t count);
+  bool code_bit(bool, BitModel& model);
 
-  // Whether something was read that no encoder writes, or more than there is.
+  // True once the digits turned out to be none that an encoder writes, or ended too early.
   bool failed() const { return failed_; }
   void fail() { failed_ = true; }
 
@@ -64,14 +75,14 @@ class Decoder {
 
   std::span<const std::uint8_t> digits_;
   std::size_t read_ = 0;
-  std::uint32_t code_ = 0;  // what the encoder's low_ must come to, less low_; below range_
+  std::uint32_t code_ = 0;  // the number that the digits make, minus the encoder's low_; < range_
   std::uint32_t range_ = std::uint32_t{1} << 30;
   bool failed_ = false;
 };
 
-// --- on top of either coder; all O(1)
+// --- Codes built from these two, for either coder; all O(1)
 
-// The lowest `count` bits of value, 0 .. 64 of them.
+// Codes the lowest `count` bits of value, 0 <= count <= 64.
 template <class Coder>
 std::uint64_t code_bits(Coder& coder, std::uint64_t value, int count) {
   std::uint64_t result = 0;
@@ -79,27 +90,28 @@ std::uint64_t code_bits(Coder& coder, std::uint64_t value, int count) {
     const int part = count < 12 ? count : 12;
     count -= part;
     const auto piece = static_cast<std::uint32_t>((value >> count) & ((1u << part) - 1));
-    result = (result << part) | coder.uniform(piece, std::uint32_t{1} << part);
+    result = (result << part) | coder.code_uniform(piece, std::uint32_t{1} << part);
   }
   return result;
 }
 
-// value of 0 .. greatest, about alike.
+// Codes a value of 0 .. greatest; all are about equally likely.
 template <class Coder>
 std::uint64_t code_up_to(Coder& coder, std::uint64_t value, std::uint64_t greatest) {
   const int width = static_cast<int>(std::bit_width(greatest));
   const int low = width > 12 ? width - 12 : 0;
   const auto count = static_cast<std::uint32_t>(greatest >> low) + 1;
-  const std::uint64_t high = coder.uniform(static_cast<std::uint32_t>(value >> low), count);
+  const std::uint64_t high = coder.code_uniform(static_cast<std::uint32_t>(value >> low), count);
   const std::uint64_t result = (high << low) | code_bits(coder, value, low);
   if (result > greatest) coder.fail();
   return result;
 }
 
-// An integer below 2^widest: its width, then the bits below its leading one.
+// Codes an integer below 2^widest: its width in bits, then the bits below the leading one (an Elias
+// code with a uniform width).
 template <class Coder>
 std::uint64_t code_integer(Coder& coder, std::uint64_t value, int widest) {
-  const auto width = static_cast<int>(coder.uniform(
+  const auto width = static_cast<int>(coder.code_uniform(
       static_cast<std::uint32_t>(std::bit_width(value)), static_cast<std::uint32_t>(widest) + 1));
   if (width == 0) return 0;
   return (std::uint64_t{1} << (width - 1)) | code_bits(coder, value, width - 1);

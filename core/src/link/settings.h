@@ -1,4 +1,4 @@
-// The settings in share links of version 1, for either coder; and numbers that stand alone.
+// The settings in share links of version 1, and numbers that are not vertices, for either coder.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace evenlift {
 
-// What a link of version 1 means by leaving a setting out. Should Settings ever get other defaults,
-// these stay (test_link.cpp notices).
+// The values of settings that a link of version 1 leaves out. They stay as they are even if the
+// defaults of Settings change (test_link.cpp compares the two).
 inline Settings defaults_of_link_1() {
   Settings settings;
   settings.teams = 3;
@@ -26,7 +26,7 @@ inline Settings defaults_of_link_1() {
   return settings;
 }
 
-// A finite number that stands alone: with the decimals that it needs, else its bits. O(1).
+// Codes a finite number: as a decimal if it has a short one, otherwise as its 64 bits. O(1).
 template <class Coder>
 double code_number(Coder& coder, double value) {
   int kind = 0;
@@ -35,16 +35,16 @@ double code_number(Coder& coder, double value) {
     kind = decimals_of(value);
     number = Scale(kind).number_of(value).value_or(0);
   }
-  kind = static_cast<int>(coder.uniform(static_cast<std::uint32_t>(kind), Scale::doubles + 1));
+  kind = static_cast<int>(coder.code_uniform(static_cast<std::uint32_t>(kind), Scale::doubles + 1));
   if (kind == Scale::doubles) return from_bits(code_bits(coder, to_bits(value), 64));
-  const bool negative = coder.uniform(number < 0 ? 1 : 0, 2) != 0;
+  const bool negative = coder.code_uniform(number < 0 ? 1 : 0, 2) != 0;
   const auto size =
       code_integer(coder, static_cast<std::uint64_t>(negative ? -number : number), 51);
   number = static_cast<std::int64_t>(size);
   return Scale(kind).value_of(negative ? -number : number);
 }
 
-// All but tipping, which came later.
+// The overlays as bits, except tipping, which came later.
 inline std::uint32_t overlay_mask(const Overlays& shown) {
   return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.lifting_base ? 4u : 0u) |
          (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
@@ -59,37 +59,42 @@ template <class Coder>
 std::optional<std::uint32_t> code_teams(Coder& coder, std::optional<std::uint32_t> teams) {
   constexpr int widest = 21;
   static_assert(max_teams == 1u << (widest - 1));
-  const bool every_candidate = coder.uniform(teams ? 0 : 1, 2) != 0;
+  const bool every_candidate = coder.code_uniform(teams ? 0 : 1, 2) != 0;
   if (every_candidate) return std::nullopt;
   return static_cast<std::uint32_t>(code_integer(coder, teams.value_or(0), widest));
 }
 
-// Those settings that differ from their defaults; when decoding, `settings` are the defaults. O(1).
+// Codes the settings that differ from their defaults. When decoding, `settings` must hold the
+// defaults. O(1).
 template <class Coder>
 void code_settings(Coder& coder, Settings& settings) {
   const Settings usual = defaults_of_link_1();
-  // Of the doubles, -0 differs from 0.
+  // Compares bits, because -0 and 0 must be told apart.
   const bool ratio = !same_bits(settings.min_ratio, usual.min_ratio);
   const bool weight = !same_bits(settings.weight, usual.weight);
-  const auto differs = [&](bool different) { return coder.uniform(different ? 1 : 0, 2) != 0; };
+  const auto differs = [&](bool different) {
+    return coder.code_uniform(different ? 1 : 0, 2) != 0;
+  };
 
-  Odds odds{{15, 1}};
-  if (!coder.choice(ratio || weight || !(settings == usual), odds)) return;
+  BitModel model{{15, 1}};
+  if (!coder.code_bit(ratio || weight || !(settings == usual), model)) return;
   if (differs(settings.teams != usual.teams)) settings.teams = code_teams(coder, settings.teams);
   if (differs(settings.method != usual.method)) {
-    const auto index = std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // area is usual
-    settings.method = static_cast<Method>(1 + coder.uniform(index, 4));
+    const auto index =
+        std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // area is the default
+    settings.method = static_cast<Method>(1 + coder.code_uniform(index, 4));
   }
   if (differs(ratio)) settings.min_ratio = code_number(coder, settings.min_ratio);
   if (differs(weight)) settings.weight = code_number(coder, settings.weight);
   if (differs(settings.seed != usual.seed)) settings.seed = code_integer(coder, settings.seed, 64);
   if (differs(!(settings.overlays == usual.overlays))) {
-    // A mask that differs in nothing is the sign that tipping is shown; the mask itself follows.
+    // Overlays that are at their defaults are not written, so the default mask is free to say that
+    // tipping is shown. Then the mask itself follows.
     const std::uint32_t sign = overlay_mask(usual.overlays),
                         shown = overlay_mask(settings.overlays);
-    std::uint32_t mask = coder.uniform(settings.overlays.tipping ? sign : shown, 32);
+    std::uint32_t mask = coder.code_uniform(settings.overlays.tipping ? sign : shown, 32);
     const bool tipping = mask == sign;
-    if (tipping) mask = coder.uniform(shown, 32);
+    if (tipping) mask = coder.code_uniform(shown, 32);
     settings.overlays = overlays_of_mask(mask, tipping);
   }
   if (differs(settings.step.has_value())) {

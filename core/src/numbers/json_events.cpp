@@ -10,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// The text as the library's input, which tells how far the library has read.
+// An input iterator for the library that records how far the library has read.
 struct Tap {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -29,14 +29,14 @@ struct Tap {
   friend bool operator==(const Tap& a, const Tap& b) { return a.at == b.at; }
 };
 
-// The part of the library's message that says what is wrong: it looks like
-// "[...] parse error at line 1, column 3: syntax error while parsing array - REASON; last read:
-// '['".
+// The part of the library's message that says what is wrong. A message looks like "[...] parse
+// error at line 1, column 3: syntax error while parsing array - REASON; last read: '['; expected
+// ...".
 std::string reason(std::string_view message) {
   const std::size_t start = message.find(" - ");
   if (start == std::string_view::npos) return "this is not valid JSON";
   message.remove_prefix(start + 3);
-  // What was read last may hold anything that the text holds.
+  // The part "last read" quotes the text and may contain anything, so search from the right.
   const std::size_t read = message.find("; last read: ");
   std::string_view expected;
   if (read != std::string_view::npos) {
@@ -47,7 +47,7 @@ std::string reason(std::string_view message) {
   return "this is not valid JSON: " + std::string(message) + std::string(expected);
 }
 
-// The library's handler.
+// The handler of the library's events.
 class Handler {
  public:
   Handler(std::string_view text, JsonSink& sink)
@@ -61,8 +61,8 @@ class Handler {
 
   bool null() { return sink_.value({JsonValue::Kind::null, offset(), 0, {}}); }
   bool boolean(bool) { return sink_.value({JsonValue::Kind::boolean, offset(), 0, {}}); }
-  // The library reads "-0" as the signed integer 0, and any other integer that is not negative as
-  // an unsigned one. Integers beyond 64 bits come as number_float.
+  // The library reports "-0" as the signed integer 0, any other non-negative integer as an unsigned
+  // one, and integers beyond 64 bits as number_float.
   bool number_integer(std::int64_t integer) {
     return number(integer == 0 ? -0.0 : static_cast<double>(integer));
   }
@@ -71,7 +71,7 @@ class Handler {
   bool string(const std::string& text) {
     return sink_.value({JsonValue::Kind::string, offset(), 0, text});
   }
-  bool binary(const nlohmann::json::binary_t&) { return false; }  // not in JSON texts
+  bool binary(const nlohmann::json::binary_t&) { return false; }  // never in a JSON text
   bool key(const std::string& name) { return sink_.key(name, offset()); }
   bool start_object(std::size_t) { return start(JsonValue::Kind::object); }
   bool start_array(std::size_t) { return start(JsonValue::Kind::array); }
@@ -94,7 +94,7 @@ class Handler {
     const auto read = static_cast<std::size_t>(reached_ - text_.data());
     return read == 0 ? 0 : read - 1;
   }
-  // The end of a number is known one byte later, unless it ends the text.
+  // The library finds the end of a number one byte later, unless the text ends with the number.
   bool number(double value) {
     std::size_t where = offset();
     if (where > 0 && (text_[where] < '0' || text_[where] > '9')) --where;

@@ -1,5 +1,6 @@
-// A JSON text as a stream of events: values with their place, numbers as exact doubles, errors as
-// InputError. Around nlohmann-json's reader, which neither recurses nor builds a tree.
+// Reads a JSON text as a stream of events: values with their places, numbers as the nearest
+// doubles, and errors as InputError. It wraps the event reader of nlohmann-json, which neither
+// recurses nor builds a tree.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +16,26 @@ namespace evenlift {
 struct JsonValue {
   enum class Kind : std::uint8_t { object, array, string, number, boolean, null };
   Kind kind;
-  std::size_t offset;     // of the value's last byte, but the first of an object or array
-  double number;          // of a number: the nearest double, finite
-  std::string_view text;  // of a string
+  std::size_t offset;  // of the first byte of an object or array, of the last byte of other values
+  double number;       // for a number: the nearest double, finite
+  std::string_view text;  // for a string
 };
 
-// Takes the events. Each returns whether to go on; a sink that stops has kept the reason.
+// Receives the events. Each function returns whether to continue; a sink that stops keeps the
+// reason.
 class JsonSink {
  public:
   virtual bool value(const JsonValue& value) = 0;
-  virtual bool key(std::string_view name, std::size_t offset) = 0;  // the next value's
+  virtual bool key(std::string_view name, std::size_t offset) = 0;  // of the next value
   virtual bool end() = 0;                                           // of an object or array
 
  protected:
   ~JsonSink() = default;
 };
 
-// Reads the whole text into the sink. The error, unless the text is valid JSON or the sink stopped
-// first. At most 64 levels of arrays and objects. O(bytes).
+// Reads the whole text into the sink. Returns an error if the text is not valid JSON or has more
+// than 64 levels of arrays and objects; nothing if it is valid or the sink stopped before.
+// O(bytes).
 std::optional<InputError> read_json(std::string_view text, JsonSink& sink);
 
 }  // namespace evenlift

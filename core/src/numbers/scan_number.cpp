@@ -1,6 +1,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "numbers/number_text.h"
 
@@ -11,10 +12,10 @@ static_assert(FLT_EVAL_METHOD == 0, "a product of doubles must be rounded once, 
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The number's digits as an integer, the first `limit` significant ones; then `exponent` counts the
-// rest. No more than 768 digits decide a rounding: beyond the limit it only matters whether
-// anything but zeros follows.
-struct Digits {
+// The significant digits of a number, as an integer, and its power of ten. At most 768 digits can
+// decide how a number is rounded, so beyond `limit` it only matters whether a digit other than 0
+// follows.
+struct SignificantDigits {
   static constexpr int limit = 800;
   char text[limit];
   int count = 0;
@@ -23,7 +24,7 @@ struct Digits {
 
   void take(char digit, bool after_point) {
     if (count == 0 && digit == '0') {
-      if (after_point) --exponent;  // leading zeros are no digits, but count as places
+      if (after_point) --exponent;  // a leading zero is not significant, but moves the point
       return;
     }
     if (count < limit) {
@@ -36,26 +37,27 @@ struct Digits {
   }
 };
 
-// Exact where both the digits and the power of ten are doubles: then one operation rounds once.
-bool quick_value(const Digits& digits, double& value) {
+// The value if both the digits and the power of ten are doubles. Then one operation rounds
+// correctly.
+std::optional<double> quick_value(const SignificantDigits& digits) {
   static constexpr double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                       1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                       1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  if (digits.count > 15 || digits.exponent > 22 || digits.exponent < -22) return false;
+  if (digits.count > 15 || digits.exponent > 22 || digits.exponent < -22) return std::nullopt;
   std::uint64_t integer = 0;  // below 10^15, so below 2^53
   for (int i = 0; i < digits.count; ++i) {
     integer = 10 * integer + static_cast<unsigned>(digits.text[i] - '0');
   }
-  value = static_cast<double>(integer);
+  double value = static_cast<double>(integer);
   if (digits.exponent < 0) value /= powers[-digits.exponent];
   if (digits.exponent > 0) value *= powers[digits.exponent];
-  return true;
+  return value;
 }
 
-// The C library's strtod rounds correctly (glibc, musl, and others of today). It is given digits
-// and an exponent, never a decimal point: so the locale has no say.
-double library_value(const Digits& digits) {
-  char text[Digits::limit + 16];
+// The C library's strtod rounds correctly, in glibc, musl and others of today. It gets digits and
+// an exponent but never a decimal point, which would depend on the locale.
+double library_value(const SignificantDigits& digits) {
+  char text[SignificantDigits::limit + 16];
   int size = 0;
   for (; size < digits.count; ++size) text[size] = digits.text[size];
   std::int64_t exponent = digits.exponent;
@@ -65,7 +67,7 @@ double library_value(const Digits& digits) {
   }
   text[size++] = 'e';
   if (exponent < 0) text[size++] = '-';
-  // Within 4 digits: the caller has dealt with everything beyond.
+  // At most 4 digits, since the caller has dealt with larger exponents.
   const unsigned power = static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
   for (unsigned unit = 1000; unit > 0; unit /= 10) {
     text[size++] = static_cast<char>('0' + power / unit % 10);
@@ -74,10 +76,10 @@ double library_value(const Digits& digits) {
   return std::strtod(text, nullptr);
 }
 
-// The value without its sign; infinity where it is beyond the largest double.
-double nearest_double(const Digits& digits) {
-  double value = 0;
-  if (digits.count == 0 || quick_value(digits, value)) return value;
+// The value without its sign; infinity if it is beyond the largest double.
+double nearest_double(const SignificantDigits& digits) {
+  if (digits.count == 0) return 0;
+  if (const std::optional<double> value = quick_value(digits)) return *value;
   const std::int64_t magnitude = digits.count + digits.exponent;  // value < 10^magnitude
   if (magnitude > 310) return HUGE_VAL;
   if (magnitude < -325) return 0;  // below half of the smallest subnormal
@@ -94,7 +96,7 @@ ScannedNumber scan_number(std::string_view text) {
   const bool negative = !text.empty() && text[0] == '-';
   if (negative || (!text.empty() && text[0] == '+')) ++at;
 
-  Digits digits;
+  SignificantDigits digits;
   bool any = false;
   for (; digit_here(); ++at, any = true) digits.take(text[at], false);
   if (at < text.size() && text[at] == '.') {
@@ -110,15 +112,15 @@ ScannedNumber scan_number(std::string_view text) {
     const bool below = at < text.size() && text[at] == '-';
     if (below || (at < text.size() && text[at] == '+')) ++at;
     if (digit_here()) {
-      // Saturates far beyond what digits before or after the point can make up for.
-      constexpr std::int64_t enough = std::int64_t{1} << 40;
+      // It saturates far beyond what digits before or after the point can compensate.
+      constexpr std::int64_t exponent_limit = std::int64_t{1} << 40;
       std::int64_t exponent = 0;
       for (; digit_here(); ++at) {
-        if (exponent < enough) exponent = 10 * exponent + (text[at] - '0');
+        if (exponent < exponent_limit) exponent = 10 * exponent + (text[at] - '0');
       }
       digits.exponent += below ? -exponent : exponent;
     } else {
-      at = mantissa_end;  // an 'e' that begins something else
+      at = mantissa_end;  // the 'e' begins something else
     }
   }
 

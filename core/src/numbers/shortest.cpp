@@ -1,5 +1,5 @@
-// Shortest decimals by Schubfach: Raffaello Giulietti, The Schubfach way to render doubles (2020).
-// C++20's std::to_chars does the same, but older Emscripten's standard library lacks it.
+// Shortest decimal numbers by Schubfach (R. Giulietti, The Schubfach way to render doubles, 2020).
+// std::to_chars does the same; it can replace this once no supported Emscripten lacks it.
 #include <cassert>
 #include <cmath>
 
@@ -24,23 +24,23 @@ Uint128 multiply(std::uint64_t a, std::uint64_t b) {
   return {a1 * b1 + (middle >> 32) + (other >> 32), (other << 32) | (low & 0xffffffffu)};
 }
 
-// floor(log10(2^e)), floor(log10(3/4 2^e)) and floor(log2(10^e)), for every e that doubles need.
-// The shifts of negative numbers round down, as C++20 promises.
+// floor(log10(2^e)), floor(log10(3/4 2^e)) and floor(log2(10^e)), for every e that doubles need. In
+// C++20, shifts of negative numbers round down.
 constexpr int floor_log10_pow2(int e) { return (e * 1262611) >> 22; }
 constexpr int floor_log10_three_quarters_pow2(int e) { return (e * 1262611 - 524031) >> 22; }
 constexpr int floor_log2_pow10(int e) { return (e * 1741647) >> 19; }
 
 // 10^e for e from -292 to 324, as 128-bit numbers g with 2^127 <= g < 2^128, rounded up:
-// g = ceil(10^e / 2^(floor_log2_pow10(e) - 127)). Made at first use: as constants they would be 10
-// KB of the page that do not compress.
+// g = ceil(10^e / 2^(floor_log2_pow10(e) - 127)). They are computed at first use, because as
+// constants they would add 10 KB to the page that do not compress.
 class PowersOfTen {
  public:
   static constexpr int least = -292;
   static constexpr int greatest = 324;
 
   PowersOfTen() {
-    // 10^e and 5^e differ by a power of two only. Upwards the products are exact; downwards each
-    // quotient is floor(2^1023 / 5^n), as dividing a rounded-down quotient again loses nothing.
+    // 10^e and 5^e differ only by a power of two. Upwards the products are exact. Downwards each
+    // quotient is floor(2^1023 / 5^n), since dividing a rounded-down quotient again loses nothing.
     Limbs power{};
     power.limb[0] = 1;
     for (int e = 0; e <= greatest; ++e, power.multiply_by_5()) store(e, power, false);
@@ -68,11 +68,11 @@ class PowersOfTen {
       }
     }
     void divide_by_5() {
-      std::uint64_t rest = 0;
+      std::uint64_t remainder = 0;
       for (int i = count; i-- > 0;) {
-        rest = (rest << 32) | limb[i];
-        limb[i] = static_cast<std::uint32_t>(rest / 5);
-        rest %= 5;
+        remainder = (remainder << 32) | limb[i];
+        limb[i] = static_cast<std::uint32_t>(remainder / 5);
+        remainder %= 5;
       }
     }
     bool bit(int i) const { return i >= 0 && ((limb[i / 32] >> (i % 32)) & 1u) != 0; }
@@ -108,20 +108,20 @@ std::uint64_t product_rounded_to_odd(const Uint128& g, std::uint64_t x) {
   return high.high | (high.low > 1 ? 1u : 0u);
 }
 
-struct Digits {
+struct UnsignedDecimal {
   std::uint64_t digits;
   int exponent;
 };
 
-// The shortest decimal of significand * 2^exponent, perhaps with trailing zeros.
-// `at_binade` says that the next smaller double is nearer than the next larger one.
-Digits schubfach(std::uint64_t significand, int exponent, bool at_binade) {
+// The shortest decimal number of significand * 2^exponent, perhaps with trailing zeros. `at_binade`
+// says that the next smaller double is nearer than the next larger one.
+UnsignedDecimal schubfach(std::uint64_t significand, int exponent, bool at_binade) {
   const bool even = significand % 2 == 0;  // then the ends of the rounding interval belong to it
   const int k = at_binade ? floor_log10_three_quarters_pow2(exponent) : floor_log10_pow2(exponent);
   const int h = exponent + floor_log2_pow10(-k) + 1;
   const Uint128& g = power_of_ten(-k);
 
-  // The value and the ends of its interval, each times 4 / 10^k.
+  // The value and the ends of its rounding interval, each times 4 / 10^k.
   const std::uint64_t value = product_rounded_to_odd(g, (4 * significand) << h);
   const std::uint64_t left =
       product_rounded_to_odd(g, (4 * significand - (at_binade ? 1 : 2)) << h) + (even ? 0 : 1);
@@ -129,7 +129,7 @@ Digits schubfach(std::uint64_t significand, int exponent, bool at_binade) {
       product_rounded_to_odd(g, (4 * significand + 2) << h) - (even ? 0 : 1);
 
   const std::uint64_t s = value / 4;
-  if (s >= 10) {  // one digit fewer, if just one of the two neighbours lies inside
+  if (s >= 10) {  // one digit fewer, if exactly one of the two neighbours lies inside
     const std::uint64_t tens = s / 10;
     const bool lower_inside = left <= 40 * tens;
     const bool upper_inside = 40 * tens + 40 <= right;
@@ -138,7 +138,8 @@ Digits schubfach(std::uint64_t significand, int exponent, bool at_binade) {
   const bool lower_inside = left <= 4 * s;
   const bool upper_inside = 4 * s + 4 <= right;
   if (lower_inside != upper_inside) return {s + (upper_inside ? 1 : 0), k};
-  const std::uint64_t middle = 4 * s + 2;  // both inside: the nearer, of equals the even one
+  const std::uint64_t middle =
+      4 * s + 2;  // both inside: the nearer, or the even one of two equally near
   const bool up = value > middle || (value == middle && s % 2 == 1);
   return {s + (up ? 1 : 0), k};
 }
@@ -155,7 +156,7 @@ Decimal shortest_decimal(double value) {
 
   const std::uint64_t significand = biased == 0 ? fraction : fraction | (std::uint64_t{1} << 52);
   const int exponent = biased == 0 ? -1074 : biased - 1075;
-  Digits found;
+  UnsignedDecimal found;
   if (exponent <= 0 && exponent > -53 &&
       (significand & ((std::uint64_t{1} << -exponent) - 1)) == 0) {
     found = {significand >> -exponent, 0};  // an integer below 2^53 has no shorter decimal
@@ -169,8 +170,9 @@ Decimal shortest_decimal(double value) {
   return {found.digits, found.exponent, negative};
 }
 
-// The rules of ECMAScript's Number::toString, so that the page's own scripts print the same; only
-// -0 keeps its sign, as "-0.0", which no reader of JSON takes for an integer.
+// The rules of ECMAScript's Number::toString, so that the page's scripts print the same text. The
+// exception is -0, which becomes "-0.0": readers of JSON would take "-0" for an integer and lose
+// the sign.
 void append_shortest(std::string& text, double value) {
   const Decimal decimal = shortest_decimal(value);
   if (decimal.digits == 0) {

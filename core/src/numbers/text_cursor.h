@@ -1,4 +1,4 @@
-// A place in a text that is being read, and errors that say where it is.
+// A cursor in a text that is being read, and errors that name a place in a text.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,24 @@
 
 namespace evenlift {
 
-// Line and column of the byte at `offset` (the end of the text, if beyond). A line ends with LF, CR
-// LF or CR; columns count the characters of UTF-8. O(offset).
+// The line and column of the byte at `offset`, or of the end of the text if that comes first. A
+// line ends with LF, CR LF or CR. Columns count UTF-8 characters. O(offset).
 Place place_in_text(std::string_view text, std::size_t offset);
 
-// The error at the byte at `offset`. O(offset).
+// An error whose place is the byte at `offset`. O(offset).
 InputError text_error(ErrorCode code, std::string message, std::string_view text,
                       std::size_t offset);
 
-// What stands at `offset`, for messages: "'x'", "the end of the line", "the end of the text". O(1).
+// Describes the byte at `offset` for messages: "'x'", "the end of the line", "the end of the text".
+// O(1).
 std::string found_in_text(std::string_view text, std::size_t offset);
 
-bool is_letter(char c);         // of ASCII, whatever the locale
+bool is_letter(char c);         // of ASCII, in any locale
 char lower_case(char c);        // of ASCII
 bool ends_line(char c);         // LF or CR
 bool is_space_in_line(char c);  // space or tab
 
-// Reads from front to back. The text outlives the cursor.
+// Reads a text from front to back. The text must outlive the cursor.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) : text_(text) {}
@@ -38,18 +39,19 @@ class TextCursor {
   bool sees_letter() const { return !at_end() && is_letter(text_[at_]); }
   bool sees_number() const;
 
-  // Skips one character if it is the one given.
+  // Skips the next character if it is `c`. Returns whether it was.
   bool take(char c);
   void skip_spaces_in_line();
   void skip_white_space();
-  // The letters here, a view of the text, perhaps empty; take_word() skips them.
+  // The letters from here on, perhaps none, as a view of the text. take_word() also skips them.
   std::string_view word() const;
   std::string_view take_word();
 
-  // Skips a number into `value`; otherwise the error. `what` completes "expected ...".
+  // Reads a number into `value` and skips it, or returns the error. `what` completes "expected
+  // ...".
   std::optional<InputError> take_number(double& value, const char* what);
 
-  // "expected WHAT but found ..." here.
+  // The error "expected WHAT but found ..." at this place.
   InputError expected(const std::string& what) const;
   InputError error(ErrorCode code, std::string message) const;
   InputError error_at(std::size_t offset, ErrorCode code, std::string message) const;
@@ -59,7 +61,7 @@ class TextCursor {
   std::size_t at_ = 0;
 };
 
-// Whether the word is `lower` but for case. O(length).
+// Compares without regard to case; `lower` must be lower case. O(length).
 bool same_word(std::string_view word, std::string_view lower);
 
 }  // namespace evenlift

@@ -16,19 +16,18 @@ std::uint32_t number_of_teams(double value) {
       std::clamp(std::ceil(value), 1.0, static_cast<double>(most_teams_for_capacity)));
 }
 
-// The greater of a team's two loads, as a share of what the team carries.
+// The greater of a team's two loads, as a share of the team's load.
 double greater_share(const Chord& chord) {
   return std::max(chord.arm1, chord.arm2) / (chord.arm1 + chord.arm2);
 }
 
-// Follows the teams of a method that chooses one after another. Placements of different numbers of
-// teams give the same team the same share of different weights, so the most uneven team so far
-// carries the greatest load.
+// Follows a method that chooses teams one after another. The number of teams changes the weight of
+// a team but not how its robots share it, so the most uneven team so far has the greatest load.
 class Growing {
  public:
   Growing(double weight, double capacity) : weight_(weight), capacity_(capacity) {}
 
-  // Adds a team. Whether they are enough now.
+  // Adds a team. Returns whether there are enough teams now.
   bool add(const Chord& chord) {
     share_ = std::max(share_, greater_share(chord));
     const double greatest = weight_ / ++plan_.tried * share_;
@@ -57,14 +56,14 @@ CapacityPlan plan_by_candidates(const Polygon& polygon, const Placement& placeme
 CapacityPlan plan_at_random(const Polygon& polygon, const Placement& placement, double capacity) {
   const Settings& settings = placement.settings;
   Growing growing(settings.weight, capacity);
-  // No robot carries more than its team: so many are enough, if there are so many.
+  // No robot carries more than its team does, so this number is enough if so many can be placed.
   const std::uint32_t enough = number_of_teams(settings.weight / capacity + 1);
   for (const Chord& chord : random_teams(polygon, placement.centre_of_mass, enough, settings.seed))
     if (growing.add(chord)) break;
   return growing.plan();
 }
 
-// The least of the numbers of teams from `first` to before `end` that keeps to the capacity.
+// The least number of teams in [first, end) that keeps every robot within the capacity.
 CapacityPlan plan_among(const EqualAngles& angles, double weight, double capacity,
                         std::uint32_t first, std::uint32_t end) {
   std::vector<std::uint32_t> numbers;
@@ -84,8 +83,8 @@ CapacityPlan plan_at_equal_angles(const Polygon& polygon, const Placement& place
   const EqualAngles angles(polygon, placement.centre_of_mass);
   if (!angles.has_chords()) return {};
   const double weight = placement.settings.weight;
-  // With all robots even, each would carry weight / (2 teams): fewer teams are not enough. One
-  // sweep serves several numbers, and more and more, so that not many are tried beyond the least.
+  // Even perfectly even robots carry weight / (2 teams), so fewer teams are never enough. One sweep
+  // tries several numbers at once. It begins with few, so that not many beyond the least are tried.
   std::uint32_t first = number_of_teams(weight / (2 * capacity)), numbers = 8;
   for (;; numbers *= 2) {
     const std::uint32_t end = std::min(first + numbers, most_teams_for_capacity + 1);

@@ -18,30 +18,27 @@ std::vector<LiftingPoint> lifting_points(const std::vector<Chord>& chords) {
   return points;
 }
 
-// The chords that the teams take, noting which candidates they are.
+// Chooses the chords that the teams take, and notes which candidates they are.
 std::vector<Chord> choose_chords(const Polygon& polygon, Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
   const std::size_t teams = placement.requested_teams;
-  std::vector<Chord> chords;
   switch (placement.settings.method) {
     case Method::distributed:
-      chords = distributed_teams(polygon, centre, teams);
-      break;
+      return distributed_teams(polygon, centre, teams);
     case Method::random:
-      chords = random_teams(polygon, centre, teams, placement.settings.seed);
-      break;
+      return random_teams(polygon, centre, teams, placement.settings.seed);
     default:
-      for (const std::uint32_t i :
-           select_teams(polygon, centre, placement.candidates, placement.settings.method, teams)) {
-        placement.team_candidates.push_back(i);
-        chords.push_back(placement.candidates[i].chord);
-      }
+      placement.team_candidates =
+          select_teams(polygon, centre, placement.candidates, placement.settings.method, teams);
   }
-  placement.team_candidates.resize(chords.size(), -1);
+  std::vector<Chord> chords;
+  chords.reserve(placement.team_candidates.size());
+  for (const std::uint32_t i : placement.team_candidates)
+    chords.push_back(placement.candidates[i].chord);
   return chords;
 }
 
-// Everything of a placement that follows from the chords.
+// Fills in everything of a placement that follows from the chords.
 void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords,
                     Placement& placement) {
   const std::vector<LiftingPoint> points = lifting_points(chords);

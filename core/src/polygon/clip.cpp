@@ -1,13 +1,15 @@
 #include "polygon/clip.h"
 
+#include <optional>
+
 namespace evenlift {
 namespace {
 
-// One half-plane's part in clipping: of the chain's points, one after another, it passes on those
-// that are inside, and before each where the chain crossed the line since the last.
-class Clip {
+// Clips a ring by one half-plane, point by point: it passes on each point that is inside, and
+// before it the point where the ring crossed the line since the last one.
+class HalfPlaneClipper {
  public:
-  Clip(const Vec2& a, const Vec2& direction) : a_(a), line_(direction) {}
+  HalfPlaneClipper(const Vec2& a, const Vec2& direction) : a_(a), line_(direction) {}
 
   double side(const Vec2& v) const { return cross(line_, v - a_); }
 
@@ -27,16 +29,16 @@ class Clip {
     from_side_ = to_side;
   }
 
-  // The last point that it will pass on of the whole chain; false if there is none.
-  bool find_last(const Points& chain, Vec2& last) const {
-    for (std::size_t i = chain.size(); i-- > 0;) {
-      const Vec2 &from = chain[i == 0 ? chain.size() - 1 : i - 1], &to = chain[i];
+  // The last point that it will pass on of the whole ring, if there is one.
+  std::optional<Vec2> find_last(const Points& ring) const {
+    for (std::size_t i = ring.size(); i-- > 0;) {
+      const Vec2 &from = ring[i == 0 ? ring.size() - 1 : i - 1], &to = ring[i];
       const double from_side = side(from), to_side = side(to);
       if (to_side < 0 && from_side < 0) continue;
-      last = to_side >= 0 ? to : Vec2(from + (from_side / (from_side - to_side)) * (to - from));
-      return true;
+      if (to_side >= 0) return to;
+      return Vec2(from + (from_side / (from_side - to_side)) * (to - from));
     }
-    return false;
+    return std::nullopt;
   }
 
  private:
@@ -45,7 +47,7 @@ class Clip {
   double from_side_ = 0;
 };
 
-// signed_area of points that come one by one.
+// The signed_area of points that come one by one.
 class RunningArea {
  public:
   void add(const Vec2& v) {
@@ -54,41 +56,41 @@ class RunningArea {
       return;
     }
     const Vec2 arm = v - first_;
-    if (number_ > 2) twice_ += cross(arm_, arm);
+    if (number_ > 2) doubled_area_ += cross(arm_, arm);
     arm_ = arm;
   }
-  double area() const { return 0.5 * twice_; }
+  double area() const { return 0.5 * doubled_area_; }
 
  private:
   std::size_t number_ = 0;
   Vec2 first_ = Vec2::Zero(), arm_ = Vec2::Zero();
-  double twice_ = 0;
+  double doubled_area_ = 0;
 };
 
 }  // namespace
 
-Points clip_left(const Points& chain, const Vec2& a, const Vec2& b) {
-  return clip_left_of_ray(chain, a, b - a);
+Points clip_left(const Points& ring, const Vec2& a, const Vec2& b) {
+  return clip_left_of_ray(ring, a, b - a);
 }
 
-Points clip_left_of_ray(const Points& chain, const Vec2& from, const Vec2& direction) {
+Points clip_left_of_ray(const Points& ring, const Vec2& from, const Vec2& direction) {
   Points kept;
-  if (chain.empty()) return kept;
-  kept.reserve(chain.size() + 4);
-  Clip clip(from, direction);
-  clip.begin_after(chain.back());
-  for (const Vec2& v : chain) clip.advance(v, [&](const Vec2& point) { kept.push_back(point); });
+  if (ring.empty()) return kept;
+  kept.reserve(ring.size() + 4);
+  HalfPlaneClipper clipper(from, direction);
+  clipper.begin_after(ring.back());
+  for (const Vec2& v : ring) clipper.advance(v, [&](const Vec2& point) { kept.push_back(point); });
   return kept;
 }
 
-double area_left_of_both(const Points& chain, const Vec2& a, const Vec2& b, const Vec2& c) {
-  Clip first(a, b - a), second(b, c - b);
-  Vec2 last = Vec2::Zero();
-  if (!first.find_last(chain, last)) return 0;
-  first.begin_after(chain.back());
-  second.begin_after(last);
+double area_left_of_both(const Points& ring, const Vec2& a, const Vec2& b, const Vec2& c) {
+  HalfPlaneClipper first(a, b - a), second(b, c - b);
+  const std::optional<Vec2> last = first.find_last(ring);
+  if (!last) return 0;
+  first.begin_after(ring.back());
+  second.begin_after(*last);
   RunningArea area;
-  for (const Vec2& v : chain) {
+  for (const Vec2& v : ring) {
     first.advance(v, [&](const Vec2& point) {
       second.advance(point, [&](const Vec2& kept) { area.add(kept); });
     });

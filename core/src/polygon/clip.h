@@ -1,21 +1,22 @@
-// Clipping by half-planes.
+// Clipping of rings, closed polygonal lines, by half-planes (I. E. Sutherland and G. W. Hodgman,
+// Reentrant polygon clipping, 1974).
 #pragma once
 
 #include "evenlift/vec.h"
 
 namespace evenlift {
 
-// The part of a closed chain on or to the left of the line a -> b: Sutherland and Hodgman. Of a
-// polygon that is not convex the parts may hang together along the line; its signed area is right.
+// The part of a ring on or to the left of the line a -> b. If the ring is not convex, parts of the
+// result may be connected by overlapping edges along the line; its signed area is still correct.
 // O(m).
-Points clip_left(const Points& chain, const Vec2& a, const Vec2& b);
+Points clip_left(const Points& ring, const Vec2& a, const Vec2& b);
 
-// The same for the line through a point in a direction: for points so near to each other that, once
-// they are moved, the line through them is another.
-Points clip_left_of_ray(const Points& chain, const Vec2& from, const Vec2& direction);
+// Clips by the line through `from` along `direction`. It serves lines through two points that are
+// so close that translating them changes the line's direction. O(m).
+Points clip_left_of_ray(const Points& ring, const Vec2& from, const Vec2& direction);
 
-// The signed area of what is left of a closed chain, clipped to the left of a -> b and then of b ->
-// c: in one pass, without keeping it. O(m).
-double area_left_of_both(const Points& chain, const Vec2& a, const Vec2& b, const Vec2& c);
+// The signed area of the part of a ring to the left of both a -> b and b -> c. It clips twice in
+// one pass, without storing the result. O(m).
+double area_left_of_both(const Points& ring, const Vec2& a, const Vec2& b, const Vec2& c);
 
 }  // namespace evenlift

@@ -12,7 +12,7 @@
 namespace evenlift {
 namespace {
 
-// Appends the chain of left turns through [first, last) to `hull`, without its last point.
+// Appends to `hull` the monotone chain of left turns through [first, last), without its last point.
 template <class Iterator>
 void append_chain(Iterator first, Iterator last, Points& hull) {
   const std::size_t base = hull.size();
@@ -25,7 +25,7 @@ void append_chain(Iterator first, Iterator last, Points& hull) {
 }
 
 // The two corners that are farthest apart along the longer side of the bounding box. If all corners
-// lie near one line, these are its ends.
+// lie near one line, these are the two ends.
 std::pair<Vec2, Vec2> extremes(const Points& hull) {
   const auto by_x = std::minmax_element(hull.begin(), hull.end(), lexicographically_before);
   const auto by_y = std::minmax_element(hull.begin(), hull.end(), [](const Vec2& a, const Vec2& b) {
@@ -46,11 +46,11 @@ double distance_from_line(const Points& hull, const Vec2& a, const Vec2& b) {
   return greatest / length(b - a);
 }
 
-// Whether all corners lie within `flat` of one line: the least width of a convex polygon is that
-// beside one of its sides. O(h) for h corners that do not, O(h^2) for those that nearly do.
+// Whether all corners lie within `flat` of one line. A convex polygon has its least width
+// perpendicular to one of its sides. O(h) for most hulls of h corners, O(h^2) for nearly flat ones.
 bool is_flat(const Points& hull, const std::pair<Vec2, Vec2>& ends, double flat) {
-  // A strip that holds both ends, farthest apart along an axis, leaves their line by less than
-  // this.
+  // In a strip of width 2 flat that contains both ends, which are farthest apart along an axis, no
+  // point is farther from their line than this.
   if (distance_from_line(hull, ends.first, ends.second) > 4 * flat) return false;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     if (distance_from_line(hull, hull[i], hull[(i + 1) % hull.size()]) <= 2 * flat) return true;
@@ -64,10 +64,10 @@ double squared_distance(const Vec2& a, const Vec2& b) {
 }
 
 // Leaves out the corners that rounding alone makes: those within `flat` of the corner before them,
-// and those on a straight run, which lie off the side that spans the run by at most tau of its
-// length. It begins with the corner farthest from the first: no point within a straight run is
-// that. A corner is left out only together with all others of its run, so that many slight turns,
-// which add up, stay.
+// and those on a straight run, whose distance from the side that spans the run is at most tau of
+// its length. It begins with the corner that is farthest from the first, which cannot lie within a
+// straight run. A corner is left out only together with all others of its run, so that many slight
+// turns that add up stay.
 Points without_straight_corners(const Points& hull, double flat) {
   const std::size_t n = hull.size();
   std::size_t start = 0;
@@ -98,7 +98,7 @@ Points without_straight_corners(const Points& hull, double flat) {
   return kept;
 }
 
-// The hull of points from left to right.
+// The hull of points that are sorted from left to right.
 Points hull_of_sorted(Points points, double flat) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return points;

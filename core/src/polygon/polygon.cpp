@@ -63,15 +63,15 @@ struct Moments {
   Vec2 centroid;
 };
 
-// Twice the area and six times its first moments, relative to a point, with bounds on the sizes of
-// what was added up, so that the rounding errors are bounded even if most of it cancels.
+// Twice the signed area and six times its first moments, relative to a point. The sizes of the
+// terms are added up as well: they bound the rounding errors even if most of the terms cancel.
 struct Sums {
-  DoubleDouble twice_area, x, y;
+  DoubleDouble doubled_area, x, y;
   double size_area = 0, size_moments = 0;
 };
 
 Sums double_double_sums(const Points& vertices, const Vec2& corner) {
-  // Products below 2^-969 lose bits. Counting every part as at least this large covers the loss.
+  // Products below 2^-969 lose bits. Counting every term as at least this large covers the loss.
   constexpr double least_size = 0x1p-960;
   Sums sums;
   const auto relative = [&](const Vec2& v) {
@@ -82,7 +82,7 @@ Sums double_double_sums(const Points& vertices, const Vec2& corner) {
     const auto [qx, qy] = relative(vertex);
     const DoubleDouble first = px * qy, second = qx * py;
     const DoubleDouble part = first - second;
-    sums.twice_area = sums.twice_area + part;
+    sums.doubled_area = sums.doubled_area + part;
     sums.x = sums.x + (px + qx) * part;
     sums.y = sums.y + (py + qy) * part;
     const double size = std::fabs(first.hi) + std::fabs(second.hi) + least_size;
@@ -96,9 +96,9 @@ Sums double_double_sums(const Points& vertices, const Vec2& corner) {
   return sums;
 }
 
-// The same sums, exactly and relative to the origin.
+// The same sums without rounding, relative to the origin.
 struct ExactSums {
-  Dyadic twice_area, x, y;
+  Dyadic doubled_area, x, y;
 };
 
 ExactSums exact_sums(const Points& vertices) {
@@ -107,17 +107,18 @@ ExactSums exact_sums(const Points& vertices) {
     const Vec2 &p = vertices[i], &q = vertices[i + 1 == vertices.size() ? 0 : i + 1];
     const Dyadic px(p.x()), py(p.y()), qx(q.x()), qy(q.y());
     const Dyadic part = px * qy - qx * py;
-    sums.twice_area = sums.twice_area + part;
+    sums.doubled_area = sums.doubled_area + part;
     sums.x = sums.x + (px + qx) * part;
     sums.y = sums.y + (py + qy) * part;
   }
   return sums;
 }
 
-// The quotient, rounded to the nearest double, of two that are as near to the even one. The divisor
-// is not 0.
+// The double nearest to the quotient; if two are equally near, the even one. The divisor must not
+// be 0.
 double rounded_quotient(const Dyadic& numerator, const Dyadic& divisor) {
-  // Each round adds some fifty correct bits: then the quotient lies between this and a neighbour.
+  // Each round adds some fifty correct bits. Afterwards the exact quotient lies between this one
+  // and a neighbour.
   double quotient = 0;
   for (int i = 0; i < 3; ++i)
     quotient += approximate_quotient(numerator - Dyadic(quotient) * divisor, divisor);
@@ -133,39 +134,39 @@ double rounded_quotient(const Dyadic& numerator, const Dyadic& divisor) {
 
 Moments exact_moments(const Points& vertices) {
   const ExactSums sums = exact_sums(vertices);
-  const Dyadic divisor = Dyadic(3.0) * sums.twice_area;
-  const double area = std::fabs(rounded_quotient(sums.twice_area, Dyadic(2.0)));
+  const Dyadic divisor = Dyadic(3.0) * sums.doubled_area;
+  const double area = std::fabs(rounded_quotient(sums.doubled_area, Dyadic(2.0)));
   return {std::max(area, std::numeric_limits<double>::denorm_min()),
           {rounded_quotient(sums.x, divisor), rounded_quotient(sums.y, divisor)}};
 }
 
-// Area and centroid, in double-double about a corner of the bounding box, so that polygons far from
-// the origin lose nothing. Both are rounded to doubles once: where the error bound leaves open to
-// which (thin polygons, centroids near 0), exact sums decide.
+// Area and centroid, in double-double relative to a corner of the bounding box, so that polygons
+// far from the origin lose no digits. Both are rounded to doubles once. Where the error bound
+// leaves open to which double, as with thin polygons and centroids near 0, exact sums decide.
 Moments moments(const Points& vertices, const Vec2& corner) {
   const Sums sums = double_double_sums(vertices, corner);
-  const DoubleDouble divisor = DoubleDouble(3.0) * sums.twice_area;
+  const DoubleDouble divisor = DoubleDouble(3.0) * sums.doubled_area;
   const DoubleDouble x = sums.x / divisor + DoubleDouble(corner.x());
   const DoubleDouble y = sums.y / divisor + DoubleDouble(corner.y());
 
-  // Each operation is off by at most 2^-100 of its operands, and there are fewer than 2^22 in a
-  // sum.
+  // Each operation has an error of at most 2^-100 of its operands, and a sum has fewer than 2^22 of
+  // them.
   constexpr double unit = 0x1p-78;
   const double size = std::fabs(divisor.hi);
   const double reach = std::fabs(sums.x.hi / size) + std::fabs(sums.y.hi / size);
-  const double error = unit * (sums.size_moments / size + reach * (sums.size_area / size) + reach +
-                               std::fabs(corner.x()) + std::fabs(corner.y()));
-  const auto is_certain = [](const DoubleDouble& value, double off) {
-    return value.hi + (value.lo - off) == value.hi && value.hi + (value.lo + off) == value.hi;
+  const double error_bound = unit * (sums.size_moments / size + reach * (sums.size_area / size) +
+                                     reach + std::fabs(corner.x()) + std::fabs(corner.y()));
+  const auto is_certain = [](const DoubleDouble& value, double bound) {
+    return value.hi + (value.lo - bound) == value.hi && value.hi + (value.lo + bound) == value.hi;
   };
-  if (is_certain(x, error) && is_certain(y, error) &&
-      is_certain(sums.twice_area, unit * sums.size_area))
-    return {0.5 * std::fabs(sums.twice_area.to_double()), {x.to_double(), y.to_double()}};
+  if (is_certain(x, error_bound) && is_certain(y, error_bound) &&
+      is_certain(sums.doubled_area, unit * sums.size_area))
+    return {0.5 * std::fabs(sums.doubled_area.to_double()), {x.to_double(), y.to_double()}};
   return exact_moments(vertices);
 }
 
-// The lowest of the leftmost vertices is a corner of the hull, so its turn has the polygon's
-// orientation; if it is straight (never for the first in lexicographic order) it would not be one.
+// The lowest of the leftmost vertices is a corner of the convex hull and is never straight, so its
+// turn has the polygon's orientation.
 bool turns_left_at_extreme(const Points& vertices) {
   std::size_t lowest = 0;
   for (std::size_t i = 1; i < vertices.size(); ++i) {
@@ -193,8 +194,7 @@ Result<Polygon> Polygon::create(Points vertices) {
   }
 
   const Box box = bounding_box(vertices);
-  const double diagonal = length(box.size());
-  if (diagonal < min_diagonal) {
+  if (box.diagonal() < min_diagonal) {
     return InputError{ErrorCode::object_too_small,
                       "the object is too small: its bounding box's diagonal is below 1e-9",
                       {}};
@@ -202,7 +202,7 @@ Result<Polygon> Polygon::create(Points vertices) {
 
   Polygon polygon;
   const Moments m = moments(vertices, box.low);
-  polygon.diagonal_ = diagonal;
+  polygon.diagonal_ = box.diagonal();
   polygon.area_ = m.area;
   polygon.centroid_ = m.centroid;
   polygon.counter_clockwise_ = turns_left_at_extreme(vertices);

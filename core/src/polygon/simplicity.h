@@ -1,4 +1,4 @@
-// Whether a closed chain of distinct vertices is a simple polygon, exactly.
+// Whether a closed ring of distinct vertices is a simple polygon. The decision is exact.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace evenlift {
 
-// Two edges that meet other than as neighbours at their shared vertex, if there are any: the
-// smaller index first. Needs distinct vertices, and their lexicographic_order. Sweep of Shamos and
-// Hoey (Geometric intersection problems, 1976) over the vertices in lexicographic order, with exact
-// predicates; O(n log n).
+// Two edges that have a point in common other than the vertex that neighbours share, the smaller
+// index first; nothing if there are none. The vertices must be distinct, and `order` their
+// lexicographic_order. The sweep of M. I. Shamos and D. Hoey (Geometric intersection problems,
+// 1976) with exact predicates. O(n log n).
 std::optional<std::pair<std::size_t, std::size_t>> find_crossing(const Points& vertices,
                                                                  const SortedIndices& order);
 

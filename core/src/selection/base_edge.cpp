@@ -12,13 +12,13 @@
 namespace evenlift {
 namespace {
 
-// Signed distance of v from the line a -> b, positive to the right: outside, for an edge of H.
+// The signed distance of v from the line a -> b, positive to the right: outside, for an edge of H.
 double distance_outside(const Vec2& a, const Vec2& b, const Vec2& v) {
   const Vec2 line = b - a;
   return -cross(line, v - a) / length(line);
 }
 
-// The same for many v and one line.
+// The same for one line and many points.
 class Outside {
  public:
   Outside(const Vec2& a, const Vec2& b) : start_(a), line_(b - a), length_(length(line_)) {}
@@ -48,18 +48,22 @@ Surroundings::Surroundings(const Polygon& polygon, const Vec2& centre)
   for (const Vec2& v : polygon.vertices()) {
     const Vec2 relative = v - centre;
     boundary.push_back(relative);
-    if (v != centre) vertices.push_back({relative, direction_key(relative)});
+    if (v != centre) vertices.push_back({relative, pseudo_angle(relative)});
   }
   if (!polygon.counter_clockwise()) std::reverse(boundary.begin(), boundary.end());
   std::sort(vertices.begin(), vertices.end(), [](const Seen& a, const Seen& b) {
-    if (a.key != b.key) return a.key < b.key;
+    if (a.pseudo_angle != b.pseudo_angle) return a.pseudo_angle < b.pseudo_angle;
     if (a.position.x() != b.position.x()) return a.position.x() < b.position.x();
     return a.position.y() < b.position.y();
   });
 }
 
 Wedge::Wedge(const Surroundings& surroundings, Method metric, const Vec2& h1, const Vec2& h2)
-    : surroundings_(&surroundings), metric_(metric), h1_(h1), h2_(h2), key1_(direction_key(h1)) {
+    : surroundings_(&surroundings),
+      metric_(metric),
+      h1_(h1),
+      h2_(h2),
+      pseudo_angle1_(pseudo_angle(h1)) {
   if (metric == Method::area && !surroundings.convex) collect_area();
   if (metric == Method::distance) collect_outer_vertices();
 }
@@ -78,11 +82,13 @@ void Wedge::collect_outer_vertices() {
     return item;
   };
   const auto note = [&](const Surroundings::Seen& vertex, SeenAt seen_at) {
-    // A vertex within H adds nothing. One in the direction of a corner may lie beyond it on the
-    // edge's own line, if H is a segment: not outside that line, yet outside the new edge.
+    // A vertex within H adds nothing. But if H is a segment, a vertex in the direction of a corner
+    // may lie beyond the corner on the segment's line: not outside that line, yet outside the new
+    // edge.
     const double distance = std::max(0.0, this->distance(vertex.position));
     if (distance == 0 && seen_at == SeenAt::between) return;
-    outer_.push_back({vertex.position, key_from(key1_, vertex.key), distance});
+    outer_.push_back(
+        {vertex.position, pseudo_angle_from(pseudo_angle1_, vertex.pseudo_angle), distance});
     sums_.push_back(sums_.back() + vertex.position);
     distance_sum_ += distance;
   };
@@ -102,9 +108,9 @@ Gain Wedge::estimate(const Vec2& p) const {
   }
   const double triangle = triangle_area(h1_, h2_, p);
   if (surroundings_->convex) return {triangle, Certainty::exact};
-  // Clipping rounds: the bound leaves it room.
-  const double room = 1e-13 * surroundings_->diagonal * surroundings_->diagonal;
-  return {std::min(triangle, outside_area_) * (1 + 1e-9) + room, Certainty::bound};
+  const double error_bound =
+      1e-13 * surroundings_->diagonal * surroundings_->diagonal;  // of clipping
+  return {std::min(triangle, outside_area_) * (1 + 1e-9) + error_bound, Certainty::bound};
 }
 
 double Wedge::evaluate(const Vec2& p) const {
@@ -121,10 +127,10 @@ double Wedge::evaluate(const Vec2& p) const {
 double Wedge::area_gain(const Vec2& p) const { return area_left_of_both(outside_, h1_, p, h2_); }
 
 Wedge::Split Wedge::split_at(const Vec2& p) const {
-  const double key = key_from(key1_, direction_key(p));
+  const double angle = pseudo_angle_from(pseudo_angle1_, pseudo_angle(p));
   const auto at =
-      std::upper_bound(outer_.begin(), outer_.end(), key,
-                       [](double value, const Outer& outer) { return value < outer.key; });
+      std::upper_bound(outer_.begin(), outer_.end(), angle,
+                       [](double value, const Outer& outer) { return value < outer.pseudo_angle; });
   auto begin = at, end = at;
   while (begin != outer_.begin() && directions_agree(p, (begin - 1)->position)) --begin;
   while (end != outer_.end() && directions_agree(p, end->position)) ++end;
@@ -132,8 +138,9 @@ Wedge::Split Wedge::split_at(const Vec2& p) const {
           static_cast<std::size_t>(end - outer_.begin())};
 }
 
-// Calls visit(vertex, distance outside the new edge, whether that is h1 p). A vertex in p's own
-// direction keeps the longer of its two arms, so that the mirror image of a shape has the same sum.
+// Calls visit(vertex, distance outside the new edge, whether the new edge is h1 p). A vertex in the
+// direction of p keeps the longer of its two arms, so that the mirror image of a shape has the same
+// sum.
 template <class Visit>
 void Wedge::for_each_arm(const Vec2& p, Visit visit) const {
   const Split split = split_at(p);
@@ -165,8 +172,8 @@ std::vector<Wedge::Arm> Wedge::arms(const Vec2& p) const {
 }
 
 double Wedge::distance_bound(const Vec2& p) const {
-  // The sum of positive parts is at least the positive part of the sum, and sums of distances from
-  // one line follow from the sums of positions.
+  // The sum of the positive parts is at least the positive part of the sum. The sum of the
+  // distances of points from a line follows from the sum of their positions.
   const auto sum_outside = [](const Vec2& a, const Vec2& b, const Vec2& sum, std::size_t number) {
     const Vec2 line = b - a;
     return -cross(line, sum - static_cast<double>(number) * a) / length(line);
@@ -174,11 +181,11 @@ double Wedge::distance_bound(const Vec2& p) const {
   const std::size_t split = split_at(p).end, n = outer_.size();
   const double left1 = sum_outside(h1_, p, sums_[split], split);
   const double left2 = sum_outside(p, h2_, sums_[n] - sums_[split], n - split);
-  return distance_sum_ - std::max(0.0, left1) - std::max(0.0, left2) + distance_room();
+  return distance_sum_ - std::max(0.0, left1) - std::max(0.0, left2) + distance_error_bound();
 }
 
-// For the rounding of sums.
-double Wedge::distance_room() const {
+// Bounds the rounding errors of the sums.
+double Wedge::distance_error_bound() const {
   return 1e-12 * surroundings_->diagonal * static_cast<double>(outer_.size() + 1);
 }
 
@@ -189,16 +196,16 @@ Gain Wedge::sharpen(const Vec2& p, const Gain& known) {
   return {evaluate(p), Certainty::exact};
 }
 
-// Whether there are any, for it would be worth it.
+// Makes the close bounds once they are likely to pay off. Returns whether they exist.
 bool Wedge::prepare_close_bounds() {
   if (area_bins_ || distance_blocks_) return true;
   constexpr std::size_t few_vertices = 48;
   constexpr int few_evaluations = 4;
-  constexpr double narrow = 1e-3;  // the rounding of bins would show
+  constexpr double narrow = 1e-3;  // rounding would spoil the bins of a narrower wedge
   if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations)
     return false;
   if (metric_ == Method::area) {
-    if (key_from(key1_, direction_key(h2_)) < narrow) return false;
+    if (pseudo_angle_from(pseudo_angle1_, pseudo_angle(h2_)) < narrow) return false;
     area_bins_.emplace(outside_, h1_, h2_, surroundings_->diagonal);
   } else {
     Points positions;
@@ -213,7 +220,7 @@ double Wedge::close_bound(const Vec2& p) const {
   if (area_bins_) return area_bins_->bound(p) * (1 + 1e-9);
   const std::size_t split = split_at(p).end;
   return distance_sum_ - distance_blocks_->least_sum_beyond(h1_, p, 0, split) -
-         distance_blocks_->least_sum_beyond(p, h2_, split, outer_.size()) + distance_room();
+         distance_blocks_->least_sum_beyond(p, h2_, split, outer_.size()) + distance_error_bound();
 }
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// An edge of the lifting base H as C sees it, and what a new lifting point beyond it would gain by
-// each metric (algorithm.md, Selection: f(p)).
+// An edge of the lifting base H as C sees it, and the gain f(p) of a new lifting point p beyond it,
+// by each metric (algorithm.md, Selection).
 #pragma once
 
 #include <optional>
@@ -11,21 +11,21 @@
 
 namespace evenlift {
 
-// The polygon's vertices as seen from C, for all wedges: made once.
+// The polygon as seen from C. It is made once and shared by all wedges.
 struct Surroundings {
   Surroundings(const Polygon& polygon, const Vec2& centre);  // O(n log n)
 
   struct Seen {
     Vec2 position;  // relative to C
-    double key;     // direction_key of it
+    double pseudo_angle;
   };
   Points boundary;             // P relative to C, counter-clockwise
-  std::vector<Seen> vertices;  // other than C, by key
+  std::vector<Seen> vertices;  // other than C, by pseudo-angle
   bool convex = false;
   double diagonal = 0;  // L
 };
 
-// How much one end of a chord gains: the value, or an upper bound that costs less.
+// The gain of one end of a chord: the exact value, or an upper bound that costs less.
 enum class Certainty { bound, close_bound, exact };
 struct Gain {
   double value = 0;
@@ -33,10 +33,12 @@ struct Gain {
   bool exact() const { return certainty == Certainty::exact; }
 };
 
+// The wedge that C spans with an edge of H, and what lies in it beyond the edge.
 class Wedge {
  public:
-  // The edge h1 h2 of H, corners relative to C and counter-clockwise. With an H that is a segment
-  // each of its sides is such an edge. O(n) for area and distance, else O(1).
+  // The wedge of the edge h1 h2 of H, whose corners are relative to C and counter-clockwise. If H
+  // is a segment, each of its two sides is such an edge. O(n) for area and distance, O(1) for
+  // circle.
   Wedge(const Surroundings& surroundings, Method metric, const Vec2& h1, const Vec2& h2);
 
   const Vec2& h1() const { return h1_; }
@@ -45,23 +47,22 @@ class Wedge {
   // Signed distance of p (relative to C) from the edge's line, positive outside H. O(1).
   double distance(const Vec2& p) const;
 
-  // f(p) for a p that lies beyond, or a bound: never below f(p). O(log n).
+  // f(p) for a p in the wedge beyond the edge, or an upper bound of it. O(log n).
   Gain estimate(const Vec2& p) const;
 
-  // From an estimate to a close bound, from there to f(p) itself; straight to f(p) while bounds
-  // have not paid for themselves. The first close bound costs as much as a few evaluations, the
-  // others O(sqrt(m) log m).
+  // A better value than `known`: after an estimate a close bound, after that f(p) itself. It goes
+  // straight to f(p) until so many evaluations have been made that close bounds are likely to pay.
+  // The first close bound costs as much as a few evaluations, the others O(sqrt(m) log m).
   Gain sharpen(const Vec2& p, const Gain& known);
 
   // f(p) itself. O(m) for the m vertices and crossings of P in the wedge beyond the edge.
   double evaluate(const Vec2& p) const;
 
-  // Of metric distance: the vertices whose arms f(p) sums up, with their distances outside the edge
-  // and outside the new one. O(m).
+  // For the metric distance: the vertices over which f(p) sums. O(m).
   struct Arm {
     Vec2 vertex;
-    double before, after;
-    bool up_to_p;  // `after` is the distance from h1 p, else from p h2
+    double before, after;  // its distance outside the edge, and outside the new edge
+    bool up_to_p;          // whether the new edge is h1 p, not p h2
   };
   std::vector<Arm> arms(const Vec2& p) const;
 
@@ -73,9 +74,9 @@ class Wedge {
   double distance_bound(const Vec2& p) const;
   bool prepare_close_bounds();
   double close_bound(const Vec2& p) const;
-  double distance_room() const;
-  // The outer vertices that C sees before p, in its direction, and after it: begin and end of those
-  // in the middle.
+  double distance_error_bound() const;
+  // Divides the outer vertices into those that C sees before p, in the direction of p, which are
+  // [begin, end), and after p.
   struct Split {
     std::size_t begin, end;
   };
@@ -86,21 +87,21 @@ class Wedge {
   const Surroundings* surroundings_;
   Method metric_;
   Vec2 h1_, h2_;
-  double key1_ = 0;
+  double pseudo_angle1_ = 0;  // of h1
 
   Points outside_;  // area: P in the wedge beyond the edge
   double outside_area_ = 0;
 
   struct Outer {
     Vec2 position;
-    double key;       // from key1_
-    double distance;  // outside the edge's line, not negative
+    double pseudo_angle;  // from that of h1
+    double distance;      // outside the edge's line, not negative
   };
   std::vector<Outer> outer_;  // distance: vertices of P in the wedge beyond the edge, by direction
-  Points sums_;               // sums_[k]: of the first k positions
+  Points sums_;               // sums_[k] is the sum of the first k positions
   double distance_sum_ = 0;
 
-  int evaluations_ = 0;  // before close bounds were made
+  int evaluations_ = 0;  // until close bounds were made
   std::optional<AreaBins> area_bins_;
   std::optional<DistanceBlocks> distance_blocks_;
 };

@@ -17,8 +17,8 @@ double angle_of(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex
 
 Vec2 direction(double angle) { return {cosine(angle), sine(angle)}; }
 
-// An open range of directions in which lines through C meet the same edges: from `from` to `to`,
-// angles within [0, pi], those ahead of C and those behind it.
+// An opening: an open range of directions, from the angle `from` to `to` within [0, pi], in which
+// lines through C meet the same edges ahead of C and the same edges behind it.
 class Opening {
  public:
   Opening(const RayCaster& rays, double from, double to, const Edges& ahead, const Edges& behind)
@@ -39,9 +39,10 @@ class Opening {
  private:
   static constexpr int worth_narrowing = 4;  // chords; narrowing costs about as much as two
 
-  // Of the edges those that some line in the opening could meet farthest from C, in the same order.
-  // The distance along an edge's line is greatest at an end of the opening, and nowhere in it less
-  // than the cosine of its width times the lesser of the two. Rounding must not lose one that ties.
+  // The edges that some line in the opening could meet farthest from C, in the same order. The
+  // distance of an edge is greatest at an end of the opening, and within the opening never less
+  // than the lesser of its two distances at the ends times the cosine of the width. A margin keeps
+  // rounding from losing an edge that ties.
   Edges far_ones(const Edges& edges, double side) const {
     const double width = to_ - from_;
     if (edges.size() < 2 || width > 1) return edges;
@@ -75,7 +76,7 @@ EqualAngles::EqualAngles(const Polygon& polygon, const Vec2& centre)
       [&](double from, double to, const Edges&, const Edges&) { measure_ += to - from; });
 }
 
-// Visits the openings by rising angle: visit(from, to, edges ahead, edges behind).
+// Visits the openings by ascending angle: visit(from, to, edges ahead, edges behind).
 template <class VisitOpening>
 void EqualAngles::for_each_opening(VisitOpening visit) const {
   RadialSweep sweep(polygon_, view_);
@@ -85,7 +86,7 @@ void EqualAngles::for_each_opening(VisitOpening visit) const {
       visit(from, to, sweep.ahead(), sweep.behind());
     from = to;
   };
-  for (std::uint32_t group = 0; group < view_.turns(); ++group) {
+  for (std::uint32_t group = 0; group < view_.direction_count(); ++group) {
     const std::uint32_t vertex = view_.order()[view_.group_begin(group)];
     close_at(angle_of(polygon_, centre_, vertex, view_.forward(vertex)));
     sweep.leave(group);
@@ -100,7 +101,7 @@ void EqualAngles::for_each_chord(const std::vector<std::uint32_t>& numbers,
   struct Progress {
     std::size_t i;
     double teams;
-    double next = 0;  // the chord that comes next
+    double next = 0;  // the number of the next chord
     bool done = false;
   };
   std::vector<Progress> all;
@@ -109,8 +110,8 @@ void EqualAngles::for_each_chord(const std::vector<std::uint32_t>& numbers,
 
   double before = 0;  // measure of the openings before the current one
   for_each_opening([&](double from, double to, const Edges& ahead, const Edges& behind) {
-    // A target on the rim between two openings belongs to the lower one. Rounding of the sums must
-    // not lose the last.
+    // A target on the rim between two openings belongs to the lower one. The last opening takes all
+    // that is left, so that rounding of the sums loses no target.
     const double after = before + (to - from);
     Opening opening(rays_, from, to, ahead, behind);
     for (Progress& number : all) {

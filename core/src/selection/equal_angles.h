@@ -1,5 +1,5 @@
 // Teams at equal angles (algorithm.md, Selection: distributed; thesis 5.2), for several numbers of
-// teams at once.
+// teams in one sweep.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ class EqualAngles {
   // sides of C. Directions along radial edges are excluded.
   double measure_rad() const { return measure_; }
 
-  // Whether there are any but what rounding leaves between radial edges.
+  // Whether there are such directions, besides those that rounding leaves between radial edges.
   bool has_chords() const { return measure_ > tau; }
 
-  // Visits the chords of the placements of `numbers` of teams: visit(i, chord) for a chord of
-  // numbers[i], of each number by rising angle. Where it returns false, no more chords of that
-  // number are visited. There are no chords where no line meets the boundary on both sides. O(n)
-  // and, for each chord, O(number of edges that its line meets), mostly O(1) for many chords.
+  // For each of `numbers`, visits the chords of a placement of so many teams: visit(i, chord) for a
+  // chord of numbers[i], by ascending angle. If it returns false, no more chords of that number are
+  // visited. O(n), and for each chord O(number of edges that its line meets), mostly O(1) if there
+  // are many chords.
   using Visit = std::function<bool(std::size_t i, const Chord& chord)>;
   void for_each_chord(const std::vector<std::uint32_t>& numbers, const Visit& visit) const;
 

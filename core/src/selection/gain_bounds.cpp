@@ -10,18 +10,18 @@
 namespace evenlift {
 namespace {
 
-// The direction with this key, |x| + |y| = 1; the inverse of direction_key.
-Vec2 direction_with_key(double key) {
-  if (key >= 4) key -= 4;
-  if (key < 1) return {1 - key, key};
-  if (key < 2) return {1 - key, 2 - key};
-  if (key < 3) return {key - 3, 2 - key};
-  return {key - 3, key - 4};
+// The direction with this pseudo-angle and |x| + |y| = 1: the inverse of pseudo_angle.
+Vec2 direction_with_pseudo_angle(double angle) {
+  if (angle >= 4) angle -= 4;
+  if (angle < 1) return {1 - angle, angle};
+  if (angle < 2) return {1 - angle, 2 - angle};
+  if (angle < 3) return {angle - 3, 2 - angle};
+  return {angle - 3, angle - 4};
 }
 
-double size_of(const Vec2& v) { return std::fabs(v.x()) + std::fabs(v.y()); }
+double one_norm(const Vec2& v) { return std::fabs(v.x()) + std::fabs(v.y()); }
 
-// Of the area between C and a segment whose ends have levels s and t, the share up to `level`.
+// The share, up to `level`, of the area between C and a segment whose ends have the levels s and t.
 double share_up_to(double level, double s, double t) {
   if (s > t) std::swap(s, t);
   if (t <= level) return 1;
@@ -30,8 +30,8 @@ double share_up_to(double level, double s, double t) {
   return along + (1 - along) * (level / t);
 }
 
-// About as many as each then holds. More than a few dozen bins made bounds no cheaper to use, as
-// measured.
+// Into how many parts to divide m items: about as many as each part then holds. More than a few
+// dozen bins were measured to make bounds no cheaper.
 std::size_t number_of_parts(std::size_t m, std::size_t most) {
   return std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(m))), std::size_t{1},
                     most);
@@ -41,47 +41,51 @@ std::size_t number_of_parts(std::size_t m, std::size_t most) {
 
 struct AreaBins::Piece {
   std::size_t bin;
-  double area;  // between C and it, positive if it runs counter-clockwise
+  double area;  // between C and the piece, positive if it runs counter-clockwise
   double level_from, level_to;
 };
 
 AreaBins::AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diagonal)
-    : h1_(h1), h2_(h2), key1_(direction_key(h1)), width_(key_from(key1_, direction_key(h2))) {
+    : h1_(h1),
+      h2_(h2),
+      pseudo_angle1_(pseudo_angle(h1)),
+      width_(pseudo_angle_from(pseudo_angle1_, pseudo_angle(h2))) {
   make_bins(number_of_parts(region.size(), 64));
   const std::vector<Piece> pieces = split(region);
   measure_levels(pieces);
-  room_ = 1e-14 * diagonal * diagonal * static_cast<double>(pieces.size() + bins_.size() + 100);
+  error_bound_ =
+      1e-14 * diagonal * diagonal * static_cast<double>(pieces.size() + bins_.size() + 100);
 }
 
 void AreaBins::make_bins(std::size_t number) {
   bins_.resize(number);
   rims_.reserve(number + 1);
-  rims_.push_back(h1_ / size_of(h1_));
+  rims_.push_back(h1_ / one_norm(h1_));
   for (std::size_t k = 1; k < number; ++k) {
-    rims_.push_back(direction_with_key(
-        key1_ + width_ * (static_cast<double>(k) / static_cast<double>(number))));
+    rims_.push_back(direction_with_pseudo_angle(
+        pseudo_angle1_ + width_ * (static_cast<double>(k) / static_cast<double>(number))));
   }
-  rims_.push_back(h2_ / size_of(h2_));
+  rims_.push_back(h2_ / one_norm(h2_));
   for (std::size_t k = 0; k < number; ++k) {
     const Vec2 &u = rims_[k], &v = rims_[k + 1];
-    const double area = cross(u, v);
-    bins_[k].unit = 0.5 * area;
-    bins_[k].outward = -left_normal(v - u) / area;
+    const double doubled_area = cross(u, v);
+    bins_[k].unit = 0.5 * doubled_area;
+    bins_[k].outward = -left_normal(v - u) / doubled_area;
     bins_[k].base = bins_[k].unit * level_at_rim(h1_, h2_, k) * level_at_rim(h1_, h2_, k + 1);
   }
 }
 
 std::size_t AreaBins::bin_of(const Vec2& v) const {
-  const double part =
-      key_from(key1_, direction_key(v)) / width_ * static_cast<double>(bins_.size());
+  const double part = pseudo_angle_from(pseudo_angle1_, pseudo_angle(v)) / width_ *
+                      static_cast<double>(bins_.size());
   return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(bins_.size() - 1)));
 }
 
-// Where the line a -> b meets a rim, in units of the rim's vector; at the first and last rim, h1
-// and h2.
+// The level at which the line a -> b meets a rim, in units of the rim's vector. The line passes h1
+// at the first rim and h2 at the last.
 double AreaBins::level_at_rim(const Vec2& a, const Vec2& b, std::size_t rim) const {
-  if (rim == 0) return size_of(h1_);
-  if (rim == bins_.size()) return size_of(h2_);
+  if (rim == 0) return one_norm(h1_);
+  if (rim == bins_.size()) return one_norm(h2_);
   const Vec2 line = b - a;
   return cross(line, a) / cross(line, rims_[rim]);
 }
@@ -121,7 +125,7 @@ void AreaBins::measure_levels(const std::vector<Piece>& pieces) {
   for (Bin& bin : bins_) bin.lowest = infinity;
   for (const Piece& piece : pieces) {
     Bin& bin = bins_[piece.bin];
-    // What runs clockwise bounds the region on C's side, where the triangle is the better bound.
+    // A clockwise piece bounds the region on the side of C, where the triangle is the better bound.
     if (piece.area > 0) bin.lowest = std::min({bin.lowest, piece.level_from, piece.level_to});
     highest[piece.bin] = std::max({highest[piece.bin], piece.level_from, piece.level_to});
   }
@@ -140,8 +144,8 @@ void AreaBins::measure_levels(const std::vector<Piece>& pieces) {
   }
 }
 
-// The area of the region in the bin up to a level: between two known levels at most all that is
-// there.
+// An upper bound of the area of the region in the bin up to a level. Between two known levels, the
+// region is assumed to fill the bin.
 double AreaBins::Bin::inside_at_most(double level) const {
   const double steps = (level - lowest) / step;
   if (!(steps < levels)) return inside[levels];
@@ -159,7 +163,7 @@ double AreaBins::bound(const Vec2& p) const {
     return std::min(triangle - bin.base, region);
   };
   double sum = 0;
-  double from = size_of(h1_);
+  double from = one_norm(h1_);
   for (std::size_t k = 0; k < bins_.size(); ++k) {
     const Bin& bin = bins_[k];
     if (k == split) {
@@ -173,7 +177,7 @@ double AreaBins::bound(const Vec2& p) const {
     sum += part(bin, bin.unit * from * to, std::min(from, to), std::max(from, to));
     from = to;
   }
-  return sum + room_;
+  return sum + error_bound_;
 }
 
 struct DistanceBlocks::Line {
@@ -217,8 +221,8 @@ double DistanceBlocks::least_sum_beyond(const Vec2& a, const Vec2& b, std::size_
   return sum / line.length;
 }
 
-// Any of the points give a sum that is not above: those are taken that lie beyond where the line
-// meets the block's middle direction.
+// Summing over any of the points gives a lower bound. It takes the points whose level is above that
+// at which the line meets the block's middle direction.
 double DistanceBlocks::least_sum_of_block(const Line& line, std::size_t block) const {
   const Vec2& ahead = aheads_[block];
   const double level = dot(ahead, ahead) * (line.side / cross(line.along, ahead));

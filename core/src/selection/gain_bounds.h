@@ -1,5 +1,5 @@
-// Upper bounds of gains by area and distance that cost less than the gains and come close to them:
-// what a wedge holds, summed up in bins by direction and in each by how far out it lies.
+// Close upper bounds of gains by area and distance that cost less than the gains themselves. The
+// content of a wedge is summed up in bins by direction, and in each bin by how far out it lies.
 #pragma once
 
 #include <array>
@@ -10,26 +10,27 @@
 
 namespace evenlift {
 
-// The area of a region in the wedge from h1 to h2 and beyond the line h1 h2.
+// Bounds the area of a region that lies in the wedge from h1 to h2 beyond the line h1 h2.
 class AreaBins {
  public:
-  // `region` is a closed chain, counter-clockwise, that perhaps touches itself; all relative to C,
-  // which sees h2 under at most 180 degrees to the left of h1.
-  // O((m + crossings of m edges with the bins' rims) levels).
+  // `region` is a counter-clockwise ring, which may touch itself. Everything is relative to C, and
+  // h2 is at most 180 degrees to the left of h1. O((m + c) levels), where the m edges of the region
+  // cross the rims of bins c times.
   AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diagonal);
 
-  // Never below the area of the region in the triangle h1 h2 p, p in the wedge. O(bins).
+  // An upper bound of the area of the region within the triangle h1 h2 p, for p in the wedge.
+  // O(bins).
   double bound(const Vec2& p) const;
 
  private:
   static constexpr int levels = 16;
   struct Bin {
-    Vec2 outward = Vec2::Zero();  // the level of v is outward . v, and 1 on the segment between its
-                                  // rims' vectors
-    double unit = 0;              // area between C and level 1
-    double base = 0;              // area between C and h1 h2
-    double lowest = 0, step = 0;  // of levels; step > 0, or 0 without any
-    std::array<double, levels + 1> inside{};  // area of the region up to level lowest + j step
+    Vec2 outward = Vec2::Zero();  // the level of v is outward . v; it is 1 on the segment between
+                                  // the vectors of the bin's two rims
+    double unit = 0;              // the area between C and level 1
+    double base = 0;              // the area between C and h1 h2
+    double lowest = 0, step = 0;  // the levels are lowest + j step; step is 0 if the bin is empty
+    std::array<double, levels + 1> inside{};  // the area of the region up to each level
     double inside_at_most(double level) const;
   };
   struct Piece;  // of the region's boundary, within one bin
@@ -40,20 +41,21 @@ class AreaBins {
   double level_at_rim(const Vec2& a, const Vec2& b, std::size_t rim) const;
 
   Vec2 h1_, h2_;
-  double key1_ = 0, width_ = 0;
-  Points rims_;  // directions from h1 to h2, with |x| + |y| = 1
+  double pseudo_angle1_ = 0, width_ = 0;  // of h1, and from h1 to h2
+  Points rims_;                           // directions from h1 to h2, with |x| + |y| = 1
   std::vector<Bin> bins_;
-  double room_ = 0;  // for rounding
+  double error_bound_ = 0;  // of rounding
 };
 
-// Sums of distances by which points lie beyond a line.
+// Bounds sums of the distances by which points lie beyond a line.
 class DistanceBlocks {
  public:
-  // Points in counter-clockwise order about C, relative to it. O(m log m).
+  // The points are relative to C and in counter-clockwise order about it. O(m log m).
   explicit DistanceBlocks(Points points);
 
-  // At most the sum over the points number `first` to `last` - 1 of the distance by which each lies
-  // to the right of the line a -> b, or 0; but for rounding. O(blocks log(size of a block)).
+  // A lower bound, except for rounding, of the sum of max(0, d) over the points number `first` to
+  // `last` - 1, where d is the distance of a point to the right of the line a -> b.
+  // O(blocks log(size of a block)).
   double least_sum_beyond(const Vec2& a, const Vec2& b, std::size_t first, std::size_t last) const;
 
  private:
@@ -62,9 +64,9 @@ class DistanceBlocks {
 
   Points points_;
   std::size_t size_;            // of a block; the last one may be smaller
-  Points aheads_;               // of each block its middle direction
-  std::vector<double> levels_;  // in each block ascending: ahead . v of its points
-  Points sums_;                 // of the points from that one up to the block's last
+  Points aheads_;               // the middle direction of each block
+  std::vector<double> levels_;  // ahead . v of the points of each block, ascending in each
+  Points sums_;                 // of the points of the block from that level up
 };
 
 }  // namespace evenlift

@@ -22,8 +22,8 @@ void keep_best(std::vector<std::uint32_t>& indices, Key key, Ties ties) {
   std::erase_if(indices, [&](std::uint32_t i) { return !ties(best, key(i)); });
 }
 
-// Drops those that are behind `count` others by their keys, largest first, and tie with none of
-// them: `least(key)` is the least key that ties with one. The others stay in order of index.
+// Keeps the `count` indices with the largest keys and those that tie with one of them, in order of
+// index. `least(key)` is the least key that ties with the given one.
 template <class Key, class Least>
 void keep_first(std::vector<std::uint32_t>& indices, std::size_t count, Key key, Least least) {
   if (indices.size() <= count) return;
@@ -57,16 +57,16 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
   for (const Candidate& candidate : candidates) {
     for (const LiftingPoint* point : {&candidate.chord.r1, &candidate.chord.r2}) {
       const Vec2 relative = point->position - centre;
-      ends_.push_back({relative, direction_key(relative), 0, {}, {}});
+      ends_.push_back({relative, pseudo_angle(relative), 0, {}, {}});
     }
   }
-  // The keys beside the indices: twice as fast as looking each up.
-  std::vector<std::pair<double, Index>> keys;
-  keys.reserve(ends_.size());
-  for (Index i = 0; i < ends_.size(); ++i) keys.emplace_back(ends_[i].key, i);
-  std::sort(keys.begin(), keys.end());
-  by_direction_.reserve(keys.size());
-  for (const auto& [key, index] : keys) by_direction_.push_back(index);
+  // Pairs of pseudo-angle and index sort twice as fast as indices alone.
+  std::vector<std::pair<double, Index>> ends;
+  ends.reserve(ends_.size());
+  for (Index i = 0; i < ends_.size(); ++i) ends.emplace_back(ends_[i].pseudo_angle, i);
+  std::sort(ends.begin(), ends.end());
+  by_direction_.reserve(ends.size());
+  for (const auto& [angle, index] : ends) by_direction_.push_back(index);
 }
 
 bool Selector::take_next() {
@@ -147,10 +147,11 @@ Selector::Index Selector::best_first_team() const {
   return all.front();
 }
 
-// The candidates not taken whose scores tie for the best, in candidate order, all evaluated.
+// Finds and evaluates the candidates that are not taken and tie for the best score, in candidate
+// order.
 Selector::Indices Selector::find_leaders() {
   double best = -std::numeric_limits<double>::infinity();
-  Indices open;  // of which only a bound is known
+  Indices open;  // those of which only a bound is known
   for (Index i = 0; i < candidates_.size(); ++i) {
     if (is_taken_[i]) continue;
     if (exact(i)) {
@@ -165,8 +166,8 @@ Selector::Indices Selector::find_leaders() {
   const auto smaller_bound = [&](Index a, Index b) {
     return bound(a) != bound(b) ? bound(a) < bound(b) : a > b;
   };
-  // The one with the largest bound is examined first: what cannot tie with it need not stand in the
-  // heap.
+  // The one with the largest bound is evaluated first. Those that cannot tie with it need not enter
+  // the heap.
   if (!open.empty())
     best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
   std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
@@ -197,7 +198,7 @@ void Selector::line_up(Indices leaders) {
   if (best_in_line_ == 0) return;
   const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
   const auto length_of = [&](Index i) { return candidates_[i].length; };
-  // Of thousands that tie, only those are put in order that may be taken.
+  // Thousands may tie. Only those that may still be taken are put in order.
   const std::size_t needed = std::max<std::size_t>(most_teams_ - taken_.size(), 1);
   keep_first(leaders, needed, ratio, [](double r) { return r - 2 * tau; });
   line_.clear();
@@ -214,7 +215,8 @@ void Selector::line_up(Indices leaders) {
   std::reverse(line_.begin(), line_.end());
 }
 
-// Whether H has changed. O(h) for its h corners, besides new wedges.
+// Adds the ends of a candidate to H. Returns whether H has changed. O(h) for its h corners, besides
+// new wedges.
 bool Selector::widen_base(Index candidate) {
   Points hull =
       widen_hull(hull_, ends_[2 * candidate].position, ends_[2 * candidate + 1].position, near_);
@@ -225,8 +227,9 @@ bool Selector::widen_base(Index candidate) {
   const auto corner = [](const Points& corners, std::size_t i) -> const Vec2& {
     return corners[i % corners.size()];
   };
-  // Corners that stay come in the same order in both, and at most two of the new ones are not among
-  // the old: looking for each where the last was found takes O(h) for all.
+  // Corners that stay are in the same order in both hulls, and at most two of the new corners are
+  // not among the old ones. Looking for each where the last one was found takes O(h) for all of
+  // them.
   std::size_t found = 0;
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     const Vec2 &h1 = hull_[i], &h2 = corner(hull_, i + 1);
@@ -234,7 +237,8 @@ bool Selector::widen_base(Index candidate) {
     while (steps < old_hull.size() && corner(old_hull, found + steps) != h1) ++steps;
     if (steps < old_hull.size()) {
       found = (found + steps) % old_hull.size();
-      // The sides of a segment have a rule of their own for points on its line: they never stay.
+      // An H that is a segment has a rule of its own for points on its line, so its sides never
+      // stay.
       if (old_hull.size() > 2 && corner(old_hull, found + 1) == h2) {
         edges_.push_back(old_edges[found]);
         continue;
@@ -247,11 +251,11 @@ bool Selector::widen_base(Index candidate) {
   return true;
 }
 
-// Gives the ends that C sees in a new wedge over to it, those in the direction of a corner too:
-// they keep the wedge on the other side of the corner as well.
+// Assigns the ends that C sees in a new wedge to it. Those in the direction of a corner belong to
+// the wedge on the other side of the corner as well.
 void Selector::enter_wedge(Index index) {
   const Wedge& wedge = wedges_[index];
-  // Whether another wedge lies beyond the corner in whose direction the end is seen.
+  // Whether another wedge is on the other side of the corner in whose direction C sees the end.
   const auto is_beyond_corner = [&](Index other, SeenAt seen_at) {
     if (other == index) return false;
     return seen_at == SeenAt::first_corner ? wedges_[other].h2() == wedge.h1()
@@ -274,7 +278,7 @@ void Selector::enter_wedge(Index index) {
       });
 }
 
-// What is known at once of the gain of an end.
+// What can be known of the gain of an end at once.
 Gain Selector::estimate(const End& end) const {
   const auto by = [&](Index wedge) {
     return gains(wedges_[wedge], end.position) ? wedges_[wedge].estimate(end.position) : Gain{};
@@ -285,14 +289,14 @@ Gain Selector::estimate(const End& end) const {
   return {larger, larger == 0 ? Certainty::exact : Certainty::bound};
 }
 
-// Whether p, which C sees in the wedge, is outside H by more than the tolerance. Its line counts as
-// part of an H that is a segment.
+// Whether p, which C sees in the wedge, is outside H by more than the tolerance. If H is a segment,
+// its line counts as part of it.
 bool Selector::gains(const Wedge& wedge, const Vec2& p) const {
   const double distance = wedge.distance(p);
   if (distance <= 0) return false;
   if (distance > near_) return true;
   if (hull_.size() <= 2) return false;
-  // Close to the line, yet perhaps far from H, beyond a corner.
+  // p is close to the line, but may be far from H, beyond a corner.
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     if (distance_to_segment(hull_[i], hull_[(i + 1) % hull_.size()], p) <= near_) return false;
   }

@@ -11,32 +11,34 @@
 
 namespace evenlift {
 
-// Lazy in two ways. Each end of a candidate carries an upper bound of its gain; only those whose
-// bound can still win are looked at closer, in the end evaluated, and only where the edge of H
-// before them has changed. And while teams are taken that leave H as it is, scores stay too: those
-// that tied for the best stand in line.
+// Chooses by lazy greedy evaluation (M. Minoux, Accelerated greedy algorithms for maximizing
+// submodular set functions, 1978). Each end of a candidate carries an upper bound of its gain, and
+// bounds are refined, and finally evaluated, only while they can still win. Gains do not always
+// diminish here, so an end gets a new bound when the edge of H in front of it changes; otherwise it
+// keeps what is known. While teams leave H as it is, no gain changes, and those that tied for the
+// best wait in line.
 class Selector {
  public:
-  // No more than `most_teams` will be asked for.
+  // `most_teams` is a bound on the number of teams that will be taken.
   Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
            Method metric, std::size_t most_teams = ~std::size_t{0});
 
-  // Takes one more team; false if no candidate is left.
+  // Takes the best candidate as the next team. False if no candidate is left.
   bool take_next();
 
-  // Takes this candidate next, whatever its score.
+  // Takes this candidate as the next team, whatever its score.
   void take(std::uint32_t candidate);
 
   const std::vector<std::uint32_t>& taken() const { return taken_; }
 
-  // The score of a candidate against the teams taken so far (at least one).
+  // The score of a candidate against the teams taken so far, of which there is at least one.
   double score(std::uint32_t candidate);
 
-  // Finds those that compete for the next team, as take_next() does, and takes none.
+  // Evaluates the candidates that compete for the next team, as take_next() does, but takes none.
   void compare() { find_leaders(); }
 
-  // What is known of the gain of an end of a candidate (0: r1, 1: r2) and, if it is outside H, the
-  // edge of H beyond which it lies; relative to C. With at least one team taken.
+  // What is known of the gain of an end of a candidate (0: r1, 1: r2), the wedge of the edge of H
+  // in front of it, and whether it is outside H. At least one team must have been taken.
   const Gain& gain(std::uint32_t candidate, std::uint32_t end) const {
     return ends_[2 * candidate + end].gain;
   }
@@ -47,10 +49,10 @@ class Selector {
     return gains(wedge(candidate, end), ends_[2 * candidate + end].position);
   }
 
-  // Corners of H, relative to C.
+  // The corners of H, relative to C.
   const Points& base() const { return hull_; }
 
-  // How far below the best score another still ties.
+  // The floor for score_slack: scores that differ by no more always tie.
   double floor() const { return floor_; }
 
  private:
@@ -58,10 +60,10 @@ class Selector {
   using Indices = std::vector<Index>;
 
   struct End {
-    Vec2 position;    // relative to C
-    double key = 0;   // its direction
+    Vec2 position;  // relative to C
+    double pseudo_angle = 0;
     Index wedge = 0;  // into wedges_
-    // In the direction of a corner of H the end belongs to the edges on both sides, and the larger
+    // An end in the direction of a corner of H belongs to the edges on both sides, and the larger
     // gain counts, so that the mirror image of a shape has the same scores.
     std::optional<Index> other_wedge;
     Gain gain;
@@ -88,17 +90,17 @@ class Selector {
   Method metric_;
   std::size_t most_teams_;
   double near_;   // tau L
-  double floor_;  // below which scores tie
+  double floor_;  // see floor()
 
   std::vector<End> ends_;      // of candidate i: 2 i (r1) and 2 i + 1 (r2)
-  Indices by_direction_;       // ends by key
+  Indices by_direction_;       // ends by pseudo-angle
   Points hull_;                // corners of H relative to C, counter-clockwise
   Indices edges_;              // the wedge of each edge of H, from corner i to i + 1
-  std::vector<Wedge> wedges_;  // all that ever were; an end's index stays good
+  std::vector<Wedge> wedges_;  // past ones, too, so that indices stay valid
 
   std::vector<char> is_taken_;
   std::vector<std::uint32_t> taken_;
-  Indices line_;                  // who comes next while H stays as it is, last first
+  Indices line_;                  // the next candidates while H does not change, last first
   std::size_t best_in_line_ = 0;  // how many of them have the best score itself
   double best_score_ = 0;
 };

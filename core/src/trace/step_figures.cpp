@@ -115,7 +115,7 @@ void StepFigures::scores() {
 void StepFigures::team() {
   add(FigureKind::base_before, detail_.base_before);
   if (detail_.scores && item_ > 0) {
-    const auto winner = static_cast<std::uint32_t>(placement_.team_candidates[item_]);
+    const std::uint32_t winner = placement_.team_candidates[item_];
     for (Figure& figure : gain_figures(trace_, *detail_.scores, winner))
       figures_.push_back(std::move(figure));
   }

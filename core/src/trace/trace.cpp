@@ -24,7 +24,7 @@ Trace::Rays make_rays(const Polygon& polygon, const Vec2& centre,
       rays.chords.push_back(chords[next]);
     rays.begins.push_back(static_cast<std::uint32_t>(rays.chords.size()));
   };
-  for (std::uint32_t group = 0; group < view.turns(); ++group) {
+  for (std::uint32_t group = 0; group < view.direction_count(); ++group) {
     const std::uint32_t begin = view.group_begin(group), end = view.group_begin(group + 1);
     const std::size_t first_ray = rays.vertices.size();
     for (std::uint32_t k = begin; k < end; ++k)

@@ -7,13 +7,6 @@
 namespace evenlift {
 namespace {
 
-SeenEdge see(const Trace& trace, std::uint32_t edge) {
-  const Vec2 &p = trace.polygon.edge_start(edge), &q = trace.polygon.edge_end(edge);
-  const double area = orient(trace.centre, p, q);
-  if (area > 0) return {edge, p, q, area};
-  return {edge, q, p, -area};
-}
-
 std::optional<std::uint32_t> candidate_of(const Trace& trace, std::uint32_t source) {
   const std::uint32_t candidate = trace.candidate_of_source[source];
   return candidate == no_index ? std::nullopt : std::optional(candidate);
@@ -39,7 +32,7 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
   const Vec2& centre = trace.centre;
   PairDetail detail;
   detail.pair = trace.pairs[index];
-  const SeenEdge a = see(trace, detail.pair.a), b = see(trace, detail.pair.b);
+  const SeenEdge a = see(polygon, centre, detail.pair.a), b = see(polygon, centre, detail.pair.b);
   detail.verdict = examine(polygon, centre, a, b, detail.pair, trace.placement.settings.min_ratio);
   detail.outcome = outcome_of(detail.verdict);
 

@@ -135,7 +135,7 @@ double score_further_team(const Trace& trace, TeamScores& scores) {
   const std::vector<Candidate>& candidates = placement.candidates;
   Selector selector(trace.polygon, trace.centre, candidates, placement.settings.method);
   for (std::uint32_t i = 0; i < scores.team; ++i) {
-    const auto taken = static_cast<std::uint32_t>(placement.team_candidates[i]);
+    const std::uint32_t taken = placement.team_candidates[i];
     selector.take(taken);
     scores.of_candidate[taken].taken = true;
   }

@@ -18,14 +18,6 @@ std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
   return taken == 0 ? 0 : taken - 1;
 }
 
-bool same_chord(const Trace& trace, const Chord& a, const Chord& b) {
-  const double near = near_distance(trace.polygon.diagonal());
-  const auto close = [&](const LiftingPoint& p, const LiftingPoint& q) {
-    return length(p.position - q.position) <= near;
-  };
-  return (close(a.r1, b.r1) && close(a.r2, b.r2)) || (close(a.r1, b.r2) && close(a.r2, b.r1));
-}
-
 // Whether a lifting point is on an edge: its own, or the one that meets it at a vertex.
 bool lies_on(const Trace& trace, const LiftingPoint& point, std::uint32_t edge) {
   if (point.edge == edge) return true;
@@ -48,8 +40,8 @@ WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
   answer.team = team_at(trace, k);
   if (trace.placement.teams.empty()) return answer;
 
-  const std::vector<std::int64_t>& taken = trace.placement.team_candidates;
-  const auto at = std::find(taken.begin(), taken.end(), std::int64_t{candidate});
+  const std::vector<std::uint32_t>& taken = trace.placement.team_candidates;
+  const auto at = std::find(taken.begin(), taken.end(), candidate);
   const auto by = static_cast<std::uint32_t>(at - taken.begin());
   if (at != taken.end() && by < answer.team) answer.team = by;
   const TeamScores scores = look_at_scores(trace, answer.team);
@@ -120,12 +112,13 @@ WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Ch
   answer.why = Why::not_by_candidates;
   if (!trace.by_candidates()) return answer;
   const std::vector<Candidate>& candidates = trace.placement.candidates;
+  const double near = near_distance(trace.polygon.diagonal());
   for (std::uint32_t i = 0; i < candidates.size(); ++i)
-    if (same_chord(trace, *chord, candidates[i].chord)) return why_not(trace, k, i);
+    if (same_chord(*chord, candidates[i].chord, near)) return why_not(trace, k, i);
 
   for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
     const OppositeDetail detail = look_at_opposite(trace, i);
-    if (detail.candidate || !same_chord(trace, *chord, detail.chord)) continue;
+    if (detail.candidate || !same_chord(*chord, detail.chord, near)) continue;
     answer.why = Why::opposite_too_uneven;
     return answer;
   }
@@ -144,7 +137,7 @@ WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Ch
     answer.pair_ratio = detail.chosen.ratio;
     answer.candidate = detail.candidate;
     answer.why = detail.candidate ? Why::not_best_of_pair : Why::too_uneven;
-    if (same_chord(trace, *chord, detail.chosen)) {
+    if (same_chord(*chord, detail.chosen, near)) {
       if (detail.candidate) answer.why = Why::duplicate;
     }
   }

@@ -17,8 +17,7 @@ std::size_t stride(std::size_t count, std::size_t most) {
 // Adds the candidates that no team took, in their order.
 void add_candidates(std::vector<Shape>& shapes, const Placement& placement, std::size_t most) {
   std::vector<bool> taken(placement.candidates.size(), false);
-  for (const std::int64_t i : placement.team_candidates)
-    if (i >= 0) taken[static_cast<std::size_t>(i)] = true;
+  for (const std::uint32_t i : placement.team_candidates) taken[i] = true;
   for (std::size_t i = 0; i < taken.size(); i += stride(taken.size(), most)) {
     if (taken[i]) continue;
     const Chord& chord = placement.candidates[i].chord;
