@@ -53,8 +53,8 @@ struct OppositeVertices {
 // browser's memory.
 inline constexpr std::uint64_t max_edge_pairs = std::uint64_t{1} << 23;
 
-// Says for each edge whether it is radial: its line passes within tolerance (tau L) of C. O(n log
-// n).
+// Says for each edge whether it is radial: its line passes within tolerance (tau L) of C.
+// O(n log n).
 std::vector<bool> radial_edges(const Polygon& polygon, const Vec2& centre);
 
 // A chord that starts at a vertex.

@@ -64,8 +64,8 @@ bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<LiftingPoint>& points);
 
 // The thesis's own, weaker test (5.5): whether neither region of free rotation centres has an area.
-// It also passes objects that can slide between parallel sides or turn about a single point. O(m
-// log m + n log n).
+// It also passes objects that can slide between parallel sides or turn about a single point.
+// O(m log m + n log n).
 bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 

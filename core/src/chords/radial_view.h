@@ -106,8 +106,8 @@ std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view);
 // The error if `number` exceeds max_edge_pairs. `what` is counted, such as "edge-pairs".
 std::optional<InputError> check_number(std::uint64_t number, const char* what);
 
-// Calls visit(const EdgePair&) for each edge-pair, in the order in which their ranges begin. O(n +
-// K).
+// Calls visit(const EdgePair&) for each edge-pair, in the order in which their ranges begin.
+// O(n + K).
 template <class Visit>
 void for_each_edge_pair(const Polygon& polygon, const RadialView& view, Visit&& visit) {
   RadialSweep sweep(polygon, view);

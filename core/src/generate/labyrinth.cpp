@@ -3,9 +3,8 @@
 // within its own box, and vertices are cut off at random until n are left. A ray crosses about
 // sqrt(n) edges. No step tests edges against edges, because the outline stays simple throughout:
 // - Columns and rows have disjoint bands, and the box of a point is where the bands of its column
-// and its
-//   row meet. An edge between neighbours stays in the band of one column or row and between the two
-//   boxes. So two edges can meet only in a box, and a box holds one vertex.
+//   and its row meet. An edge between neighbours stays in the band of one column or row and between
+//   the two boxes. So two edges can meet only in a box, and a box holds one vertex.
 // - Cutting off a vertex is safe if no other vertex lies in the closed triangle that goes.
 #include <algorithm>
 #include <cmath>
@@ -28,6 +27,21 @@ struct CellTree {
   };
   std::vector<Joints> cells;
 };
+
+// Joins a cell to a neighbour.
+void join(CellTree& tree, std::size_t cell, std::size_t neighbour) {
+  CellTree::Joints& a = tree.cells[cell];
+  CellTree::Joints& b = tree.cells[neighbour];
+  if (neighbour == cell + 1)
+    a.east = b.west = true;
+  else if (neighbour == cell + tree.side)
+    a.north = b.south = true;
+  else if (cell == neighbour + 1)
+    a.west = b.east = true;
+  else
+    a.south = b.north = true;
+  b.used = true;
+}
 
 // Grows `size` cells from the middle of a square, of which they fill about two thirds. Growing from
 // the newest cell makes corridors and growing from any cell makes branches; a random mixture gives
@@ -61,17 +75,7 @@ CellTree grow_tree(std::size_t size, Rng& rng) {
       continue;
     }
     const std::size_t next = free_cells[rng.below(count)];
-    CellTree::Joints& a = tree.cells[cell];
-    CellTree::Joints& b = tree.cells[next];
-    if (next == cell + 1)
-      a.east = b.west = true;
-    else if (next == cell + side)
-      a.north = b.south = true;
-    else if (cell == next + 1)
-      a.west = b.east = true;
-    else
-      a.south = b.north = true;
-    b.used = true;
+    join(tree, cell, next);
     growing.push_back(next);
     ++used;
   }
