@@ -197,7 +197,7 @@ TEST_CASE("a ready-made lesson shows its own stops and words, and can be left fo
   CHECK(timeline(page.app.state).count == 2);
   CHECK(words_of_stop(page.app.state) == "Here it balances.");
   page.press({"ArrowRight"});
-  CHECK(words_of_stop(page.app.state) == "Progress.");
+  CHECK(words_of_stop(page.app.state) == "Done.");
   CHECK(page.app.state.lesson.detail.step.kind == StepKind::team);
   page.frame();
   page.app.commands.push_back(LeaveScript{});
