@@ -203,14 +203,14 @@ class Residuals:
     def read_class(self):
         for step in range(16):
             asked = self.greatest - step
-            if asked == 1 or self.coder.bit(self.class_model[step]):
+            if asked == 1 or self.coder.bit(self.class_models[step]):
                 return asked
         return 1 + self.coder.uniform(self.greatest - 16)
 
     def read(self, axis):
         if self.greatest == 0:
             return 0
-        zero = self.coder.bit(self.zero_model[self.zeros_before])
+        zero = self.coder.bit(self.zero_models[self.zeros_before])
         self.zeros_before = (self.zeros_before << 1 | zero) & 3
         if zero:
             self.sign_before[axis] = 0
@@ -220,11 +220,11 @@ class Residuals:
         place = 0
         if place_bits > 0:
             below = min(self.greatest - size_class, 15)
-            high = self.coder.bit(self.high_model[below])
+            high = self.coder.bit(self.high_bit_models[below])
             place = high << (place_bits - 1) | self.coder.bits(place_bits - 1)
         negative = 0
         if self.negatives:
-            negative = self.coder.bit(self.sign_model[self.sign_before[axis]])
+            negative = self.coder.bit(self.sign_models[self.sign_before[axis]])
         self.sign_before[axis] = 2 if negative else 1
         if self.exponents:
             size = (size_class - 1) << self.fraction_bits | place

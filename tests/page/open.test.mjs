@@ -81,6 +81,7 @@ test("SVG without a transform is taken to the last bit", async () => {
 });
 
 test("a chosen file", async () => {
+  await load(page, asset("cross"));
   const root = await openWindow(page, "open");
   const chooser = page.waitForEvent("filechooser");
   await root.getByRole("button", { name: "Choose a file" }).click();

@@ -54,7 +54,7 @@ Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec
 // The same candidates, and their sources. The sources are numbered: first the edge-pairs in the
 // order of edge_pairs(), then the opposite vertices in the order of opposite_vertices(). The
 // `source` of a candidate is the one whose chord was kept when duplicates were merged.
-inline constexpr std::uint32_t no_candidate = ~std::uint32_t{0};  // half the size of an optional
+inline constexpr std::uint32_t no_candidate = ~std::uint32_t{0};  // not an optional: memory
 struct TracedCandidates {
   std::vector<Candidate> candidates;
   std::vector<std::uint32_t> of_source;  // the candidate that each source led to, or no_candidate

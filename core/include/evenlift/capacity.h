@@ -31,8 +31,8 @@ struct CapacityPlan {
 // candidates of the placement are reused. The methods area, circle, distance and random choose
 // teams one after another, so the first k teams of a selection are a placement of k teams; they
 // cost as much as selecting the teams that are needed, or 512. The method distributed has different
-// teams for each number. For them only the loads are computed, and a number is given up at the
-// first robot that carries too much.
+// teams for each number. For them only the loads are computed, and a number of teams is rejected
+// as soon as one robot carries too much.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
 // Whether two placements have the same plan for every capacity, because they agree in everything on

@@ -2,10 +2,11 @@
 //
 // The terms are those of the literature on grasps. First-order form closure is decided by
 // Reuleaux's method: the instantaneous centres of rotation that each contact leaves free form a
-// half-plane, and the grasp is closed if the half-planes of neither sense have a common point and
-// no translation is free (F. Reuleaux, The Kinematics of Machinery, 1876). The margin is the grasp
-// quality of C. Ferrari and J. Canny (Planning optimal grasps, 1992). Second-order immobility
-// follows E. Rimon and J. W. Burdick (Mobility of bodies in contact, 1998).
+// half-plane, and the grasp is closed if the clockwise half-planes have no point in common, nor the
+// counter-clockwise ones, and no translation is free (F. Reuleaux, The Kinematics of Machinery,
+// 1876). The margin is the grasp quality of C. Ferrari and J. Canny (Planning optimal grasps,
+// 1992). Second-order immobility follows E. Rimon and J. W. Burdick (Mobility of bodies in contact,
+// 1998).
 #pragma once
 
 #include <cstdint>
@@ -35,7 +36,7 @@ std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingP
 // or far away.
 struct FreeRegion {
   bool exists = false;    // some centre is free, wherever it lies
-  bool has_area = false;  // the region is wider than the tolerance alone makes it
+  bool has_area = false;  // false: the region is a point or a line, up to tolerance
   Points clipped;         // the region within the square about C with half side 100 L,
                           // counter-clockwise; no, one or two points if it has no area there
 };
@@ -58,7 +59,7 @@ struct Closure {
   FreeRegion clockwise, counterclockwise;
 };
 
-// The same as analyse_closure(...).form_closure, but cheaper. More points never end form closure.
+// The same as analyse_closure(...).form_closure, but cheaper. Adding points cannot undo it.
 // O(m log m + n log n).
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<LiftingPoint>& points);

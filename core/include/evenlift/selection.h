@@ -13,8 +13,8 @@ namespace evenlift {
 // Chooses teams greedily. Returns indices into `candidates` in the order of choice: `teams` of
 // them, or all if there are fewer. `metric` is area, circle or distance. Geometry decides every
 // tie, so the same shape gets the same teams. O(K) for each team that widens H, and O(n) for each
-// end that is evaluated; a team evaluates only ends whose edge of H has changed and whose upper
-// bound can still win. All teams after H is saturated cost O(K log K) together.
+// end that is evaluated: that is done only if its edge of H has changed and its upper bound could
+// still win. Once no candidate widens H, all further teams together cost O(K log K).
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Method metric,
                                         std::size_t teams);

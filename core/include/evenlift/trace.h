@@ -117,8 +117,8 @@ struct Trace {
 
   std::vector<Contact> contacts;
 
-  // A run of similar steps: item i takes `kinds` steps, one of each kind, from first + i * kinds
-  // on.
+  // A run of similar steps. Item i of it is the `kinds` steps from first + i * kinds on, one of
+  // each kind in the order of `kind`.
   struct Block {
     std::uint32_t first = 0, items = 0, first_item = 0, kinds = 1;
     std::array<StepKind, 3> kind{};
@@ -251,8 +251,8 @@ struct TeamScores {
   Rule rule = Rule::score;
   Points base;  // H before
   std::vector<Score> of_candidate;
-  // The candidates that are not taken yet: the winner, then the others, the later they dropped out
-  // the earlier.
+  // The candidates that are not taken yet: the winner, then the others; what dropped out last comes
+  // first.
   std::vector<std::uint32_t> ranking;
   DecidedBy decided_by = DecidedBy::only_one;
 };

@@ -103,7 +103,9 @@ Gain Wedge::estimate(const Vec2& p) const {
       return {inscribed_circle_area(h1_, h2_, p), Certainty::exact};
     case Method::distance:
       return {distance_bound(p), Certainty::bound};
-    default:
+    case Method::area:
+    case Method::distributed:
+    case Method::random:
       break;
   }
   const double triangle = triangle_area(h1_, h2_, p);
@@ -119,9 +121,12 @@ double Wedge::evaluate(const Vec2& p) const {
       return inscribed_circle_area(h1_, h2_, p);
     case Method::distance:
       return distance_gain(p);
-    default:
-      return surroundings_->convex ? triangle_area(h1_, h2_, p) : area_gain(p);
+    case Method::area:
+    case Method::distributed:
+    case Method::random:
+      break;
   }
+  return surroundings_->convex ? triangle_area(h1_, h2_, p) : area_gain(p);
 }
 
 double Wedge::area_gain(const Vec2& p) const { return area_left_of_both(outside_, h1_, p, h2_); }

@@ -20,7 +20,9 @@ class GainScene {
         return add_circle(end);
       case Method::distance:
         return add_arms(end);
-      default:
+      case Method::area:
+      case Method::distributed:
+      case Method::random:
         add_triangle(end);
         return add_part(end);
     }

@@ -96,9 +96,12 @@ Statement statement_of_team(const Trace& trace, const StepDetail& detail) {
       return Statement::direction;
     case Method::random:
       return Statement::first_robot;
-    default:
-      return detail.step.item == 0 ? Statement::first_team : Statement::next_team;
+    case Method::area:
+    case Method::circle:
+    case Method::distance:
+      break;
   }
+  return detail.step.item == 0 ? Statement::first_team : Statement::next_team;
 }
 
 Statement statement_of_base(const Trace& trace, const StepDetail& detail) {

@@ -10,6 +10,23 @@
 #include "evenlift/tolerance.h"
 
 namespace evenlift {
+namespace {
+
+const char* score_in_words(Method method) {
+  switch (method) {
+    case Method::circle:
+      return "the area of the circles inscribed in the triangles between H and its ends";
+    case Method::distance:
+      return "by how much it shortens the arms with which weight at the vertices would tip the object";
+    case Method::area:
+    case Method::distributed:
+    case Method::random:
+      break;
+  }
+  return "the area of the triangles between H and its two ends, as far as they are in the object";
+}
+
+}  // namespace
 
 Piece StepCaptions::load(double value) const { return kilograms_text(trace_, value); }
 
@@ -258,15 +275,8 @@ std::string StepCaptions::first_scores(const TeamScores& scores) const {
 std::string StepCaptions::scores() const {
   const TeamScores& scores = *detail_.scores;
   if (item_ == 0) return first_scores(scores);
-  const Method method = placement_.settings.method;
-  return fill(
-             "Team #: how much would each candidate add? Its score is #. ",
-             {counted_from_1(scores.team),
-              method == Method::area
-                  ? "the area of the triangles between H and its two ends, as far as they are in the object"
-              : method == Method::circle
-                  ? "the area of the circles inscribed in the triangles between H and its ends"
-                  : "by how much it shortens the arms with which weight at the vertices would tip the object"}) +
+  return fill("Team #: how much would each candidate add? Its score is #. ",
+              {counted_from_1(scores.team), score_in_words(placement_.settings.method)}) +
          (scores.of_candidate[scores.ranking.front()].value > 0
               ? ranking(scores)
               : "No candidate adds anything any more.");

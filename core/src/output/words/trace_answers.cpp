@@ -20,9 +20,12 @@ const char* aim(const Trace& trace, Rule rule) {
       return "adds the largest inscribed circles";
     case Method::distance:
       return "shortens the arms that tip the object by most";
-    default:
-      return "adds the most area";
+    case Method::area:
+    case Method::distributed:
+    case Method::random:
+      break;
   }
+  return "adds the most area";
 }
 
 std::string behind(const Trace& trace, const WhyNot& answer) {
