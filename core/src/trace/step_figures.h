@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "evenlift/trace.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 
 // Collects the figures of one step, back to front. The step's row in steps.cpp names the function
 // that knows which.
-class StepFigures {
+class StepFigures : LookedAtStep {
  public:
-  StepFigures(const Trace& trace, const StepDetail& detail)
-      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+  StepFigures(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}
 
   void none() {}
   void polygon();
@@ -53,10 +53,6 @@ class StepFigures {
   void add_regions(const FreeRegion& clockwise, const FreeRegion& counterclockwise);
   void add_contacts(std::size_t number);
 
-  const Trace& trace_;
-  const Placement& placement_;
-  const StepDetail& detail_;
-  std::uint32_t item_;
   std::vector<Figure> figures_;
 };
 

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "evenlift/trace.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 
 // Collects the numbers of one step. The step's row in steps.cpp names the function that knows
 // which.
-class StepNumbers {
+class StepNumbers : LookedAtStep {
  public:
-  StepNumbers(const Trace& trace, const StepDetail& detail)
-      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+  StepNumbers(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}
 
   void polygon();
   void centroid();
@@ -51,10 +51,6 @@ class StepNumbers {
   void point(std::string_view x, std::string_view y, const Vec2& p);
   void ratio_and_candidate(double ratio, std::optional<std::uint32_t> candidate);
 
-  const Trace& trace_;
-  const Placement& placement_;
-  const StepDetail& detail_;
-  std::uint32_t item_;
   std::vector<Number> numbers_;
 };
 

@@ -6,14 +6,14 @@
 
 #include "evenlift/trace.h"
 #include "output/words/trace_text.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 
 // Writes the caption of one step. The step's row in step_words.cpp names the function that does.
-class StepCaptions {
+class StepCaptions : LookedAtStep {
  public:
-  StepCaptions(const Trace& trace, const StepDetail& detail)
-      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+  StepCaptions(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}
 
   std::string polygon() const;
   std::string centroid() const;
@@ -54,11 +54,6 @@ class StepCaptions {
   std::string first_scores(const TeamScores& scores) const;
   std::string team_without_candidates() const;
   static std::string left(const char* sense, const FreeRegion& region, bool before);
-
-  const Trace& trace_;
-  const Placement& placement_;
-  const StepDetail& detail_;
-  std::uint32_t item_;
 };
 
 }  // namespace evenlift

@@ -6,15 +6,15 @@
 
 #include "evenlift/trace.h"
 #include "output/words/trace_text.h"
+#include "trace/step_rows.h"
 
 namespace evenlift {
 
 // Writes the formula of one step with its numbers filled in. The step's row in step_words.cpp names
 // the function that does.
-class StepFormulas {
+class StepFormulas : LookedAtStep {
  public:
-  StepFormulas(const Trace& trace, const StepDetail& detail)
-      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+  StepFormulas(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}
 
   std::string none() const { return {}; }
   std::string polygon() const;
@@ -41,11 +41,6 @@ class StepFormulas {
   std::string compared_with_minimum(const Chord& chord,
                                     std::optional<std::uint32_t> candidate) const;
   std::string score(const TeamScores& scores) const;
-
-  const Trace& trace_;
-  const Placement& placement_;
-  const StepDetail& detail_;
-  std::uint32_t item_;
 };
 
 }  // namespace evenlift

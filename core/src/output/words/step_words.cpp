@@ -67,12 +67,7 @@ constexpr StepRow steps[] = {
 };
 // clang-format on
 
-constexpr bool in_order() {
-  for (std::size_t i = 0; i < std::size(steps); ++i)
-    if (steps[i].kind != static_cast<StepKind>(i)) return false;
-  return std::size(steps) == step_kind_count;
-}
-static_assert(in_order());
+static_assert(has_each_step(steps));
 
 const StepRow& row_of(const StepDetail& detail) {
   return steps[static_cast<std::size_t>(detail.step.kind)];

@@ -1,0 +1,31 @@
+// What the tables of steps have in common.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "evenlift/trace.h"
+
+namespace evenlift {
+
+// Whether a table has one row for each kind of step, in the order of the enumeration.
+template <class Row, std::size_t size>
+constexpr bool has_each_step(const Row (&rows)[size]) {
+  for (std::size_t i = 0; i < size; ++i)
+    if (rows[i].kind != static_cast<StepKind>(i)) return false;
+  return size == step_kind_count;
+}
+
+// What the functions of a row look at: one step of a trace.
+class LookedAtStep {
+ protected:
+  LookedAtStep(const Trace& trace, const StepDetail& detail)
+      : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+
+  const Trace& trace_;
+  const Placement& placement_;
+  const StepDetail& detail_;
+  std::uint32_t item_;
+};
+
+}  // namespace evenlift
