@@ -85,6 +85,21 @@ evenlift_headers(
   https://github.com/nlohmann/json.git bc889afb4c5bf1c0d8ee29ef35eaaf4c8bef8a5d # v3.11.2
   include)
 
+# --- pugixml, which reads the XML of SVG files: the system's library, and its sources for WebAssembly -------------------
+if(NOT EMSCRIPTEN AND NOT FETCHCONTENT_SOURCE_DIR_PUGIXML)
+  find_package(pugixml 1.11 QUIET CONFIG)
+endif()
+if(NOT TARGET pugixml::pugixml)
+  evenlift_cached(FETCHCONTENT_SOURCE_DIR_PUGIXML "pugixml-*")
+  evenlift_fetch(pugixml https://github.com/zeux/pugixml.git a0e064336317c9347a91224112af9933598714e9) # v1.13
+  add_library(pugixml STATIC EXCLUDE_FROM_ALL "${pugixml_SOURCE_DIR}/src/pugixml.cpp")
+  add_library(pugixml::pugixml ALIAS pugixml)
+  target_include_directories(pugixml SYSTEM PUBLIC "${pugixml_SOURCE_DIR}/src")
+  # PUBLIC: its header must say what was built.
+  target_compile_definitions(pugixml PUBLIC PUGIXML_NO_XPATH PUGIXML_NO_EXCEPTIONS PUGIXML_NO_STL)
+  target_compile_options(pugixml PRIVATE -fno-exceptions -w ${evenlift_small})
+endif()
+
 # --- Dear ImGui: the sources, built with our configuration (wasm/ui/imgui_config.h) -------------------------------------
 # The tests use it without a window. None of its backends is used: wasm/page/webgl_renderer.cpp draws what it makes, and
 # wasm/page/sdl_input.cpp brings it the pointer.

@@ -21,7 +21,8 @@ endif()
 # On WebAssembly all is compiled for size, but for speed what is done for every pair of edges or candidate
 # (core/CMakeLists.txt). Placing 20 teams by area on 1,000 vertices took 5.9 ms with the core at -O2 and takes 6.9 ms so.
 # Old Emscripten has -fno-inline-functions with -Os and -Oz, which makes code with Eigen many times slower: not that.
-# Link-time optimization was measured too, and made the page no smaller.
+# Link-time optimization was measured too, and made the page no smaller; Dear ImGui, QR codes and core/src/output without
+# inlining made it 3,600 bytes larger, and binaryen's further passes 1 % smaller at best.
 set(evenlift_small "")
 set(evenlift_quick "")
 if(EMSCRIPTEN)
@@ -45,8 +46,8 @@ function(evenlift_node_program target)
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/node_pre.js")
 endfunction()
 
-# A module for a worker of the page: computes, and nothing else.
-function(evenlift_worker_module target)
+# A module that computes, and nothing else, for the page or a worker of it.
+function(evenlift_computing_module target)
   target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})
   target_link_options(
     ${target}
@@ -54,7 +55,7 @@ function(evenlift_worker_module target)
     ${evenlift_small}
     -fno-exceptions
     --no-entry
-    -sENVIRONMENT=worker
+    -sENVIRONMENT=web,worker
     -sFILESYSTEM=0
     -sMALLOC=emmalloc
     -sDYNAMIC_EXECUTION=0

@@ -4,7 +4,7 @@
     python3 link_reader.py LINK...      prints what each link holds, as JSON
 
 A second reader, written from the description and not from the program, so that each checks the
-other. It reads any good link of version 1; unlike the program it does not look for links that no
+other. It reads any good link of versions 1 and 2; unlike the program it does not look for links that no
 program writes.
 """
 
@@ -15,6 +15,8 @@ import sys
 ALPHABET = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
 METRICS = ["area", "circle", "distance", "distributed", "random"]
 OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "tipping"]
+# What a record's payload is read as, by its tag; the other tags are those of later programs.
+RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int)}
 DOUBLES = 23  # the scale that numbers every double
 
 
@@ -166,6 +168,24 @@ def read_settings(coder):
     return settings
 
 
+def read_records(coder, settings):
+    """The settings that came with version 2, each as its text."""
+    while tag := coder.integer(8):
+        if tag not in RECORDS:
+            raise LinkError(f"the link was made by a newer evenlift: record {tag}")
+        length = coder.integer(20)
+        if length > 32:
+            raise LinkError("a record that is too long")
+        text = bytes(coder.uniform(256) for _ in range(length)).decode("ascii", "strict")
+        name, kind = RECORDS[tag]
+        try:
+            settings[name] = kind(text)
+        except ValueError as error:
+            raise LinkError(f"{name}: {text}") from error
+        if name == "robots":
+            settings["metric"] = "balanced"
+
+
 # --- Vertices ------------------------------------------------------------------------------------
 
 
@@ -288,8 +308,8 @@ def read_link(link):
     version, point, payload = link.partition(".")
     if not point or not version.isdigit():
         raise LinkError("a link begins with its version and a full stop")
-    if version != "1":
-        raise LinkError("only version 1 is known here")
+    if version not in ("1", "2"):
+        raise LinkError("only versions 1 and 2 are known here")
     digits = digits_of(payload)
     if len(digits) < 4:
         raise LinkError("the link is cut off")
@@ -308,6 +328,8 @@ def read_link(link):
     if count > 0:
         vertices, on_scale, kind, zero_bits = read_vertices(coder, count)
     centre = read_centre(coder, on_scale, kind, zero_bits) if coder.uniform(2) else None
+    if version == "2":
+        read_records(coder, settings)
     return {"vertices": vertices, "centre_of_mass": centre, "settings": settings}
 
 

@@ -14,7 +14,7 @@ int main() {
     chord.arm2 = half;
     chord.ratio = arm / half;
     const evenlift::Team team = evenlift::distribute_weight({chord}, 20)[0];
-    std::printf("%.1f m and %.1f m: %4.1f kg and %4.1f kg\n", arm, half, team.loads[0],
-                team.loads[1]);
+    std::printf("%.1f m and %.1f m: %4.1f kg and %4.1f kg\n", arm, half, team.robots[0].load,
+                team.robots[1].load);
   }
 }

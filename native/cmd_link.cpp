@@ -26,12 +26,14 @@ void encode(const Arguments& arguments) {
   std::string file;
   SettingOptions options;
   bool candidates = false;
-  line.positional(file, "FILE", "thesis's text, WKT POLYGON, or GeoJSON");
+  line.positional(file, "FILE", "the polygon, in any format of `evenlift place`");
+  ShapeOptions shapes;
   options.declare(line);
+  shapes.declare(line);
   line.flag(candidates, "--candidates", "the page shows the candidates too");
   if (!line.parse(arguments)) return;
 
-  Input input = read_input(file);
+  Input input = read_input(file, shapes);
   options.apply(input.document);
   if (candidates) input.document.settings.overlays.candidates = true;
   check(input.document, input, options);

@@ -1,48 +1,53 @@
 #include <algorithm>
 
 #include "commands.h"
+#include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/markup.h"
+#include "evenlift/output/robustness_words.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "options.h"
+#include "robustness_text.h"
+#include "table.h"
 
 namespace evenlift::native {
 namespace {
 
-using Row = std::vector<std::string>;
-
-// Columns two spaces apart, as wide as they need, to the right; the first row are headings.
-std::string table(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], character_count(row[i]));
-  std::string text;
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      text += "  " + std::string(widths[i] - character_count(row[i]), ' ') + row[i];
-    text += "\n";
-  }
-  return text;
-}
-
 // Which of a team's robots carry more than the capacity.
-std::string overloaded(const Team& team, double capacity) {
-  const bool first = team.loads[0] > capacity, second = team.loads[1] > capacity;
+std::string overloaded(double load1, double load2, double capacity) {
+  const bool first = load1 > capacity, second = load2 > capacity;
   return first && second ? "both" : first ? "first" : second ? "second" : "-";
 }
 
-std::string team_table(const Placement& placement, const std::optional<double>& capacity) {
-  const int decimals = coordinate_decimals(placement.vertices);
-  std::vector<Row> rows = {{"team", "ratio", "robot at", "bears", "robot at", "bears"}};
+// Balanced robots, one in each row.
+std::string robot_table(const Placement& placement, const ShownLoads& shown,
+                        const std::optional<double>& capacity) {
+  const Team& team = placement.teams.front();
+  const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
+  std::vector<Row> rows = {{"robot", "at", shown.heading}};
+  if (capacity) rows[0].push_back("overloaded");
+  for (std::size_t i = 0; i < team.robots.size(); ++i) {
+    rows.push_back({std::to_string(i + 1), words.at[i], shown.text[i]});
+    if (capacity) rows.back().push_back(shown.greatest[i] > *capacity ? "yes" : "-");
+  }
+  return table(rows);
+}
+
+std::string team_table(const Placement& placement, const ShownLoads& shown,
+                       const std::optional<double>& capacity) {
+  if (placement.settings.method == Method::balanced) return robot_table(placement, shown, capacity);
+  const int decimals = coordinate_decimals(placement.vertices());
+  std::vector<Row> rows = {{"team", "ratio", "robot at", shown.heading, "robot at", shown.heading}};
   if (capacity) rows[0].push_back("overloaded");
   for (std::size_t i = 0; i < placement.teams.size(); ++i) {
     const TeamInWords team = team_in_words(placement, i, decimals);
-    rows.push_back(
-        {std::to_string(i + 1), team.ratio, team.at[0], team.loads[0], team.at[1], team.loads[1]});
-    if (capacity) rows.back().push_back(overloaded(placement.teams[i], *capacity));
+    rows.push_back({std::to_string(i + 1), team.ratio, team.at[0], shown.text[2 * i], team.at[1],
+                    shown.text[2 * i + 1]});
+    if (capacity)
+      rows.back().push_back(
+          overloaded(shown.greatest[2 * i], shown.greatest[2 * i + 1], *capacity));
   }
   return table(rows);
 }
@@ -51,7 +56,7 @@ std::string candidate_table(const Placement& placement) {
   std::vector<std::string> team(placement.candidates.size(), "-");
   for (std::size_t i = 0; i < placement.team_candidates.size(); ++i)
     team[placement.team_candidates[i]] = std::to_string(i + 1);
-  const int decimals = coordinate_decimals(placement.vertices);
+  const int decimals = coordinate_decimals(placement.vertices());
   std::vector<Row> rows = {{"candidate", "ratio", "kind", "from", "to", "team"}};
   for (std::size_t i = 0; i < placement.candidates.size(); ++i) {
     const Candidate& candidate = placement.candidates[i];
@@ -64,15 +69,24 @@ std::string candidate_table(const Placement& placement) {
 }
 
 // The settings and the results, one on each line.
-std::string facts(const Placement& placement) {
+std::string facts(const Placement& placement, const Robustness& robustness) {
   const Settings& settings = placement.settings;
   std::vector<std::pair<std::string, std::string>> lines = {
       {"Method", std::string(name(settings.method))}};
   if (settings.method == Method::random) lines.emplace_back("Seed", std::to_string(settings.seed));
-  lines.emplace_back("Minimum load ratio", plain(settings.min_ratio));
+  if (settings.method == Method::balanced) {
+    const std::string reached = placement.goal_reached ? "" : ", not reached";
+    lines.emplace_back("Goal", std::string(name(goal_of(settings))) + reached);
+    if (settings.survive > 0)
+      lines.emplace_back("Failures to survive", std::to_string(settings.survive));
+  } else {
+    lines.emplace_back("Minimum load ratio", plain(settings.min_ratio));
+  }
   lines.emplace_back("Centre of mass", point_in_words(placement.centre_of_mass,
-                                                      coordinate_decimals(placement.vertices)));
+                                                      coordinate_decimals(placement.vertices())));
   for (const Fact& fact : facts_in_words(placement)) lines.emplace_back(fact.label, fact.value);
+  for (const Fact& fact : robustness_facts(placement, robustness))
+    lines.emplace_back(fact.label, fact.value);
   std::size_t widest = 0;
   for (const auto& [label, value] : lines) widest = std::max(widest, character_count(label));
   std::string text;
@@ -82,53 +96,75 @@ std::string facts(const Placement& placement) {
 }
 
 std::string for_people(const Placement& placement, bool with_candidates,
-                       const std::optional<CapacityInJson>& capacity) {
-  std::string text = verdict(placement) + "\n";
-  if (capacity) text += capacity_in_words(placement, capacity->limit, &capacity->plan) + "\n";
-  text += "\n";
+                       const std::optional<CapacityInJson>& capacity,
+                       const RobustnessAsked& asked) {
+  const RobustnessKnown known(placement, asked);
   const auto limit = capacity ? std::optional<double>(capacity->limit) : std::nullopt;
-  if (!placement.teams.empty()) text += team_table(placement, limit) + "\n";
-  if (with_candidates && !placement.candidates.empty()) text += candidate_table(placement) + "\n";
-  return text + facts(placement);
+  std::string sentences = verdict(placement) + "\n", tables;
+  std::vector<double> greatest;
+  if (!placement.teams.empty()) {
+    const ShownLoads shown = shown_loads(placement, known);
+    tables += team_table(placement, shown, limit) + "\n";
+    greatest = shown.greatest;
+  }
+  if (capacity)
+    sentences += capacity_in_words(placement, capacity->limit, &capacity->plan,
+                                   overloaded_robots(greatest, capacity->limit)) +
+                 "\n";
+  sentences += robustness_lines(known, limit);
+  if (asked.failures && !placement.teams.empty()) tables += failure_table(placement, known) + "\n";
+  if (with_candidates && !placement.candidates.empty()) tables += candidate_table(placement) + "\n";
+  return sentences + "\n" + tables + facts(placement, known.robustness);
 }
 
 }  // namespace
 
 void cmd_place(const Arguments& arguments) {
   CommandLine line(
-      "evenlift place", "Places teams of two robots on a polygon and says what holds of them.",
+      "evenlift place", "Places teams of two robots, or any number of balanced ones, on a polygon.",
       "FILE is a path, - for standard input, or a share link. Its format is told by its content:\n"
-      "the thesis's text, WKT POLYGON, or GeoJSON.\n\n"
+      "the thesis's text, columns of numbers (CSV), SVG, DXF, WKT POLYGON, GeoJSON, or a result\n"
+      "of --json. If it has several shapes, --shape takes one.\n\n"
       "Examples:\n"
       "  evenlift place table.txt --teams 4 --svg table.svg\n"
-      "  evenlift place table.txt --metric circle --com 120,80 --json\n");
+      "  evenlift place drawing.dxf --shape 2\n"
+      "  evenlift place table.txt --metric circle --com 120,80 --json\n"
+      "  evenlift place table.txt --metric balanced --robots 5\n");
   std::string file;
   SettingOptions options;
   std::optional<std::string> svg, capacity_text;
+  RobustnessOptions robustness_options;
   bool as_json = false, candidates = false;
   line.positional(file, "FILE", "the polygon");
+  ShapeOptions shapes;
   options.declare(line);
+  shapes.declare(line);
   line.value(capacity_text, "--capacity", "K",
              "what one robot can carry: who is overloaded, and how many are needed");
+  robustness_options.declare(line);
   line.flag(as_json, "--json", "one JSON object instead of a table");
   line.flag(candidates, "--candidates", "list the candidates too, and show them in the picture");
   line.value(svg, "--svg", "OUT", "also write a picture as SVG");
   if (!line.parse(arguments)) return;
 
-  Input input = read_input(file);
+  Input input = read_input(file, shapes);
   options.apply(input.document);
   std::optional<CapacityInJson> capacity;
+  if (input.capacity) capacity = CapacityInJson{*input.capacity, {}};
   if (capacity_text) capacity = CapacityInJson{capacity_option(*capacity_text), {}};
+  const RobustnessAsked asked(robustness_options);
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.failure(input.source, placement.error());
   if (capacity) capacity->plan = plan_capacity(*placement, capacity->limit);
   if (svg) {
     Placement pictured = *placement;
     pictured.settings.overlays.candidates |= candidates;
-    write_file(*svg, placement_svg(pictured));
+    const Result<std::string> link = encode_link(input.document);  // a huge polygon has none
+    write_file(*svg, placement_svg(pictured, link ? *link : std::string()));
   }
-  write_output(as_json ? placement_json(*placement, candidates, capacity)
-                       : for_people(*placement, candidates, capacity));
+  write_output(
+      as_json ? placement_json(*placement, candidates, capacity, {asked.com_radius, asked.failures})
+              : for_people(*placement, candidates, capacity, asked));
 }
 
 }  // namespace evenlift::native

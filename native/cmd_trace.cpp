@@ -17,11 +17,13 @@ void cmd_trace(const Arguments& arguments) {
   SettingOptions options;
   bool as_json = false;
   line.positional(file, "FILE", "the polygon");
+  ShapeOptions shapes;
   options.declare(line);
+  shapes.declare(line);
   line.flag(as_json, "--json", "one JSON array of steps instead of a list");
   if (!line.parse(arguments)) return;
 
-  Input input = read_input(file);
+  Input input = read_input(file, shapes);
   options.apply(input.document);
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.failure(input.source, placement.error());

@@ -17,6 +17,8 @@ void print_failure(const Failure& failure) {
   if (failure.where.empty()) return;
   std::fprintf(stderr, "evenlift: %s: %s\n", printable(failure.where).c_str(),
                printable(failure.what).c_str());
+  for (const std::string& line : failure.list)
+    std::fprintf(stderr, "  %s\n", printable(line).c_str());
 }
 
 std::string system_message(const std::error_code& error) {

@@ -1,8 +1,9 @@
-// How a command gives up: one line on standard error and the exit status.
+// How a command gives up: a line on standard error, perhaps a list below it, and the exit status.
 #pragma once
 
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "evenlift/result.h"
 
@@ -14,8 +15,9 @@ inline constexpr int other_status = 1;      // anything else, such as a file tha
 // Commands throw it; main catches it and prints `evenlift: WHERE: WHAT`.
 struct Failure {
   int status = bad_input_status;
-  std::string where;  // a file and the place in it, or an option as it is typed
-  std::string what;   // one sentence, no full stop
+  std::string where;                   // a file and the place in it, or an option as it is typed
+  std::string what;                    // one sentence, no full stop
+  std::vector<std::string> list = {};  // lines below it, such as what one may choose from
 };
 
 // Prints `evenlift: WHERE: WHAT` on standard error, in one line whatever a file is called; nothing

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "failure.h"
 
@@ -34,10 +33,9 @@ std::string read_all(std::FILE* file, const std::string& source) {
   return text;
 }
 
-Document parsed(const std::string& text, const std::string& source) {
-  Result<Document> document = read_polygon(text);
-  if (!document) throw bad_input(source, document.error());
-  return *std::move(document);
+Input parsed(const std::string& text, const std::string& source, const ShapeOptions& options) {
+  ChosenShape chosen = choose_shape(text, source, options);
+  return {source, std::move(chosen.document), chosen.capacity};
 }
 
 bool exists(const std::string& path) {
@@ -52,18 +50,17 @@ void write_all(std::FILE* file, std::string_view text, const std::string& name) 
 
 }  // namespace
 
-Input read_input(const std::string& file) {
-  if (file == "-")
-    return {"standard input", parsed(read_all(stdin, "standard input"), "standard input")};
+Input read_input(const std::string& file, const ShapeOptions& options) {
+  if (file == "-") return parsed(read_all(stdin, "standard input"), "standard input", options);
   // A file may be called "1.dat", so whatever exists is taken as a file.
   if (!exists(file) && (looks_like_link(file) || file.find('#') != std::string::npos)) {
     Result<Document> document = decode_link(file);
     if (!document) throw bad_input("link", document.error());
-    return {"link", *std::move(document)};
+    return {"link", *std::move(document), {}};
   }
   const File opened(std::fopen(file.c_str(), "rb"));
   if (!opened) throw Failure{bad_input_status, file, system_error()};
-  return {file, parsed(read_all(opened.get(), file), file)};
+  return parsed(read_all(opened.get(), file), file, options);
 }
 
 std::optional<std::string> read_file(const std::string& path) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "evenlift/document.h"
+#include "shapes.h"
 
 namespace evenlift::native {
 
@@ -13,8 +14,9 @@ namespace evenlift::native {
 struct Input {
   std::string source;  // what to call it in an error: the path, "standard input" or "link"
   Document document;
+  std::optional<double> capacity;  // of a robot, if the file is a result with one
 };
-Input read_input(const std::string& file);
+Input read_input(const std::string& file, const ShapeOptions& options = {});
 
 // The contents of a file, cut after max_text_bytes + 1; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::string& path);

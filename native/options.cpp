@@ -17,6 +17,13 @@ Failure refused(const std::string& option, const std::string& what, const std::s
   return {bad_input_status, option, what + ", not \"" + typed + "\""};
 }
 
+template <class Value>
+Value value_or_refusal(Setting setting, const std::optional<Value>& value,
+                       const std::string& text) {
+  if (!value) throw refused(as_typed(std::string(name(setting))), requirement(setting), text);
+  return *value;
+}
+
 }  // namespace
 
 std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t most) {
@@ -31,26 +38,57 @@ void setting_option(Setting setting, const std::string& text, Document& document
 }
 
 double capacity_option(const std::string& text) {
-  const std::optional<double> capacity = read_capacity(text);
-  if (!capacity) throw refused("--capacity", requirement(Setting::capacity), text);
-  return *capacity;
+  return value_or_refusal(Setting::capacity, read_capacity(text), text);
+}
+
+double com_radius_option(const std::string& text) {
+  return value_or_refusal(Setting::com_radius, read_com_radius(text), text);
+}
+
+LoadModel loads_option(const std::string& text) {
+  return value_or_refusal(Setting::loads, load_model_from_name(text), text);
 }
 
 void SettingOptions::declare(CommandLine& line) {
   line.value(teams, "--teams", "N", "teams asked for, or max: every candidate (default 3)");
-  line.value(metric, "--metric", "NAME", "area (default), circle, distance, distributed or random");
+  line.value(metric, "--metric", "NAME",
+             "area (default), circle, distance, distributed, random or balanced");
   line.value(min_ratio, "--min-ratio", "R", "minimum load ratio, 0 to 1 (default 0.8)");
   line.value(com, "--com", "X,Y", "centre of mass (default the file's, else the centroid)");
   line.value(weight, "--weight", "W", "the object's weight (default 100)");
   line.value(seed, "--seed", "S", "for the metric random (default 1)");
+  line.value(robots, "--robots", "M", "number of balanced robots, 2 to 64 (default 6)");
+  line.value(goal, "--goal", "GOAL", "cover: the widest base; hold: first of all a firm hold");
+  line.value(min_margin, "--min-margin", "F", "the margin of a firm hold (default 0.05)");
+  line.value(apart, "--apart", "A",
+             "robots nearer than this are too near (default 0.12 of the object's radius)");
+  line.value(survive, "--survive", "F", "failures that balanced robots should survive (default 0)");
 }
 
 void SettingOptions::apply(Document& document) const {
   for (const auto& [setting, typed] :
        {std::pair(Setting::teams, &teams), std::pair(Setting::method, &metric),
         std::pair(Setting::min_ratio, &min_ratio), std::pair(Setting::com, &com),
-        std::pair(Setting::weight, &weight), std::pair(Setting::seed, &seed)})
+        std::pair(Setting::weight, &weight), std::pair(Setting::seed, &seed),
+        std::pair(Setting::robots, &robots), std::pair(Setting::goal, &goal),
+        std::pair(Setting::min_margin, &min_margin), std::pair(Setting::apart, &apart),
+        std::pair(Setting::survive, &survive)})
     if (*typed) setting_option(setting, **typed, document);
+  check_method(document.settings.method);
+}
+
+void SettingOptions::check_method(Method method) const {
+  if (method == Method::balanced) {
+    if (teams)
+      throw Failure{bad_input_status, "--teams", "balanced robots are no teams; give --robots"};
+    return;
+  }
+  for (const auto& [option, typed] :
+       {std::pair("--robots", &robots), std::pair("--min-margin", &min_margin),
+        std::pair("--apart", &apart), std::pair("--survive", &survive)})
+    if (*typed)
+      throw Failure{bad_input_status, option,
+                    "it is for --metric balanced, not for " + std::string(name(method))};
 }
 
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {

@@ -6,6 +6,7 @@
 
 #include "command_line.h"
 #include "evenlift/document.h"
+#include "evenlift/load_models.h"
 #include "evenlift/result.h"
 #include "evenlift/settings_text.h"
 #include "failure.h"
@@ -17,23 +18,30 @@ namespace evenlift::native {
 std::uint64_t whole_option(const std::string& option, const std::string& text,
                            std::uint64_t most = ~std::uint64_t{0});
 
-// Puts a setting that was typed into the document, and reads a capacity (settings_text.h). Throws
-// Failure naming the option where the text is no value of it.
+// Puts a setting that was typed into the document, and reads those that are no part of a document
+// (settings_text.h). Throws Failure naming the option where the text is no value of it.
 void setting_option(Setting setting, const std::string& text, Document& document);
 double capacity_option(const std::string& text);
+double com_radius_option(const std::string& text);
+LoadModel loads_option(const std::string& text);
 
 // What was typed. An option that was not given is empty: the file's value or the default applies.
 struct SettingOptions {
   std::optional<std::string> teams, metric, min_ratio, com, weight, seed;
+  std::optional<std::string> robots, goal, min_margin, apart, survive;
 
   void declare(CommandLine& line);
 
   // Puts what was typed into the document. Throws Failure naming the option where the text is no
-  // value of its setting; which go together is checked with the rest of the document.
+  // value of its setting or of no use with the method; which values go together is checked with the
+  // rest of the document.
   void apply(Document& document) const;
 
   // An error of the document to which these options were applied, in terms of what was typed.
   Failure failure(const std::string& source, const InputError& error) const;
+
+ private:
+  void check_method(Method method) const;
 };
 
 }  // namespace evenlift::native

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <string_view>
 #include <tuple>
 
 #include "failure.h"
@@ -15,8 +17,10 @@ std::string without_extension(fs::path path) { return path.replace_extension().g
 
 bool is_polygon_file(const fs::path& path) {
   const std::string name = path.filename().string(), extension = path.extension().string();
-  return name != "index.txt" && (extension == ".txt" || extension == ".wkt" ||
-                                 extension == ".json" || extension == ".geojson");
+  // Results of experiments are .csv: a table of vertices is named by itself.
+  constexpr std::string_view endings[] = {".txt", ".wkt", ".json", ".geojson", ".svg", ".dxf"};
+  return name != "index.txt" &&
+         std::find(std::begin(endings), std::end(endings), extension) != std::end(endings);
 }
 
 bool hidden(const fs::path& path) {
@@ -54,8 +58,9 @@ void add_folder(const std::string& folder, std::vector<PolygonFile>& files) {
   }
   if (error) unreadable(folder, error);
   if (files.size() == before)
-    throw Failure{bad_input_status, folder,
-                  "no polygon in this folder: no file that ends in .txt, .wkt, .json or .geojson"};
+    throw Failure{
+        bad_input_status, folder,
+        "no polygon in this folder: no file that ends in .txt, .wkt, .json, .geojson, .svg or .dxf"};
 }
 
 // A folder's name tells its set from the others.

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Makes the page's two small fonts from Inter's; the build runs it (wasm/CMakeLists.txt), with fonttools:
+"""Makes the page's fonts from Inter's; the build runs it (wasm/CMakeLists.txt), with fonttools:
 
     subset.py FOLDER OUTPUT
 
-FOLDER holds Inter-Regular.otf and Inter-SemiBold.otf, the results go to OUTPUT: the same fonts give the same bytes.
+FOLDER holds Inter-Regular.otf and Inter-SemiBold.otf, the results go to OUTPUT: the same fonts give the same bytes. Under
+those names they are small, and part of the program; letters-regular.otf and letters-semibold.otf have the letters of
+European languages and mathematics, too, and the page fetches them when a text needs them.
 Figures are the tabular ones (Dear ImGui knows no OpenType features), so that a number that changes does not make
 the text beside it dance; for the same reason kerning stays out.
 """
@@ -14,11 +16,19 @@ from fontTools.subset import Options, Subsetter, save_font
 from fontTools.ttLib import TTFont
 from fontTools.ttLib.scaleUpem import scale_upem
 
-# What the page writes. What people write (file names, say) it does not show.
+# What the page itself writes.
 CHARACTERS = [chr(c) for c in range(0x20, 0x7F)] + list(
     "\u00a0\u2009\u202f"  # spaces that do not break or are thin, for numbers and their units
     "§°±²·×é–—‘’“”…−≤≥"
 )
+
+# What people write in lessons and file names.
+LETTERS = CHARACTERS + [chr(c) for first, last in (
+    (0xA0, 0x24F), (0x2B0, 0x2FF), (0x300, 0x36F),  # Latin, and accents
+    (0x370, 0x3FF), (0x400, 0x52F),  # Greek, Cyrillic
+    (0x1E00, 0x1EFF), (0x2000, 0x206F), (0x2070, 0x209F), (0x20A0, 0x20BF), (0x2100, 0x214F),
+    (0x2150, 0x218F), (0x2190, 0x22FF),  # arrows and mathematics
+) for c in range(first, last + 1)]
 
 
 def tabular_figures(font):
@@ -37,8 +47,9 @@ def tabular_figures(font):
 
 
 def main(folder, output):
-    for style in ("Regular", "SemiBold"):
+    for style, wanted in ((style, wanted) for style in ("Regular", "SemiBold") for wanted in (CHARACTERS, LETTERS)):
         name = f"Inter-{style}.otf"
+        result = name if wanted is CHARACTERS else f"letters-{style.lower()}.otf"
         font = TTFont(Path(folder) / name, recalcTimestamp=False)  # the date of the build is not in it
         tabular_figures(font)
         options = Options()
@@ -47,14 +58,14 @@ def main(folder, output):
         options.hinting = False
         options.name_IDs = [0, 1, 2, 13, 14]
         subsetter = Subsetter(options)
-        subsetter.populate(text="".join(CHARACTERS))
+        subsetter.populate(text="".join(wanted))
         subsetter.subset(font)
         for table in ("GPOS", "GSUB", "GDEF", "STAT", "DSIG", "kern"):
             if table in font:
                 del font[table]
         # At the page's sizes a quarter of Inter's grid is finer than a pixel's shades, and a seventh smaller.
         scale_upem(font, font["head"].unitsPerEm // 4)
-        save_font(font, Path(output) / name, options)
+        save_font(font, Path(output) / result, options)
 
 
 if __name__ == "__main__":

@@ -207,10 +207,11 @@ class Comparison {
     d.near("greatest share", core_.loads->max_share, exact->max_share, 1e-9);
     for (std::size_t k = 0; k < teams.size(); ++k) {
       const evenlift::Team& team = core_.teams[k];
-      const std::array<Point, 2> mine = ends(team.chord), theirs = list.candidates[teams[k]].ends;
+      const std::array<Point, 2> mine = ends(chord_of(team)),
+                                 theirs = list.candidates[teams[k]].ends;
       const bool swapped = distance(mine[0], theirs[0]) > distance(mine[0], theirs[1]);
-      d.near("load of r1", team.loads[0], exact->of_teams[k][swapped], tolerance);
-      d.near("load of r2", team.loads[1], exact->of_teams[k][!swapped], tolerance);
+      d.near("load of r1", team.robots[0].load, exact->of_teams[k][swapped], tolerance);
+      d.near("load of r2", team.robots[1].load, exact->of_teams[k][!swapped], tolerance);
     }
   }
 
@@ -354,7 +355,7 @@ Finding compare_distributed(const Case& c) {
   }
   const double size = size_of(c.problem.vertices);
   for (std::size_t k = 0; k < exact.chords.size(); ++k) {
-    const std::array<Point, 2> mine = ends(placed->teams[k].chord);
+    const std::array<Point, 2> mine = ends(chord_of(placed->teams[k]));
     const double gap = apart(mine, exact.chords[k]) / size * exact.flattest_hit[k];
     ++finding.compared;
     // Within tau of a vertex's direction the core may take the vertex itself.

@@ -91,17 +91,17 @@ class Comparison {
  public:
   Comparison(Placement before, Placement after, const Change& change, bool exact)
       : a_(std::move(before)), b_(std::move(after)), change_(change), exact_(exact) {
-    Vec2 low = a_.vertices.front(), high = low;
-    for (const Vec2& v : a_.vertices) {
+    Vec2 low = a_.vertices().front(), high = low;
+    for (const Vec2& v : a_.vertices()) {
       low = low.cwiseMin(v);
       high = high.cwiseMax(v);
     }
     size_ = change.scale * std::hypot(high.x() - low.x(), high.y() - low.y());
     // Twice the tolerance for each end, as of chords that are merged another may stand for them;
     // and positions are rounded where they are.
-    rounding_ = 1e-12 * size_ + 4 * 0x1p-52 * reach_of(b_.vertices);
+    rounding_ = 1e-12 * size_ + 4 * 0x1p-52 * reach_of(b_.vertices());
     near_ = 4e-9 * size_ + rounding_;
-    area_ = std::fabs(signed_area(b_.vertices));
+    area_ = std::fabs(signed_area(b_.vertices()));
     out_ << std::setprecision(17);
   }
 
@@ -154,8 +154,9 @@ class Comparison {
     number("teams", a_.teams.size(), b_.teams.size());
     if (!same()) return;
     for (std::size_t k = 0; k < a_.teams.size(); ++k) {
-      const bool swapped = chord("team", k, a_.teams[k].chord, b_.teams[k].chord, true);
-      near("load of r1", a_.teams[k].loads[0], b_.teams[k].loads[swapped ? 1 : 0], 1e-7);
+      const bool swapped = chord("team", k, chord_of(a_.teams[k]), chord_of(b_.teams[k]), true);
+      near("load of r1", a_.teams[k].robots[0].load, b_.teams[k].robots[swapped ? 1 : 0].load,
+           1e-7);
     }
     verdicts();
   }
@@ -279,7 +280,7 @@ void for_each_case(Visit visit) {
   for (std::uint64_t number = 0; number < number_of_cases; ++number) {
     const small_polygons::Case c = small_polygons::make_case(number);
     Document d = document(c);
-    d.settings.method = all_methods[number / 9 % std::size(all_methods)];
+    d.settings.method = pair_methods[number / 9 % std::size(pair_methods)];
     d.settings.seed = number;
     visit(d, number);
   }
@@ -351,7 +352,9 @@ TEST_CASE("the order in which vertices are listed changes nothing", "[invariance
           bits << "candidate " << i << " ";
       }
       for (std::size_t k = 0; comparison.same() && k < before.teams.size(); ++k) {
-        if (before.teams[k].loads != after.teams[k].loads) bits << "loads of team " << k << " ";
+        for (std::size_t end = 0; end < 2; ++end)
+          if (before.teams[k].robots[end].load != after.teams[k].robots[end].load)
+            bits << "loads of team " << k << " ";
       }
       // Where two edges end at a point that is equally far along a ray, either may give its
       // position.
@@ -401,7 +404,7 @@ bool same_direction(const Vec2& a, const Vec2& b) {
 bool is_one_sided(const Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
   double size = 0;
-  for (const Vec2& v : placement.vertices) size = std::max(size, (v - centre).norm());
+  for (const Vec2& v : placement.vertices()) size = std::max(size, (v - centre).norm());
   std::vector<Vec2> points;
   for (const Candidate& candidate : placement.candidates) {
     points.push_back(candidate.chord.r1.position - centre);
@@ -409,7 +412,7 @@ bool is_one_sided(const Placement& placement) {
   }
   const std::size_t ends = points.size();
   if (placement.settings.method == Method::distance)
-    for (const Vec2& v : placement.vertices) points.push_back(v - centre);
+    for (const Vec2& v : placement.vertices()) points.push_back(v - centre);
   for (std::size_t i = 0; i < ends; ++i) {
     for (std::size_t j = i + 1; j < points.size(); ++j) {
       if (same_direction(points[i], points[j]) && (points[i] - points[j]).norm() > 1e-9 * size)
@@ -421,7 +424,7 @@ bool is_one_sided(const Placement& placement) {
 
 // What remains of the candidates after the keys for a further team; the order has not been asked.
 std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t teams) {
-  const auto polygon = Polygon::create(placement.vertices);
+  const auto polygon = Polygon::create(placement.vertices());
   std::vector<std::uint32_t> selected;
   std::vector<char> taken(placement.candidates.size());
   for (std::size_t k = 0; k < teams; ++k) {
@@ -491,7 +494,7 @@ void turn_or_mirror(const Change& change, const char* what) {
   int same_teams = 0, compared = 0;
   for_each_case([&](Document d, std::uint64_t number) {
     if (d.settings.method == Method::distributed || (d.settings.method == Method::random))
-      d.settings.method = all_methods[number % 3];
+      d.settings.method = pair_methods[number % 3];
     const Document after_document = changed(d, change);
     const Placement before = placed(d), after = placed(after_document);
     Comparison comparison(before, after, change, false);

@@ -11,6 +11,7 @@
 #include "evenlift/random.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/metrics.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -19,7 +20,7 @@ using one_shape::Motion;
 
 namespace {
 
-constexpr Method metrics[] = {Method::area, Method::circle, Method::distance};
+const std::vector<Method> metrics = testing::metrics();
 constexpr std::uint32_t most_teams = 6;
 
 int failures = 0;
@@ -77,7 +78,8 @@ TEST_CASE("generated polygons of every family have one answer, however they lie"
     const small_polygons::Case c = small_polygons::make_plain_case(number);
     Document document = testing::document_of(c.problem);
     if (!one_shape::is_clear_of_refusal(document)) continue;
-    document.settings.method = metrics[number / std::size(small_polygons::families) % 3];
+    document.settings.method =
+        metrics[number / std::size(small_polygons::families) % metrics.size()];
     expect_one_answer(document, one_shape::any_motion(document, rng),
                       c.name + " " + std::to_string(number));
     ++compared;

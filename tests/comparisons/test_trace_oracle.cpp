@@ -210,7 +210,7 @@ TEST_CASE("after the contacts of so many robots the regions are the oracle's", "
     const auto shape = oracle::exact_shape(c.problem);
     std::vector<oracle::RealVec> points;
     for (std::uint32_t robot = 0; robot < 2 * trace->placement.teams.size(); ++robot) {
-      const Chord& chord = trace->placement.teams[robot / 2].chord;
+      const Chord chord = chord_of(trace->placement.teams[robot / 2]);
       const Vec2& p = robot % 2 == 0 ? chord.r1.position : chord.r2.position;
       points.push_back(oracle::real(exact(p) - exact(trace->centre)));
       const oracle::Closure closure = oracle::immobilization(*shape, points);

@@ -5,16 +5,12 @@
 #include "evenlift/generate.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/placed.h"
 
 using namespace evenlift;
+using evenlift::testing::placed;
 
 namespace {
-
-Placement placed(const Document& document) {
-  const Result<Placement> placement = place(document);
-  REQUIRE(placement.ok());
-  return *placement;
-}
 
 Document distributed_square() {
   Document square;
@@ -43,7 +39,7 @@ TEST_CASE("robots needed for a capacity are the fewest that stay within it, by e
           "[capacity]") {
   int possible = 0;
   for (const char* name : {"puzzle-piece", "thesis-sample", "kidney-table", "horseshoe", "comb"}) {
-    for (const Method method : all_methods) {
+    for (const Method method : pair_methods) {
       for (const double capacity : {60.0, 26.0, 12.5, 7.0, 5.0}) {
         Document document = corpus::polygon(name);
         document.settings.method = method;
@@ -60,7 +56,7 @@ TEST_CASE("robots needed for a capacity are the fewest that stay within it, by e
 }
 
 TEST_CASE("a plan is the least number of teams also where hundreds are needed", "[capacity]") {
-  for (const Method method : all_methods) {
+  for (const Method method : pair_methods) {
     Document document;
     document.vertices = *generate(Family::comb, 300, 1);
     document.settings.method = method;
@@ -79,7 +75,7 @@ TEST_CASE("a plan is the least number of teams also where hundreds are needed", 
 }
 
 TEST_CASE("a plan does not depend on how many teams are placed", "[capacity]") {
-  for (const Method method : all_methods) {
+  for (const Method method : pair_methods) {
     Document document = corpus::polygon("kidney-table");
     document.settings.method = method;
     document.settings.teams = 1;
@@ -119,6 +115,6 @@ TEST_CASE("robots that carry more than the capacity are told by number", "[capac
   CHECK(overloaded_robots(placement, most).empty());
   const std::vector<std::size_t> over = overloaded_robots(placement, std::nextafter(most, 0));
   REQUIRE(over.size() == 1);
-  CHECK(placement.teams[over[0] / 2].loads[over[0] % 2] == most);
+  CHECK(placement.teams[over[0] / 2].robots[over[0] % 2].load == most);
   CHECK(overloaded_robots(placement, 1e-9).size() == 2 * placement.teams.size());
 }

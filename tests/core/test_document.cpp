@@ -10,6 +10,20 @@ TEST_CASE("every metric has a name, and only these", "[document]") {
   }
   CHECK(name(Method::area) == "area");
   CHECK(name(Method::distributed) == "distributed");
-  CHECK(name(static_cast<Method>(5)).empty());
+  CHECK(name(static_cast<Method>(6)).empty());
+  CHECK(name(Method::balanced) == "balanced");
   for (const char* other : {"", "Area", "area ", "are", "max"}) CHECK(!method_from_name(other));
+}
+
+TEST_CASE("balanced robots hold unless they are told otherwise or are too few", "[document]") {
+  Settings settings;
+  CHECK(goal_of(settings) == Goal::cover);
+  settings.method = Method::balanced;
+  CHECK(goal_of(settings) == Goal::hold);
+  settings.robots = 3;
+  CHECK(goal_of(settings) == Goal::cover);
+  settings.goal = Goal::hold;
+  CHECK(goal_of(settings) == Goal::hold);
+  for (const Goal goal : {Goal::cover, Goal::hold}) CHECK(goal_from_name(name(goal)) == goal);
+  CHECK_FALSE(goal_from_name("win"));
 }

@@ -31,7 +31,8 @@ Placement placed(Document document, Method method, std::uint32_t teams, std::uin
 std::vector<LiftingPoint> lifting_points(const Placement& placement) {
   std::vector<LiftingPoint> points;
   for (const Team& team : placement.teams)
-    for (const LiftingPoint& point : {team.chord.r1, team.chord.r2}) points.push_back(point);
+    for (const LiftingPoint& point : {team.robots[0].point, team.robots[1].point})
+      points.push_back(point);
   return points;
 }
 
@@ -48,7 +49,7 @@ experiment::Part some_part() {
   part.fingerprint = experiment::fingerprint(document, part.settings);
   const experiment::Subject subject = subject_of(document, part.settings.min_ratio);
   part.result = experiment::describe("a set", "a name, with \"quotes\"\nand two lines", subject);
-  for (const Method method : all_methods)
+  for (const Method method : pair_methods)
     for (const experiment::Measurement& m : experiment::measure(subject, method, part.settings))
       part.result.measurements.push_back(m);
   part.times = {{"candidates", 0.1}, {"area", 1e-7}};
@@ -147,7 +148,7 @@ TEST_CASE("closure alone is decided as with all that is said of it", "[experimen
 
 TEST_CASE("a limit on teams measures the same, only less", "[experiment]") {
   const experiment::Subject subject = subject_of(corpus::polygon("comb"));
-  for (const Method method : all_methods) {
+  for (const Method method : pair_methods) {
     const std::vector<experiment::Measurement> all = experiment::measure(subject, method,
                                                                          {.samples = 2}),
                                                few = experiment::measure(
@@ -164,7 +165,7 @@ TEST_CASE("a polygon of any size has the same measures", "[experiment]") {
   const double scale = 0x1p-38;
   for (Vec2& v : tiny.vertices) v *= scale;
   *tiny.centre_of_mass *= scale;
-  for (const Method method : all_methods)
+  for (const Method method : pair_methods)
     CHECK(experiment::measure(subject_of(tiny), method, {.samples = 2}).size() ==
           experiment::measure(subject_of(document), method, {.samples = 2}).size());
 }

@@ -269,7 +269,7 @@ TEST_CASE("the example in docs/lessons.md is a lesson", "[lesson]") {
   CHECK(lesson.steps.back().words ==
         "Lines of one paragraph are joined when they are shown, wherever you break them.\n"
         "An empty line begins a new paragraph.");
-  CHECK(is_even(trace.placement.teams[0].chord));
+  CHECK(is_even(chord_of(trace.placement.teams[0])));
 }
 
 // What the lessons say of their polygons, in numbers.
@@ -288,8 +288,8 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
     CHECK(t.placement.candidates.size() == 9);
     CHECK(std::count_if(t.placement.candidates.begin(), t.placement.candidates.end(),
                         [](const Candidate& c) { return is_even(c.chord); }) == 5);
-    CHECK(std::fabs(t.placement.teams[1].chord.ratio - 0.895) < 5e-4);
-    CHECK(is_even(t.placement.teams[0].chord));
+    CHECK(std::fabs(t.placement.teams[1].ratio - 0.895) < 5e-4);
+    CHECK(is_even(chord_of(t.placement.teams[0])));
     CHECK(t.placement.loads->spread < 2);
   }
   {
@@ -336,7 +336,7 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
     CHECK(std::fabs(ratio_of_vertex(trace("convex"), 2) - 0.970) < 5e-4);
     CHECK(std::fabs(t.placement.coverage - 0.49) < 0.005);
     CHECK(look_at_pair(t, 0).outcome == Outcome::too_uneven);
-    Document easier{t.placement.vertices, t.centre, t.placement.settings};
+    Document easier{t.placement.vertices(), t.centre, t.placement.settings};
     easier.settings.min_ratio = 0.7;
     const Result<Placement> placed = place(easier);
     REQUIRE(placed.ok());

@@ -23,8 +23,8 @@ Chord chord(double arm1, double arm2) {
 TEST_CASE("the robot nearer to the centre of mass bears more, by the lever", "[loads]") {
   const std::vector<Team> teams = distribute_weight({chord(1, 3)}, 100);
   REQUIRE(teams.size() == 1);
-  CHECK(teams[0].loads[0] == 75);
-  CHECK(teams[0].loads[1] == 25);
+  CHECK(teams[0].robots[0].load == 75);
+  CHECK(teams[0].robots[1].load == 25);
   const auto summary = summarize_loads(teams);
   REQUIRE(summary);
   CHECK(summary->min == 25);
@@ -38,10 +38,11 @@ TEST_CASE("teams share the weight equally, whatever their chords", "[loads]") {
   const std::vector<Team> teams =
       distribute_weight({chord(1, 3), chord(2, 2), chord(5, 0.5), chord(4, 1)}, 440);
   REQUIRE(teams.size() == 4);
-  for (const Team& team : teams) CHECK(team.loads[0] + team.loads[1] == Approx(110).epsilon(1e-15));
-  CHECK(teams[1].loads[0] == 55);
-  CHECK(teams[2].loads[0] == Approx(10).epsilon(1e-15));
-  CHECK(teams[2].loads[1] == Approx(100).epsilon(1e-15));
+  for (const Team& team : teams)
+    CHECK(team.robots[0].load + team.robots[1].load == Approx(110).epsilon(1e-15));
+  CHECK(teams[1].robots[0].load == 55);
+  CHECK(teams[2].robots[0].load == Approx(10).epsilon(1e-15));
+  CHECK(teams[2].robots[1].load == Approx(100).epsilon(1e-15));
   const auto summary = summarize_loads(teams);
   REQUIRE(summary);
   CHECK(summary->min == Approx(10).epsilon(1e-15));
@@ -73,13 +74,13 @@ TEST_CASE("loads balance about the centre of mass and add up to the weight", "[l
     const std::vector<Team> teams = distribute_weight(chords, weight);
     double sum = 0;
     for (const Team& team : teams) {
-      const double torque = team.loads[0] * team.chord.arm1 - team.loads[1] * team.chord.arm2;
-      RC_ASSERT(std::fabs(torque) <= 1e-14 * team.loads[0] * team.chord.arm1);
+      const Robot &r1 = team.robots[0], &r2 = team.robots[1];
+      const double torque = r1.load * r1.arm - r2.load * r2.arm;
+      RC_ASSERT(std::fabs(torque) <= 1e-14 * r1.load * r1.arm);
       // The ratio of a team's loads is its load ratio.
-      const double ratio =
-          std::min(team.loads[0], team.loads[1]) / std::max(team.loads[0], team.loads[1]);
-      RC_ASSERT(std::fabs(ratio - team.chord.ratio) <= 1e-14);
-      sum += team.loads[0] + team.loads[1];
+      const double ratio = std::min(r1.load, r2.load) / std::max(r1.load, r2.load);
+      RC_ASSERT(std::fabs(ratio - team.ratio) <= 1e-14);
+      sum += r1.load + r2.load;
     }
     RC_ASSERT(std::fabs(sum - weight) <= 1e-12 * weight);
   });

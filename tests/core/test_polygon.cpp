@@ -130,7 +130,7 @@ TEST_CASE("whatever of the thinnest polygons can be placed has finite results", 
     Document document;
     document.vertices = {{-1, -width}, {1, -width * rng.uniform()}, {1, width}, {-1, width}};
     document.centre_of_mass = Vec2(rng.uniform() - 0.5, 0);
-    document.settings.method = all_methods[static_cast<std::size_t>(i) % std::size(all_methods)];
+    document.settings.method = pair_methods[static_cast<std::size_t>(i) % std::size(pair_methods)];
     document.settings.min_ratio = 0;
     const Result<Placement> placement = place(document);
     if (!placement) continue;
@@ -138,7 +138,7 @@ TEST_CASE("whatever of the thinnest polygons can be placed has finite results", 
     INFO("half width " << width << ", " << name(document.settings.method));
     CHECK((placement->coverage >= 0 && placement->coverage <= 1));
     for (const Team& team : placement->teams)
-      for (const double load : team.loads) CHECK((load > 0 && load < 100));
+      for (const Robot& robot : team.robots) CHECK((robot.load > 0 && robot.load < 100));
     if (placement->closure.margin) CHECK(std::isfinite(*placement->closure.margin));
   }
   CHECK(placed > 500);

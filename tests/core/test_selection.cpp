@@ -12,6 +12,7 @@
 #include "evenlift/placement.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/metrics.h"
 #include "shapes/small_polygons.h"
 
 using namespace evenlift;
@@ -44,7 +45,7 @@ Shape small_shape(std::uint64_t number) {
   return shape(std::move(vertices), centre, c.problem.min_ratio);
 }
 
-constexpr Method greedy_metrics[] = {Method::area, Method::circle, Method::distance};
+const std::vector<Method> metrics = testing::metrics();
 constexpr double tie = 1e-9;
 
 // The rule word for word: all scores, then the keys one after another.
@@ -98,7 +99,7 @@ TEST_CASE("lazy selection takes what comparing all scores takes", "[selection]")
     none_even += !s.candidates.empty() &&
                  std::all_of(s.candidates.begin(), s.candidates.end(),
                              [](const Candidate& c) { return c.chord.ratio < 1 - tie; });
-    const Method method = greedy_metrics[number / 9 % 3];
+    const Method method = metrics[number / 9 % metrics.size()];
     const std::size_t teams = std::min<std::size_t>(s.candidates.size(), 12);
     const auto lazy = select_teams(s.polygon, s.centre, s.candidates, method, teams);
     const auto expected = greedy(s, method, teams);
@@ -116,7 +117,7 @@ TEST_CASE("lazy selection takes all candidates of larger polygons in the right o
           "[selection]") {
   for (const char* file : {"puzzle-piece", "gear", "letter-e", "star", "spanner-moved"}) {
     const Document d = corpus::polygon(file);
-    for (const Method method : greedy_metrics) {
+    for (const Method method : metrics) {
       const Shape s = shape(d.vertices, d.centre_of_mass, 0.8);
       const std::size_t teams = std::min<std::size_t>(s.candidates.size(), 60);
       INFO(file << ", " << name(method) << ", " << teams << " teams");
@@ -130,7 +131,7 @@ TEST_CASE("a team more leaves the teams before it as they were", "[selection]") 
   std::size_t compared = 0;
   for (std::uint64_t number = 0; number < 1200; ++number) {
     const Shape s = small_shape(number);
-    const Method method = greedy_metrics[number % 3];
+    const Method method = metrics[number % metrics.size()];
     const auto all = select_teams(s.polygon, s.centre, s.candidates, method, s.candidates.size());
     CHECK(all.size() == s.candidates.size());
     for (std::size_t teams = 1; teams < std::min<std::size_t>(all.size(), 9); ++teams) {
@@ -224,7 +225,7 @@ TEST_CASE("the first team is the longest even one, though a longer chord is unev
   }
   REQUIRE(shorter_even >= 2);
   REQUIRE(longer_uneven >= 2);
-  for (const Method method : greedy_metrics) {
+  for (const Method method : metrics) {
     const auto first = select_teams(s.polygon, s.centre, s.candidates, method, 1);
     REQUIRE(first.size() == 1);
     CHECK(runs_between(s.candidates[first[0]].chord, {0, 3}, {6, 0}));
@@ -243,7 +244,7 @@ TEST_CASE("with no even candidate the first team is the most even, though anothe
     less_even_and_longer += c.chord.ratio < best - 0.1 && c.length > 5;
   }
   REQUIRE(less_even_and_longer >= 1);
-  for (const Method method : greedy_metrics) {
+  for (const Method method : metrics) {
     const auto first = select_teams(s.polygon, s.centre, s.candidates, method, 1);
     REQUIRE(first.size() == 1);
     CHECK(s.candidates[first[0]].chord.ratio == Approx(best).epsilon(1e-13));
@@ -355,7 +356,7 @@ TEST_CASE("fewer teams are the first of more, also where thousands of candidates
   const Points comb = *generate(Family::comb, 120, 1);
   for (const double min_ratio : {0.0, 0.8}) {
     const Shape s = shape(comb, std::nullopt, min_ratio);
-    for (const Method method : greedy_metrics) {
+    for (const Method method : metrics) {
       const auto all = select_teams(s.polygon, s.centre, s.candidates, method, s.candidates.size());
       REQUIRE(all.size() == s.candidates.size());
       REQUIRE(all.size() > 500);

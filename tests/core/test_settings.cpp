@@ -14,9 +14,11 @@ using namespace evenlift;
 
 namespace {
 
-constexpr Setting all_settings[] = {Setting::teams,    Setting::method, Setting::min_ratio,
-                                    Setting::com,      Setting::weight, Setting::seed,
-                                    Setting::overlays, Setting::step,   Setting::capacity};
+constexpr Setting all_settings[] = {
+    Setting::teams,    Setting::method,  Setting::min_ratio,  Setting::com,
+    Setting::weight,   Setting::seed,    Setting::overlays,   Setting::step,
+    Setting::capacity, Setting::robots,  Setting::goal,       Setting::min_margin,
+    Setting::apart,    Setting::survive, Setting::com_radius, Setting::loads};
 
 struct Text {
   Setting setting;
@@ -48,6 +50,17 @@ constexpr Text good[] = {
     {Setting::overlays, "tipping,candidates"},
     {Setting::step, "none"},
     {Setting::step, "4294967295"},
+    {Setting::method, "balanced"},
+    {Setting::robots, "2"},
+    {Setting::robots, "64"},
+    {Setting::goal, "cover"},
+    {Setting::goal, "hold"},
+    {Setting::min_margin, "0"},
+    {Setting::min_margin, "1"},
+    {Setting::apart, "0"},
+    {Setting::apart, "1e6"},
+    {Setting::survive, "0"},
+    {Setting::survive, "30"},
 };
 
 constexpr Text bad[] = {
@@ -107,7 +120,20 @@ constexpr Text bad[] = {
     {Setting::step, ""},
     {Setting::step, "-1"},
     {Setting::step, "4294967296"},
-    {Setting::capacity, "5"},  // not the document's
+    {Setting::robots, "1"},
+    {Setting::robots, "65"},
+    {Setting::robots, "max"},
+    {Setting::goal, "Hold"},
+    {Setting::goal, ""},
+    {Setting::min_margin, "-0.1"},
+    {Setting::min_margin, "1.1"},
+    {Setting::apart, "-1"},
+    {Setting::apart, "inf"},
+    {Setting::survive, "31"},
+    {Setting::survive, "-1"},
+    {Setting::capacity, "5"},    // not the document's
+    {Setting::com_radius, "5"},  // nor these
+    {Setting::loads, "plan"},
 };
 
 bool same(const Document& a, const Document& b) {
@@ -126,6 +152,7 @@ Document unusual() {
   document.settings.seed = 99;
   document.settings.overlays = {true, false, true, false, true, true};
   document.settings.step = 4;
+  document.settings.survive = 1;
   return document;
 }
 
@@ -211,10 +238,22 @@ TEST_CASE("a capacity is a finite number above 0", "[settings][capacity]") {
     CHECK_FALSE(read_capacity(text));
 }
 
+TEST_CASE("a radius of doubt is a finite number from 0", "[settings]") {
+  CHECK(read_com_radius("0") == 0);
+  CHECK(read_com_radius("12.5") == 12.5);
+  for (const char* text : {"", "-1", "-1e-9", "nan", "inf", "1e999", "0x10", " 3", "none"})
+    CHECK_FALSE(read_com_radius(text));
+}
+
 TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[settings][view]") {
   const auto script = [](const Text& given) {
+    // Only balanced robots have a goal, and two of them survive no failure.
+    const bool of_balanced = given.setting > Setting::capacity;
+    std::string method;
+    if (of_balanced) method = "metric=balanced\n";
+    if (of_balanced) method += given.setting == Setting::survive ? "robots=64\n" : "survive=0\n";
     return view::with_settings({unusual(), std::nullopt},
-                               std::string(name(given.setting)) + "=" + given.text);
+                               method + std::string(name(given.setting)) + "=" + given.text);
   };
   for (const Text& given : good) {
     INFO(name(given.setting) << "=" << given.text);
@@ -280,9 +319,16 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
   };
   check([](Settings& s) { s.teams = 0; }, Setting::teams);
   check([](Settings& s) { s.teams = max_teams + 1; }, Setting::teams);
-  check([](Settings& s) { s.method = static_cast<Method>(5); }, Setting::method);
+  check([](Settings& s) { s.method = static_cast<Method>(6); }, Setting::method);
   for (const double ratio : {-0.1, 1.1, infinity, std::nan("")})
     check([&](Settings& s) { s.min_ratio = ratio; }, Setting::min_ratio);
   for (const double weight : {0.0, -1.0, infinity, std::nan("")})
     check([&](Settings& s) { s.weight = weight; }, Setting::weight);
+  for (const std::uint32_t robots : {0u, 1u, 65u})
+    check([&](Settings& s) { s.robots = robots; }, Setting::robots);
+  for (const double margin : {-0.1, 1.1, infinity, std::nan("")})
+    check([&](Settings& s) { s.min_margin = margin; }, Setting::min_margin);
+  for (const double apart : {-1.0, infinity, std::nan("")})
+    check([&](Settings& s) { s.apart = apart; }, Setting::apart);
+  check([](Settings& s) { s.survive = 31; }, Setting::survive);
 }

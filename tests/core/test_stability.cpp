@@ -60,8 +60,7 @@ TEST_CASE("coverage agrees with a sum over horizontal slabs", "[stability]") {
         const double s = static_cast<double>(engine() % 1025) / 1024;
         chosen.push_back((1 - s) * p.edge_start(edge) + s * p.edge_end(edge));
       }
-      Placement placement;
-      placement.vertices = p.vertices();
+      Placement placement(p);
       placement.lifting_base = convex_hull(chosen, 1e-9 * p.diagonal());
       const double given = coverage(p, placement.lifting_base);
       const double slabs = check::Checker(placement).coverage_by_slabs();

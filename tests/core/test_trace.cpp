@@ -15,6 +15,7 @@
 #include "evenlift/why_not.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/metrics.h"
 
 using namespace evenlift;
 
@@ -116,7 +117,7 @@ std::vector<std::uint32_t> some_steps(const Trace& trace, std::uint32_t most) {
 
 TEST_CASE("the trace ends in the state that place reports", "[trace]") {
   for (const std::string& name : corpus::polygon_names()) {
-    for (const Method method : all_methods) {
+    for (const Method method : pair_methods) {
       INFO(name << ' ' << evenlift::name(method));
       const Placement placement = placed(corpus::polygon(name), method);
       const Trace trace = traced(placement);
@@ -179,7 +180,7 @@ TEST_CASE("every source with a candidate leads to the one that stands for it", "
 
 TEST_CASE("every step is found again from its kind and item", "[trace]") {
   for (const std::string& name : corpus::polygon_names()) {
-    for (const Method method : all_methods) {
+    for (const Method method : pair_methods) {
       const Trace trace = traced(placed(corpus::polygon(name), method));
       INFO(name << ' ' << evenlift::name(method));
       std::uint32_t steps = 0;
@@ -206,7 +207,7 @@ TEST_CASE("every step is found again from its kind and item", "[trace]") {
 TEST_CASE("what is known at a step does not depend on the way to it", "[trace]") {
   for (const char* name :
        {"thesis-sample-centroid", "square", "horseshoe", "thesis-sample", "u-channel"}) {
-    for (const Method method : all_methods) {
+    for (const Method method : pair_methods) {
       INFO(name << ' ' << evenlift::name(method));
       const Trace trace = traced(placed(corpus::polygon(name), method, 4));
       for (std::uint32_t k = 0; k < trace.size(); ++k)
@@ -231,7 +232,7 @@ TEST_CASE("what is known at a step does not depend on the way to it", "[trace]")
 
 TEST_CASE("every caption, formula and name of every sample is complete", "[trace][words]") {
   for (const std::string& name : corpus::polygon_names()) {
-    for (const Method method : all_methods) {
+    for (const Method method : pair_methods) {
       const Trace trace = traced(placed(corpus::polygon(name), method));
       INFO(name << ' ' << evenlift::name(method));
       const std::vector<std::string_view> code = pseudo_code(method);
@@ -281,7 +282,7 @@ TEST_CASE("where there is little or nothing to show the lesson says so", "[trace
     Result<Document> document = read_polygon(hard.text);
     REQUIRE(document.ok());
     document->settings.min_ratio = hard.min_ratio;
-    for (const Method method : all_methods) {
+    for (const Method method : pair_methods) {
       INFO(hard.text << evenlift::name(method));
       const Trace trace = traced(placed(*document, method, 4));
       if (trace.by_candidates()) CHECK(trace.count(hard.has) == 1);
@@ -350,7 +351,7 @@ TEST_CASE("a choice is asked with the answer that the algorithm gives", "[trace]
 
 TEST_CASE("shapes of a gain add up to its score", "[trace]") {
   for (const char* name : {"thesis-sample-centroid", "horseshoe", "stone-slab", "letter-e"}) {
-    for (const Method method : {Method::area, Method::circle, Method::distance}) {
+    for (const Method method : testing::metrics()) {
       INFO(name << ' ' << evenlift::name(method));
       const Trace trace = traced(placed(corpus::polygon(name), method));
       const double size = trace.polygon.diagonal();
@@ -372,7 +373,7 @@ TEST_CASE("shapes of a gain add up to its score", "[trace]") {
 }
 
 TEST_CASE("the scores of the trace are those of the selection", "[trace]") {
-  for (const Method method : {Method::area, Method::circle, Method::distance}) {
+  for (const Method method : testing::metrics()) {
     const Placement placement = placed(corpus::polygon("letter-s"), method, 5);
     const Trace trace = traced(placement);
     std::vector<std::uint32_t> taken;
@@ -414,7 +415,7 @@ TEST_CASE("where candidates are many, only those that compete are scored exactly
 TEST_CASE("why not this one has an answer for every candidate and chord", "[trace][words]") {
   for (const char* name :
        {"thesis-sample-centroid", "thesis-sample", "square", "horseshoe", "u-channel", "cross"}) {
-    for (const Method method : all_methods) {
+    for (const Method method : pair_methods) {
       INFO(name << ' ' << evenlift::name(method));
       const Placement placement = placed(corpus::polygon(name), method);
       const Trace trace = traced(placement);
@@ -495,7 +496,7 @@ TEST_CASE("what nobody could watch is refused with a sentence", "[trace]") {
 
 TEST_CASE("objects of every size have readable numbers", "[trace][words]") {
   for (const double size : {1e-11, 1e-9, 1e-3, 1.0, 1e5}) {
-    for (const Method method : all_methods) {
+    for (const Method method : pair_methods) {
       Document document = corpus::polygon("stone-slab");
       for (Vec2& v : document.vertices) v = v * size;
       document.settings.weight = 1 / size;

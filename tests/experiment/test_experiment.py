@@ -180,7 +180,7 @@ class Runs(Case):
                  '--shard: expected I/N, with I from 1 to N and N up to 100000, not "3/2"'),
                 ([self.folder / "nowhere", "--out", out], f"{self.folder}/nowhere: no such file or directory"),
                 ([self.folder / "empty", "--out", out],
-                 f"{self.folder}/empty: no polygon in this folder: no file that ends in .txt, .wkt, .json or .geojson"),
+                 f"{self.folder}/empty: no polygon in this folder: no file that ends in .txt, .wkt, .json, .geojson, .svg or .dxf"),
                 ([self.inputs / "star.txt", self.folder / "other" / "star.txt", "--out", out],
                  f"{self.inputs}/star.txt: would have the same name, star, as {self.folder}/other/star.txt; "
                  "rename one, or give a folder that holds both"),
@@ -209,9 +209,11 @@ class Runs(Case):
         (deep / "notes.md").write_text("not looked at\n")
         (self.inputs / "a.wkt").write_text("POLYGON ((0 0, 4 0, 4 3, 0 0))\n")
         (self.inputs / "b.geojson").write_text('{"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,3],[0,0]]]}\n')
+        (self.inputs / "c.svg").write_text('<svg><rect width="4" height="3"/></svg>\n')
+        (self.inputs / "table.csv").write_text("not looked at, since results are .csv\n")
         self.experiment("out")
         names = [row["polygon"] for row in results.table(self.folder / "out", "polygons.csv")]
-        self.assertEqual(names, sorted([name for name in SOME if name != "star"] + ["a", "b", 'deep, "er"/2/star']))
+        self.assertEqual(names, sorted([name for name in SOME if name != "star"] + ["a", "b", "c", 'deep, "er"/2/star']))
 
     def test_times_are_in_a_file_of_their_own(self):
         self.experiment("out")

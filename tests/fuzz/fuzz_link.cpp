@@ -26,8 +26,9 @@ void check(const std::string& text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   check(std::string(fuzz::text_of(data, size)));
-  std::string payload = "1.";
-  for (std::size_t i = 0; i < size; ++i) payload += testing::link_characters[data[i] & 63];
-  check(testing::with_checksum(payload));
+  for (std::string payload : {"1.", "2."}) {
+    for (std::size_t i = 0; i < size; ++i) payload += testing::link_characters[data[i] & 63];
+    check(testing::with_checksum(payload));
+  }
   return 0;
 }

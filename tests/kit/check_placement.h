@@ -18,9 +18,9 @@ namespace evenlift::check {
 class Checker {
  public:
   explicit Checker(const Placement& placement) : p_(placement), c_(placement.centre_of_mass) {
-    Vec2 low = p_.vertices.front(), high = low;
+    Vec2 low = p_.vertices().front(), high = low;
     double reach = 0;
-    for (const Vec2& v : p_.vertices) {
+    for (const Vec2& v : p_.vertices()) {
       low = low.cwiseMin(v);
       high = high.cwiseMax(v);
       reach = std::max(reach, v.cwiseAbs().maxCoeff());
@@ -51,7 +51,7 @@ class Checker {
   double coverage_by_slabs() const {
     if (p_.lifting_base.size() < 3) return 0;
     std::vector<double> ys;
-    for (const Vec2& q : p_.vertices) ys.push_back(q.y() - c_.y());
+    for (const Vec2& q : p_.vertices()) ys.push_back(q.y() - c_.y());
     for (const Vec2& q : p_.lifting_base) ys.push_back(q.y() - c_.y());
     for (std::size_t i = 0; i < n(); ++i) {
       for (std::size_t k = 0; k < p_.lifting_base.size(); ++k) {
@@ -81,8 +81,8 @@ class Checker {
     return norm(q - a - s * d);
   }
 
-  std::size_t n() const { return p_.vertices.size(); }
-  const Vec2& v(std::size_t i) const { return p_.vertices[i % n()]; }
+  std::size_t n() const { return p_.vertices().size(); }
+  const Vec2& v(std::size_t i) const { return p_.vertices()[i % n()]; }
   const Vec2& h(std::size_t i) const { return p_.lifting_base[i % p_.lifting_base.size()]; }
 
   template <class... Parts>
@@ -127,7 +127,7 @@ class Checker {
   }
 
   bool at_vertex(const Vec2& q) const {
-    return std::any_of(p_.vertices.begin(), p_.vertices.end(),
+    return std::any_of(p_.vertices().begin(), p_.vertices().end(),
                        [&](const Vec2& w) { return norm(w - q) <= rounding_; });
   }
 
@@ -196,15 +196,15 @@ class Checker {
     std::vector<char> taken(p_.candidates.size());
     for (std::size_t k = 0; k < placed; ++k) {
       const std::string name = "team " + std::to_string(k);
-      check_chord(p_.teams[k].chord, name);
+      check_chord(chord_of(p_.teams[k]), name);
       if (!selects_candidates()) continue;
       const std::uint32_t i = p_.team_candidates[k];
       expect(i < taken.size(), name, " took no candidate");
       if (i >= taken.size()) continue;
       expect(!taken[i]++, name, " took candidate ", i, " again");
       const Chord& chord = p_.candidates[i].chord;
-      expect(chord.r1.position == p_.teams[k].chord.r1.position &&
-                 chord.r2.position == p_.teams[k].chord.r2.position,
+      expect(chord.r1.position == chord_of(p_.teams[k]).r1.position &&
+                 chord.r2.position == chord_of(p_.teams[k]).r2.position,
              name, " is elsewhere than its candidate");
     }
     if (selects_candidates() && placed > 0) check_first_team();
@@ -233,10 +233,11 @@ class Checker {
     const double weight = p_.settings.weight, part = weight / static_cast<double>(p_.teams.size());
     double total = 0, least = weight, most = 0, share = 0;
     for (const Team& team : p_.teams) {
-      const double l1 = team.loads[0], l2 = team.loads[1];
+      const double l1 = team.robots[0].load, l2 = team.robots[1].load;
       expect(std::fabs(l1 + l2 - part) <= 1e-12 * part, "a team bears ", l1 + l2, " of ", part);
-      const double torque = l1 * team.chord.arm1 - l2 * team.chord.arm2;
-      expect(std::fabs(torque) <= 1e-12 * l1 * team.chord.arm1, "a team's loads turn the object");
+      const double torque = l1 * team.robots[0].arm - l2 * team.robots[1].arm;
+      expect(std::fabs(torque) <= 1e-12 * l1 * team.robots[0].arm,
+             "a team's loads turn the object");
       total += l1 + l2;
       least = std::min({least, l1, l2});
       most = std::max({most, l1, l2});
@@ -262,7 +263,7 @@ class Checker {
     for (const Vec2& corner : p_.lifting_base) {
       bool found = false;
       for (const Team& team : p_.teams)
-        found = found || team.chord.r1.position == corner || team.chord.r2.position == corner;
+        for (const Robot& robot : team.robots) found = found || robot.point.position == corner;
       expect(found, "a corner of the hull is no lifting point");
     }
     for (std::size_t i = 0; i < corners; ++i) {
@@ -270,7 +271,8 @@ class Checker {
       if (corners >= 3)
         expect(cross_(edge, h(i + 2) - h(i + 1)) > -1e-14 * size_ * size_, "the hull has a dent");
       for (const Team& team : p_.teams) {
-        for (const Vec2& q : {team.chord.r1.position, team.chord.r2.position}) {
+        for (const Robot& robot : team.robots) {
+          const Vec2& q = robot.point.position;
           const double beyond =
               corners == 2 ? to_segment(q, h(0), h(1)) : -cross_(edge, q - h(i)) / norm(edge);
           // A segment stands for points within tolerance of one line, to both sides of it.
@@ -326,7 +328,8 @@ class Checker {
       touches.push_back({q, orientation_ * Vec2(-d.y(), d.x()) / norm(d)});
     };
     for (const Team& team : p_.teams) {
-      for (const LiftingPoint* r : {&team.chord.r1, &team.chord.r2}) {
+      for (const Robot& robot : team.robots) {
+        const LiftingPoint* r = &robot.point;
         std::size_t corner = n();
         for (std::size_t i = 0; i < n(); ++i)
           if (norm(v(i) - r->position) <= near_) corner = i;
@@ -430,7 +433,7 @@ class Checker {
   void check_margin(const std::vector<Touch>& all) {
     using Wrench = std::array<double, 3>;
     double radius = 0;
-    for (const Vec2& q : p_.vertices) radius = std::max(radius, norm(q - c_));
+    for (const Vec2& q : p_.vertices()) radius = std::max(radius, norm(q - c_));
     std::vector<Wrench> w;
     for (const Touch& t : all) {
       w.push_back({t.inward.x(), t.inward.y(), cross_(t.position - c_, t.inward) / radius});
@@ -490,7 +493,7 @@ class Checker {
 // power of two, which loses nothing.
 inline Placement in_handy_units(Placement placement) {
   double reach = 0;
-  for (const Vec2& v : placement.vertices) reach = std::max(reach, v.cwiseAbs().maxCoeff());
+  for (const Vec2& v : placement.vertices()) reach = std::max(reach, v.cwiseAbs().maxCoeff());
   const int exponent = std::ilogb(reach);
   if (exponent > -100) return placement;
   const auto scale = [&](double& x) { x = std::ldexp(x, -exponent); };
@@ -504,13 +507,18 @@ inline Placement in_handy_units(Placement placement) {
     scale(chord.arm1);
     scale(chord.arm2);
   };
-  for (Points* points :
-       {&placement.vertices, &placement.lifting_base, &placement.closure.clockwise.clipped,
-        &placement.closure.counterclockwise.clipped}) {
+  Points vertices = placement.vertices();
+  for (Points* points : {&vertices, &placement.lifting_base, &placement.closure.clockwise.clipped,
+                         &placement.closure.counterclockwise.clipped}) {
     std::for_each(points->begin(), points->end(), scale_point);
   }
+  placement.polygon = *Polygon::create(std::move(vertices));
   scale_point(placement.centre_of_mass);
-  for (Team& team : placement.teams) scale_chord(team.chord);
+  for (Team& team : placement.teams)
+    for (Robot& robot : team.robots) {
+      scale_point(robot.point.position);
+      scale(robot.arm);
+    }
   for (Candidate& candidate : placement.candidates) {
     scale_chord(candidate.chord);
     scale_point(candidate.direction);

@@ -81,7 +81,8 @@ inline Points random_vertices(Rng& rng, std::size_t n) {
   Points vertices;
   for (std::size_t i = 0; i < n; ++i) {
     if (kind == Kind::comb) {
-      vertices.emplace_back(20.0 * static_cast<double>(i / 2), i % 4 == 1 || i % 4 == 2 ? 400 : 0);
+      const std::size_t column = i / 2;
+      vertices.emplace_back(20.0 * static_cast<double>(column), i % 4 == 1 || i % 4 == 2 ? 400 : 0);
       continue;
     }
     if (kind == Kind::smooth) {
@@ -110,7 +111,7 @@ inline Settings random_settings(Rng& rng) {
     settings.teams = std::nullopt;
     if (now_and_then()) settings.teams = static_cast<std::uint32_t>(1 + rng.below(max_teams));
   }
-  if (now_and_then()) settings.method = all_methods[rng.below(5)];
+  if (now_and_then()) settings.method = pair_methods[rng.below(5)];
   if (now_and_then()) settings.min_ratio = static_cast<double>(rng.below(101)) / 100;
   if (now_and_then()) settings.min_ratio = rng.uniform();
   if (now_and_then()) settings.weight = 1 + static_cast<double>(rng.below(1000)) / 8;

@@ -98,7 +98,7 @@ struct CandidateList {
 CandidateList find_candidates(const Problem& problem);
 
 /// The chords given, in the order given, their ends taken as exact.
-CandidateList given_candidates(const Problem& problem, const std::vector<Candidate>& chords);
+CandidateList given_candidates(const Problem& problem, const std::vector<Candidate>& given);
 
 /// All vertex-chords: unordered, each once.
 std::vector<std::array<Point, 2>> vertex_chords(const Problem& problem);

@@ -1,18 +1,15 @@
 // The page computes what the program computes, to the last bit.
 import assert from "node:assert/strict";
 import path from "node:path";
-import { after, before, test } from "node:test";
-import { asset, evenlift, gallery, load, root, set, startBrowser, state } from "./browser.mjs";
+import { test } from "node:test";
+import { asset, evenlift, gallery, load, root, set, sharedBrowser, state } from "./browser.mjs";
 
-let browser;
 let page;
-before(async () => {
-  browser = await startBrowser();
-  page = await browser.open();
-});
-after(async () => {
-  await page.done();
-  await browser.close();
+const browser = sharedBrowser({
+  begin: async () => {
+    page = await browser.open();
+  },
+  end: () => page.done(),
 });
 
 function program(name, ...options) {

@@ -5,7 +5,9 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import path from "node:path";
+import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { serve } from "../../web/serve.mjs";
@@ -17,6 +19,10 @@ const program = process.env.EVENLIFT_PROGRAM || path.join(root, "build/bin/evenl
 // Headless Chromium without the rest of the browser opens a page three times as fast.
 const executable = process.env.EVENLIFT_BROWSER ||
   ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((file) => existsSync(file));
+
+// axe-core, as a script for the page; and a reader of QR codes.
+export const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+export { default as jsQR } from "jsqr";
 
 // The WebGL of a machine without graphics: Mesa's where it is installed, which draws twice as fast, or Chromium's own.
 const graphics = existsSync("/usr/share/glvnd/egl_vendor.d/50_mesa.json")
@@ -48,7 +54,7 @@ export function gallery() {
     .filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
 }
 
-// Serves the page and starts a browser, for all tests of a file; close() ends both.
+// Serves the page and starts a browser; close() ends both.
 export async function startBrowser(extraOptions = []) {
   const server = await serve(pageFolder, 0);
   const browser = await chromium.launch({
@@ -61,12 +67,12 @@ export async function startBrowser(extraOptions = []) {
   }
 
   // A page of its own storage. Whatever it complains about, or asks of another host, fails the test at close().
-  // `clock` gives the page a clock that a test can put forward.
-  async function open({ address = "", ready = true, quiet = true, context: reused, script, clock = false, ...contextOptions } = {}) {
+  // With `hasty` a test can let the page's timers ring before their time. With `first` the card of the first visit is shown.
+  async function open({ address = "", ready = true, quiet = true, context: reused, script, hasty = false, first = false, ...contextOptions } = {}) {
     const context = reused ?? await browser.newContext({ viewport: wide, colorScheme: "light", ...contextOptions });
     context.setDefaultTimeout(patience);
     const page = await context.newPage();
-    if (clock) await page.clock.install();
+    if (hasty) await page.addInitScript(keepTimers);
     const complaints = [];
     page.on("pageerror", (error) => complaints.push(`exception: ${error.message}`));
     page.on("console", (message) => {
@@ -80,6 +86,11 @@ export async function startBrowser(extraOptions = []) {
     await page.addInitScript(() => {
       addEventListener("securitypolicyviolation", (event) => console.error(`policy: ${event.violatedDirective}`));
     });
+    if (!first) {
+      await page.addInitScript(() => {
+        if (location.protocol.startsWith("http")) localStorage.setItem("evenlift.welcomed", "1");
+      });
+    }
     if (script) await page.addInitScript(script);
     await page.goto(server.url + address);
     if (ready) await page.evaluate(() => evenlift.ready);
@@ -103,6 +114,23 @@ export async function startBrowser(extraOptions = []) {
     }
   }
   return { browser, server, open, compare, close };
+}
+
+// A browser for all tests of a file: it starts before them, and then what `begin` does; after them comes `end`, and it closes.
+export function sharedBrowser({ begin = () => {}, end = () => {} } = {}) {
+  const shared = {};
+  before(async () => {
+    Object.assign(shared, await startBrowser());
+    await begin();
+  });
+  after(async () => {
+    try {
+      await end();
+    } finally {
+      await shared.close();
+    }
+  });
+  return shared;
 }
 
 // Runs in a browser, which has a PNG decoder.
@@ -159,12 +187,17 @@ export function thrown(page, call, argument) {
 // Resolves once nothing is under way in the page (docs/page.md): what tests wait for, in place of some time.
 export const idle = (page) => page.evaluate(() => evenlift.idle());
 
-// Where a control of the canvas stands, by its name; its middle.
-export async function control(page, name) {
+// Where a control of the canvas stands, by its name, and its middle; null if there is none.
+export async function controlIfShown(page, name) {
   await idle(page);
   const place = await page.evaluate((n) => evenlift.view.control(n), name);
+  return place && { ...place, middle: [place.x + place.width / 2, place.y + place.height / 2] };
+}
+
+export async function control(page, name) {
+  const place = await controlIfShown(page, name);
   assert.ok(place, `there is no control “${name}”`);
-  return { ...place, middle: [place.x + place.width / 2, place.y + place.height / 2] };
+  return place;
 }
 
 export async function press(page, name) {
@@ -177,18 +210,43 @@ export async function tap(page, name) {
   await page.touchscreen.tap(...middle);
 }
 
-// Nothing is drawn, however long one waits: time is put forward by an hour, and the browser shows pictures of its own.
-// For pages that were opened with a `clock`.
+// Runs in the page before its own scripts: evenliftTimersRing() lets all timers ring at once.
+function keepTimers() {
+  const { setTimeout: begin, clearTimeout: end } = globalThis;
+  const kept = new Map();
+  const ring = (id) => {
+    const call = kept.get(id);
+    kept.delete(id);
+    call();
+  };
+  globalThis.setTimeout = (callback, time, ...given) => {
+    const id = begin(() => ring(id), time);
+    kept.set(id, () => callback(...given));
+    return id;
+  };
+  globalThis.clearTimeout = (id) => {
+    kept.delete(id);
+    end(id);
+  };
+  globalThis.evenliftTimersRing = () => {
+    for (const id of [...kept.keys()]) {
+      end(id);
+      ring(id);
+    }
+  };
+}
+
+// Nothing is drawn, however long one waits: all timers ring, and the browser shows pictures of its own. For pages that
+// were opened as `hasty`.
 export async function drawsNothing(page, why) {
   await idle(page);
-  const frames = await page.evaluate(() => evenlift.frames);
-  await page.clock.fastForward(3600000);
-  await page.evaluate(() => new Promise((done) => {
-    let left = 10;
-    const next = () => (--left > 0 ? requestAnimationFrame(next) : done());
-    next();
-  }));
-  assert.equal(await page.evaluate(() => evenlift.frames), frames, why);
+  const [before, after] = await page.evaluate(async () => {
+    const { frames } = evenlift;
+    evenliftTimersRing();
+    for (let i = 0; i < 10; ++i) await new Promise((done) => requestAnimationFrame(done));
+    return [frames, evenlift.frames];
+  });
+  assert.equal(after, before, why);
 }
 
 // Presses at one point and moves in steps to another, as a hand does.

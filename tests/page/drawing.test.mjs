@@ -1,13 +1,9 @@
 // Pointer, touch and keys.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { asset, control, drag, fragment, idle, load, phone, press, published, set, startBrowser, state, toScreen } from "./browser.mjs";
+import { test } from "node:test";
+import { asset, control, drag, fragment, idle, load, phone, press, published, set, sharedBrowser, state, toScreen } from "./browser.mjs";
 
-let browser;
-before(async () => {
-  browser = await startBrowser();
-});
-after(() => browser.close());
+const browser = sharedBrowser();
 
 const L_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 

@@ -1,18 +1,15 @@
 // window.evenlift: what other pages and tests may rely on.
 import assert from "node:assert/strict";
 import path from "node:path";
-import { after, before, test } from "node:test";
-import { asset, drag, drawsNothing, evenlift, idle, load, root, set, startBrowser, state, thrown } from "./browser.mjs";
+import { test } from "node:test";
+import { asset, drag, drawsNothing, evenlift, idle, load, root, set, sharedBrowser, state, thrown } from "./browser.mjs";
 
-let browser;
 let page;
-before(async () => {
-  browser = await startBrowser();
-  page = await browser.open();
-});
-after(async () => {
-  await page.done();
-  await browser.close();
+const browser = sharedBrowser({
+  begin: async () => {
+    page = await browser.open();
+  },
+  end: () => page.done(),
 });
 
 test("it has the members of the contract, and no way to change them", async () => {
@@ -148,7 +145,7 @@ test("view goes from the polygon to the screen and back, and follows the view", 
 });
 
 test("frames stands still while nothing happens", async () => {
-  const page = await browser.open({ clock: true });
+  const page = await browser.open({ hasty: true });
   await page.mouse.move(640, 400);
   await drawsNothing(page);
   const before = await page.evaluate(() => evenlift.frames);

@@ -1,13 +1,9 @@
 // Clicks, drags, keys and calls take effect in the order in which they were made, however long a frame takes.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { idle, load, startBrowser, state, toScreen } from "./browser.mjs";
+import { test } from "node:test";
+import { idle, load, sharedBrowser, state, toScreen } from "./browser.mjs";
 
-let browser;
-before(async () => {
-  browser = await startBrowser();
-});
-after(() => browser.close());
+const browser = sharedBrowser();
 
 const L_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 const corners = [[220, 200], [560, 190], [640, 420], [400, 610], [190, 470]];

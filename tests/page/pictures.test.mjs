@@ -3,16 +3,12 @@
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { asset, load, phone, set, idle, startBrowser, toScreen, wide } from "./browser.mjs";
+import { asset, idle, load, phone, press, set, sharedBrowser, tap, toScreen, wide } from "./browser.mjs";
 import { openWindow } from "./windows.mjs";
 
-let browser;
-before(async () => {
-  browser = await startBrowser();
-});
-after(() => browser.close());
+const browser = sharedBrowser();
 
 const expected = fileURLToPath(new URL("expected/", import.meta.url));
 const tolerance = 0.002;
@@ -116,9 +112,7 @@ test("embedded", async () => {
 
 test("the keys", async () => {
   const page = await browser.open();
-  await page.locator("#canvas").focus();
-  await page.keyboard.press("?");
-  await set(page, {});
+  await openWindow(page, "keys");
   await check(page, "keys");
 });
 
@@ -139,4 +133,69 @@ test("phone: open", async () => {
   const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
   await openWindow(page, "open");
   await check(page, "open-phone");
+});
+
+const finger = { hasTouch: true, isMobile: true };
+
+test("a phone on its side, the smallest phone, and a tablet", async () => {
+  await check(await browser.open({ viewport: { width: 844, height: 390 }, ...finger }), "phone-on-its-side");
+  await check(await browser.open({ viewport: { width: 320, height: 568 }, ...finger, colorScheme: "dark" }), "small-phone-dark");
+  await check(await browser.open({ viewport: { width: 1180, height: 820 }, ...finger }), "tablet");
+});
+
+test("phone: the whole sheet", async () => {
+  const page = await browser.open({ viewport: phone, ...finger });
+  await tap(page, "handle");
+  await tap(page, "handle");
+  await check(page, "sheet");
+});
+
+test("the toolbar's menu", async () => {
+  const page = await browser.open({ viewport: phone, ...finger });
+  await tap(page, "more");
+  await check(page, "menu-phone");
+});
+
+test("why a robot stands there, dark", async () => {
+  const page = await browser.open({ colorScheme: "dark" });
+  await idle(page);
+  await page.mouse.click(...await page.evaluate(() => [...evenlift.view.to_screen(...evenlift.state().teams[1].ends[0])]));
+  await page.mouse.move(600, 700);
+  await check(page, "why-dark");
+});
+
+test("a number that is being typed", async () => {
+  const page = await browser.open();
+  await press(page, "weight");
+  await page.keyboard.type("437.5");
+  await check(page, "typed");
+});
+
+test("letters of many languages", async () => {
+  const page = await browser.open();
+  await page.evaluate(() => evenlift.load(`title: Łódź – Übung größe\nlink: ${evenlift.link()}\n\n[polygon]\nZażółć gęślą jaźń. α ≤ β ≈ π/2 → „gut“. Привет, ∑ ∞.\n`));
+  await check(page, "letters");
+});
+
+test("the first visit, wide and on a phone", async () => {
+  await check(await browser.open({ first: true }), "first-visit");
+  await check(await browser.open({ first: true, viewport: phone, ...finger, colorScheme: "dark" }), "first-visit-phone-dark");
+});
+
+for (const [name, options] of [["about", {}], ["lessons", { colorScheme: "dark" }], ["save", {}], ["glossary", {}]]) {
+  test(`the window ${name}`, async () => {
+    const page = await browser.open(options);
+    await openWindow(page, name);
+    // The server's port is another one each time.
+    await page.evaluate(() => document.querySelectorAll("#link").forEach((field) => { field.value = "https://example.org/"; }));
+    await check(page, `window-${name}`);
+  });
+}
+
+test("which of several shapes?", async () => {
+  const page = await browser.open();
+  const window = await openWindow(page, "open");
+  await window.locator("textarea").fill('<svg xmlns="http://www.w3.org/2000/svg"><rect id="table" width="120" height="80" rx="10"/><circle id="lid" r="25"/></svg>');
+  await window.getByRole("button", { name: "Open", exact: true }).click();
+  await check(page, "shapes");
 });

@@ -2,15 +2,11 @@
 // message, and a start that failed is not repeated.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, test } from "node:test";
-import { asset, idle, link, load, published, set, startBrowser, state, thrown, toScreen, wide } from "./browser.mjs";
+import { test } from "node:test";
+import { asset, idle, link, load, published, set, sharedBrowser, state, thrown, toScreen, wide } from "./browser.mjs";
 import { noticed, openWindow } from "./windows.mjs";
 
-let browser;
-before(async () => {
-  browser = await startBrowser();
-});
-after(() => browser.close());
+const browser = sharedBrowser();
 
 // --- The documented limits -------------------------------------------------------------------------------------------
 

@@ -1,13 +1,9 @@
 // Drawing, taking hold of the whole, comparing, what tips, capacity: what a person does on the canvas.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { asset, drag, drawsNothing, load, phone, idle, startBrowser, state, toScreen } from "./browser.mjs";
+import { test } from "node:test";
+import { asset, drag, drawsNothing, idle, load, phone, sharedBrowser, state, toScreen } from "./browser.mjs";
 
-let browser;
-before(async () => {
-  browser = await startBrowser();
-});
-after(() => browser.close());
+const browser = sharedBrowser();
 
 async function opened(options) {
   const page = await browser.open(options);
@@ -114,7 +110,7 @@ test("two methods are compared side by side, and the drawing changes on both sid
   await idle(page);
   const both = await page.screenshot();
   assert.ok((await browser.compare(alone, both)).share > 0.02);
-  for (let i = 0; i < 4; ++i) await page.keyboard.press("k");
+  for (let i = 0; i < 5; ++i) await page.keyboard.press("k");  // through the other methods
   await idle(page);
   assert.ok((await browser.compare(alone, await page.screenshot())).share < 0.001, "and back");
   await page.done();
@@ -135,7 +131,7 @@ test("the heat map is an overlay that the link carries", async () => {
 
 test("motion ends, and with reduced motion there is none", async () => {
   for (const reducedMotion of ["no-preference", "reduce"]) {
-    const page = await opened({ reducedMotion, clock: true });
+    const page = await opened({ reducedMotion, hasty: true });
     const before = await page.evaluate(() => evenlift.frames);
     await page.keyboard.press("t");
     await idle(page);

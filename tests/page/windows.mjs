@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { idle } from "./browser.mjs";
 
-const keys = { samples: "g", open: "o", save: "s", table: "e", lessons: "Shift+B", experiment: "K" };
+const keys = { samples: "g", open: "o", save: "s", table: "e", lessons: "Shift+B", experiment: "K", keys: "?", about: "A", glossary: "G" };
 
 // Opens a window by its key, and waits until it is there.
 export async function openWindow(page, name) {

@@ -79,6 +79,16 @@ foreach(family regular convex star comb spiral random)
   endforeach()
 endforeach()
 
+# Drawings, tables and results: which shapes they have, and each, with coarse and fine edges.
+file(GLOB drawings "${POLYGONS}/../../tests/data/import/*")
+foreach(file IN LISTS drawings)
+  compare(place "${file}")
+  foreach(shape 1 2 3 4)
+    compare(place "${file}" --shape ${shape} --json)
+    compare(place "${file}" --shape ${shape} --json --flatten 0.001)
+  endforeach()
+endforeach()
+
 # The other outputs, and refusals.
 compare(place "${POLYGONS}/grand-piano.txt" --svg picture.svg)
 file(SHA256 "${WORK}/picture.svg" wasm_picture)

@@ -170,6 +170,57 @@ TEST_CASE("the program answers in all its ways", "[cli]") {
   }
 }
 
+TEST_CASE("several shapes are listed, and one is taken by its number or name", "[cli]") {
+  const Folder folder("shapes");
+  corpus::write_file(
+      folder.path() / "shapes.svg",
+      "<svg><rect id='table' width='40' height='20'/><circle id='lid' r='5'/></svg>\n");
+  const std::string list =
+      "  1  \"table\", rectangle, 4 vertices, 40 x 20\n  2  \"lid\", circle, 64 vertices, 10 x 10\n";
+  for (const char* command : {"place", "trace", "link encode"}) {
+    const std::string line = "evenlift " + std::string(command) + " shapes.svg";
+    Outcome outcome = run(folder, line);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.errors ==
+          "evenlift: shapes.svg: it has 2 shapes; --shape N takes one of them\n" + list);
+    CHECK(outcome.output.empty());
+    outcome = run(folder, line + " --shape lad");
+    CHECK(outcome.status == 2);
+    CHECK(outcome.errors ==
+          "evenlift: --shape: expected a number from 1 to 2 or a shape's name, not \"lad\"\n" +
+              list);
+    const Outcome first = run(folder, line + " --shape 1");
+    CHECK(first.status == 0);
+    CHECK(first.errors.empty());
+    CHECK(first.output == run(folder, line + " --shape table").output);
+    CHECK_FALSE(first.output.empty());
+    outcome = run(folder, line + " --shape lid");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.errors ==
+          "evenlift: shapes.svg: curves were flattened to within 0.01; --flatten T sets that\n");
+    const Outcome finer = run(folder, line + " --shape lid --flatten 0.001");
+    CHECK(finer.errors == "evenlift: shapes.svg: curves were flattened to within 0.001\n");
+    CHECK(finer.output != outcome.output);
+  }
+}
+
+TEST_CASE("a result is a document: it opens again with all its settings", "[cli]") {
+  const Folder folder("results");
+  corpus::write_file(folder.path() / "square.txt", square);
+  const std::string options =
+      " --metric random --seed 18446744073709551615 --weight 7 --teams 2 --capacity 3 --json";
+  const Outcome first = run(folder, "evenlift place square.txt" + options + " > result.json");
+  CHECK(first.status == 0);
+  const Outcome again = run(folder, "evenlift place result.json --json");
+  CHECK(again.errors.empty());
+  CHECK(again.output == corpus::read_file(folder.path() / "result.json"));
+  const Outcome link =
+      run(folder,
+          "evenlift link decode \"$(evenlift link encode result.json)\" > link.json; "
+          "evenlift place link.json --capacity 3 --json");
+  CHECK(link.output == again.output);
+}
+
 TEST_CASE(
     "a picture that cannot be written is a failure of its own, and leaves things as they were",
     "[cli]") {

@@ -81,6 +81,11 @@ Document generated_document(Rng& rng) {
 Settings settings_from(Rng& rng) {
   Settings settings;
   settings.method = all_methods[rng.below(std::size(all_methods))];
+  settings.robots = static_cast<std::uint32_t>(2 + rng.below(7));
+  if (rng.below(3) == 0) settings.goal = Goal::cover;
+  if (rng.below(4) == 0) settings.apart = rng.uniform();
+  if (settings.method == Method::balanced && settings.robots >= 5)
+    settings.survive = static_cast<std::uint32_t>(rng.below(2));
   settings.teams = static_cast<std::uint32_t>(1 + rng.below(8));
   if (rng.below(20) == 0) settings.teams = std::nullopt;
   const double ratios[] = {0.0, 0.5, 0.8, 0.8, 0.95, 1.0};
@@ -137,6 +142,12 @@ void say_all(std::uint64_t number, Take take) {
       const CapacityPlan plan = plan_capacity(*placement, capacity);
       take(placement_json(*placement, false, CapacityInJson{capacity, plan}));
       take(capacity_in_words(*placement, capacity, &plan) + "\n");
+      break;
+    }
+    case 5: {
+      if (count_robots(placement->teams) > 64) break;  // each failure looks at all of them
+      const double radius = bounding_box(document.vertices).diagonal() / 50;
+      take(placement_json(*placement, false, std::nullopt, {radius, true}));
       break;
     }
     default:

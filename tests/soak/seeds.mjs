@@ -22,6 +22,23 @@ const written = [
   '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}',
   '{"type":"Feature","properties":{"centre_of_mass":[1,1]},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}}',
 ];
+// Beside the files of tests/data/import.
+const drawn = [
+  '<svg><path d="M0 0C1 0 2 1 2 2S0 4 0 3zm9 9a1 2 30 0110 0q1 1 2 0t3 4z"/><rect x="1" width="3mm" height="2" rx=".5" transform="rotate(30)skewX(3)"/></svg>',
+  '<svg><ellipse rx="3" ry="2"/><polyline points="0,0 1e1,0 0-3"/><polygon points="0 0 4 0 4 3"/><circle r="2"/></svg>',
+  "[[0,0],[4,0],[4,3]]", '[{"x":0,"y":0},{"x":4,"y":0},{"x":4,"y":3}]', "0;0\n4,5;0\n4;3,25\n", "x\ty\n0\t0\n4\t0\n4\t3\n\nlid\n1 2\n",
+  "0 0\n4 0\n4 3\n", "0|0\n4|0\n4|3", '"X (m)","Y (m)"\n0,0\n4,0\n4,3\n',
+];
+const dataOf = async (root) => {
+  const folder = path.join(root, "tests/data/import");
+  return Promise.all((await readdir(folder)).map((name) => readFile(path.join(folder, name), "utf8")));
+};
+const expected = async (root) => {
+  const folder = path.join(root, "tests/expected");
+  const names = (await readdir(folder)).filter((name) => name.startsWith("t") && name.endsWith(".json"));
+  return Promise.all(names.map((name) => readFile(path.join(folder, name), "utf8")));
+};
+
 const settings = [
   "teams=3\nmetric=circle\nmin_ratio=0.5\nweight=7\nseed=18446744073709551615\ncom=10,20\nstep=4\ncapacity=12.5",
   "teams=max\ncom=centroid\nstep=none\ncapacity=none\noverlays=chords,hull",
@@ -51,6 +68,11 @@ export const fuzzers = {
     what: "texts",
     longest: 4096,
     seeds: async (root) => [...(await polygons(root)), ...written, ...(await column(root, "bad_polygons.txt", 2))],
+  },
+  import: {
+    what: "drawings",
+    longest: 8192,
+    seeds: async (root) => [...drawn, ...(await dataOf(root)), ...(await expected(root)), ...written, ...(await links(root)).slice(0, 3)],
   },
   lesson: { what: "lessons", longest: 4096, seeds: (root) => textsOf(path.join(root, "assets/lessons")) },
   set: { what: "settings", longest: 512, seeds: async () => settings },

@@ -18,6 +18,7 @@
 #include "comparisons/one_shape.h"
 #include "evenlift/numbers.h"
 #include "evenlift/random.h"
+#include "kit/metrics.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -46,13 +47,12 @@ Outcome try_oracle(std::uint64_t number) {
 }
 
 Outcome try_one_shape(std::uint64_t number) {
-  using evenlift::Method;
   const small_polygons::Case c = small_polygons::make_plain_case(number);
   evenlift::Document document = evenlift::testing::document_of(c.problem);
   if (!one_shape::is_clear_of_refusal(document)) return {.passed_over = true};
   evenlift::Rng rng(number);
-  const Method metrics[] = {Method::area, Method::circle, Method::distance};
-  document.settings.method = metrics[rng.below(std::size(metrics))];
+  const std::vector<evenlift::Method> metrics = evenlift::testing::metrics();
+  document.settings.method = metrics[rng.below(metrics.size())];
   const one_shape::Motion motion = one_shape::any_motion(document, rng);
   constexpr std::uint32_t teams = 6;
   const std::string differences = one_shape::compare(document, motion, teams).differences;

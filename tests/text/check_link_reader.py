@@ -32,13 +32,14 @@ def exact(value):
 
 def comparable(content):
     settings = dict(content["settings"])
-    for name in ("min_ratio", "weight"):
-        settings[name] = exact(settings[name])
+    for name in ("min_ratio", "weight", "min_margin", "apart"):
+        if name in settings:
+            settings[name] = exact(settings[name])
     return exact(content["vertices"]), exact(content["centre_of_mass"]), settings
 
 
 count = 0
-for link, held in rows("links_version_1.txt"):
+for link, held in [*rows("links_version_1.txt"), *rows("links_version_2.txt")]:
     if comparable(link_reader.read_link(link)) != comparable(json.loads(held)):
         sys.exit(f"the readers differ: {link}")
     count += 1

@@ -5,17 +5,13 @@
 #include "evenlift/output/json.h"
 #include "evenlift/placement.h"
 #include "kit/corpus.h"
+#include "kit/placed.h"
 
 using namespace evenlift;
+using evenlift::testing::placed;
 using nlohmann::ordered_json;
 
 namespace {
-
-Placement placed(const Document& document) {
-  Result<Placement> placement = place(document);
-  if (!placement) FAIL(placement.error().message);
-  return *std::move(placement);
-}
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -41,22 +37,41 @@ std::vector<std::string> keys(const ordered_json& json) {
 
 TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
   using Names = std::vector<std::string>;
-  for (const Method method : all_methods) {
+  for (const Method method : pair_methods) {
     Document document = corpus::polygon("thesis-sample-centroid");
     document.settings.method = method;
     const Placement placement = placed(document);
     const ordered_json plain = ordered_json::parse(placement_json(placement, false));
     CHECK(keys(plain) == Names{"polygon", "centre_of_mass", "metric", "min_ratio", "weight", "seed",
-                               "requested_teams", "teams", "hull", "coverage", "loads", "closure"});
+                               "requested_teams", "teams", "robots", "hull", "coverage", "loads",
+                               "closure", "goal", "goal_reached", "robustness"});
     const ordered_json full = ordered_json::parse(placement_json(placement, true));
     CHECK(full.contains("candidates"));
     CHECK(keys(full["teams"][0]) == Names{"ends", "ratio", "loads"});
     CHECK(keys(full["candidates"][0]) == Names{"ends", "ratio", "kind"});
-    CHECK(keys(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share"});
+    CHECK(keys(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share", "models"});
     CHECK(keys(full["closure"]) ==
           Names{"form_closure", "margin", "second_order", "free", "clockwise", "counterclockwise"});
     CHECK(full["metric"] == std::string(name(method)));
   }
+}
+
+TEST_CASE("the JSON of balanced robots says what they were asked for", "[json][balanced]") {
+  Document document = corpus::polygon("grand-piano");
+  document.settings.method = Method::balanced;
+  document.settings.robots = 5;
+  const ordered_json json = ordered_json::parse(placement_json(placed(document), false));
+  CHECK(json["metric"] == "balanced");
+  CHECK(json["requested_robots"] == 5);
+  CHECK(json["goal"] == "hold");
+  CHECK(json["goal_reached"] == true);
+  CHECK(json["min_margin"] == 0.05);
+  CHECK(json["apart"].is_null());
+  CHECK(json["survive"] == 0);
+  REQUIRE(json["teams"].size() == 1);
+  CHECK(json["teams"][0]["ends"].size() == 5);
+  CHECK(json["teams"][0]["loads"] == std::vector<double>(5, 20.0));
+  CHECK(json["teams"][0]["ratio"] == 1);
 }
 
 TEST_CASE("the numbers of the JSON read back to the same doubles", "[json]") {
@@ -68,7 +83,7 @@ TEST_CASE("the numbers of the JSON read back to the same doubles", "[json]") {
     document.settings.seed = ~std::uint64_t{0};
     const Placement placement = placed(document);
     const ordered_json json = ordered_json::parse(placement_json(placement, true));
-    CHECK(same_bits(json["polygon"], placement.vertices));
+    CHECK(same_bits(json["polygon"], placement.vertices()));
     CHECK(same_bits(json["centre_of_mass"], placement.centre_of_mass));
     CHECK(same_bits(json["weight"].get<double>(), 1.0 / 3));
     CHECK(json["seed"].get<std::uint64_t>() == ~std::uint64_t{0});
@@ -80,9 +95,9 @@ TEST_CASE("the numbers of the JSON read back to the same doubles", "[json]") {
     for (std::size_t i = 0; i < placement.teams.size(); ++i) {
       const Team& team = placement.teams[i];
       CHECK(same_bits(json["teams"][i]["ends"],
-                      Points{team.chord.r1.position, team.chord.r2.position}));
-      CHECK(same_bits(json["teams"][i]["ratio"].get<double>(), team.chord.ratio));
-      CHECK(same_bits(json["teams"][i]["loads"][1].get<double>(), team.loads[1]));
+                      Points{team.robots[0].point.position, team.robots[1].point.position}));
+      CHECK(same_bits(json["teams"][i]["ratio"].get<double>(), team.ratio));
+      CHECK(same_bits(json["teams"][i]["loads"][1].get<double>(), team.robots[1].load));
     }
     const Closure& closure = placement.closure;
     CHECK(json["closure"]["free"].empty() == closure.form_closure);

@@ -34,3 +34,20 @@ TEST_CASE("a picture shows what the overlays ask for, back to front", "[picture]
   const std::vector<Role> all = roles({.candidates = true});
   CHECK(number(all, Role::candidate) + 3 == placement.candidates.size());
 }
+
+TEST_CASE("a line joins each balanced robot with the centre of mass", "[picture][balanced]") {
+  Document document = corpus::polygon("kidney-table");
+  document.settings.method = Method::balanced;
+  document.settings.robots = 5;
+  const Result<Placement> placement = place(document);
+  REQUIRE(placement.ok());
+  std::size_t lines = 0, robots = 0;
+  for (const Shape& shape : make_picture(*placement, {})) {
+    if (shape.role == Role::robot) ++robots;
+    if (shape.role != Role::chord) continue;
+    ++lines;
+    CHECK(shape.points.back() == placement->centre_of_mass);
+  }
+  CHECK(lines == 5);
+  CHECK(robots == 5);
+}

@@ -106,10 +106,10 @@ TEST_CASE("labels cover neither each other nor what they name", "[svg]") {
   for (const std::string& name : corpus::polygon_names()) {
     CAPTURE(name);
     const Placement placement = placed(corpus::polygon(name), Method::area, 12);
-    labels::Surroundings around{{Vec2(-200, -200), Vec2(1300, 1400)}, placement.vertices, {}, {}};
+    labels::Surroundings around{{Vec2(-200, -200), Vec2(1300, 1400)}, placement.vertices(), {}, {}};
     std::vector<labels::Request> requests;
     for (const Team& team : placement.teams)
-      for (const Vec2& at : {team.chord.r1.position, team.chord.r2.position})
+      for (const Vec2& at : {team.robots[0].point.position, team.robots[1].point.position})
         requests.push_back(
             {{at - Vec2(12, 12), at + Vec2(12, 12)}, at - placement.centre_of_mass, {40, 14}});
     const std::vector<std::optional<labels::Box>> places = labels::place(requests, around);

@@ -6,16 +6,21 @@
 #include "evenlift/random.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/polygons.h"
 
 using namespace evenlift;
 
 namespace {
 
+Team bearing(double load1, double load2) { return {{{{}, 0, load1}, {{}, 0, load2}}, 1}; }
+
+Placement nothing_placed() { return Placement(testing::polygon(testing::square)); }
+
 Placement three_teams() {
-  Placement placement;
+  Placement placement = nothing_placed();
   placement.requested_teams = 3;
   placement.teams.resize(3);
-  for (Team& team : placement.teams) team.loads = {15.24, 18.06};
+  for (Team& team : placement.teams) team = bearing(15.24, 18.06);
   placement.lifting_base = {{0, 0}, {1, 0}, {0, 1}};
   placement.coverage = 0.814;
   placement.loads = LoadSummary{15.24, 100.0 / 6, 18.06, 2.82, 0.54};
@@ -36,8 +41,11 @@ std::string plainly(std::string text) {
 TEST_CASE("the verdict is a few plain sentences", "[words]") {
   Placement placement = three_teams();
   CHECK(verdict(placement) ==
-        "6 robots carry 15.2–18.1\u00A0kg each (100\u00A0kg in all). 81\u00A0% of the object is "
-        "safe to push on. It can still turn clockwise.");
+        "6 robots carry 15.2–18.1\u00A0kg each (100\u00A0kg in all). It can still turn clockwise. "
+        "81\u00A0% of the object is safe to push on.");
+  placement.coverage = 0.4;
+  CHECK(plainly(detail_in_words(placement)) ==
+        "40 % of the object is safe to push on. It can still turn clockwise.");
   placement.requested_teams = 5;
   placement.loads = LoadSummary{16.66, 16.66, 16.66, 0, 0.5};
   CHECK(plainly(loads_in_words(placement)) == "6 robots carry 16.7 kg each (100 kg in all).");
@@ -48,7 +56,7 @@ TEST_CASE("the verdict is a few plain sentences", "[words]") {
 }
 
 TEST_CASE("with no team the reason is given, and what helps", "[words]") {
-  Placement placement;
+  Placement placement = nothing_placed();
   placement.requested_teams = 3;
   CHECK(
       verdict(placement) ==
@@ -108,7 +116,7 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
   CHECK(words(18.06) == "No robot carries more than 18.06 kg.");
   CHECK(words(16) == "3 of 6 robots are overloaded, with more than 16 kg: teams 1, 2 and 3.");
   CHECK(words(15) == "All 6 robots are overloaded, with more than 15 kg: teams 1, 2 and 3.");
-  placement.teams[0].loads = placement.teams[2].loads = {16, 16};
+  placement.teams[0] = placement.teams[2] = bearing(16, 16);
   CHECK(words(17) == "1 of 6 robots is overloaded, with more than 17 kg: team 2.");
   CapacityPlan plan{true, 4, 12.48, 4};
   CHECK(words(20, &plan) ==
@@ -118,7 +126,7 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
         "No robot carries more than 20 kg. Not even all 18 robots that find a place are enough.");
   plan.tried = most_teams_for_capacity;
   CHECK(words(20, &plan) == "No robot carries more than 20 kg. Even 1024 robots are too few.");
-  placement.teams.resize(12, Team{{}, {30, 30}});
+  placement.teams.resize(12, bearing(30, 30));
   CHECK(words(17) ==
         "19 of 24 robots are overloaded, with more than 17 kg: teams 2, 4, 5, 6, 7, 8, 9 and 3 "
         "more.");

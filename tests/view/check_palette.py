@@ -1,9 +1,10 @@
-"""Checks that every file that has to name colours names those of the view's theme.
+"""Checks that every file that has to name colours names those of the view's theme, and that colours can be told apart.
 
     python3 tests/view/check_palette.py
 
 wasm/ui/theme.cpp holds the palette, light and dark, by role. Style sheets, the icon, the page's frame and the program's
-pictures cannot include it, so they repeat what they need of it.
+pictures cannot include it, so they repeat what they need of it. Contrast is that of the Web Content Accessibility Guidelines:
+text has at least 4.5 : 1 on what it lies on, and a line or an icon 3 : 1.
 """
 
 import pathlib
@@ -44,9 +45,52 @@ def check_style(path, colours_of):
             check(path, f"--{name} ({scheme})", colour, colours_of[scheme][in_css.get(name, name)])
 
 
+def opaque(colour):
+    return [int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+
+
+def over(colour, opacity, ground):
+    """A colour that is not opaque, as it looks on its ground."""
+    return [opacity * c + (1 - opacity) * g for c, g in zip(colour, ground)]
+
+
+def luminance(colour):
+    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(a, b):
+    low, high = sorted((luminance(a), luminance(b)))
+    return (high + 0.05) / (low + 0.05)
+
+
+# Roles, and what they lie on.
+texts = [("text", ("panel", "well", "ground")), ("second_text", ("panel", "ground")), ("amber", ("panel", "amber_ground")),
+         ("on_accent", ("accent",)), ("robot_text", ("robot",)), ("hull_text", ("object", "base")), ("accent_on_object", ("object",)),
+         ("amber_on_object", ("object",))]
+lines = [("quiet", ("panel",)), ("accent", ("panel", "ground")), ("chord", ("object", "base")), ("candidate", ("object", "base")),
+         ("hull_outline", ("object",)), ("clockwise_line", ("object", "ground", "panel")), ("counter_line", ("object", "ground", "panel")),
+         ("accent_on_object", ("object", "base")), ("amber_on_object", ("object", "base")), ("robot", ("object", "base"))]
+
+
+def check_contrast(scheme, colours):
+    grounds = {role: opaque(colour) for role, colour in colours.items()}
+    table = re.search(rf"constexpr Theme {scheme} = \{{(.*?)\n\}};", read("wasm/ui/theme.cpp"), re.DOTALL)[1]
+    share = float(re.search(r"\.hull = \{0x[0-9A-F]{6}, ([\d.]+)f\}", table)[1])
+    grounds["base"] = over(grounds["hull"], share, grounds["object"])  # the lifting base on the object
+    for kind, roles, wanted in (("text", texts, 4.5), ("line", lines, 3)):
+        for role, on in roles:
+            for ground in on:
+                found = contrast(grounds[role], grounds[ground])
+                if found < wanted:
+                    problems.append(f"wasm/ui/theme.cpp ({scheme}): {role} on {ground} has {found:.2f} : 1, and a {kind} needs {wanted} : 1")
+
+
 def check_everything():
     colours_of = {"light": theme("light"), "dark": theme("dark")}
     light = colours_of["light"]
+    for scheme, colours in colours_of.items():
+        check_contrast(scheme, colours)
     for path in ("web/page/page.css", "web/kit/dialogs.css", "native/report/report.css"):
         check_style(path, colours_of)
     path = "core/src/output/svg/svg_style.h"

@@ -22,7 +22,7 @@ std::string link_of(const std::string& text) {
   return encode_link(parse_document(text).value()).value();
 }
 
-std::size_t corners(const AppState& state) { return state.placement->vertices.size(); }
+std::size_t corners(const AppState& state) { return state.placement->vertices().size(); }
 
 }  // namespace
 

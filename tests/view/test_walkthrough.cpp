@@ -1,4 +1,5 @@
 // The lesson's player, without a window.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "evenlift/link.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
+#include "state/layout.h"
 #include "view/view_page.h"
 #include "walkthrough/walkthrough.h"
 
@@ -37,6 +39,7 @@ void go(Page& page, std::uint32_t step) {
 TEST_CASE("the lesson forward and back is the same at every step", "[view][lesson]") {
   Page page;
   page.press({"b"});
+  page.press({"u"});
   const std::uint32_t count = timeline(page.app.state).count;
   REQUIRE(count > 20);
   std::vector<Moment> forward;
@@ -61,6 +64,7 @@ TEST_CASE("every step of every sample draws, and asks for no frame of its own", 
     INFO(path.string());
     page.open(document(asset(path)));
     page.press({"b"});
+    page.press({"u"});
     const std::uint32_t count = timeline(page.app.state).count;
     // All steps of small ones, of others some of each chapter.
     for (std::uint32_t k = 0; k < count; k += 1 + count / 60) {
@@ -74,6 +78,69 @@ TEST_CASE("every step of every sample draws, and asks for no frame of its own", 
     page.press({"b"});
     CHECK_FALSE(walkthrough_is_open(page.app.state));
   }
+}
+
+TEST_CASE("main steps are shown first, and a step that is none unfolds all", "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  const Walkthrough& walk = page.app.state.walkthrough;
+  const std::uint32_t all = walk.trace->size();
+  CHECK(timeline(page.app.state).count == walk.main.size());
+  for (const std::uint32_t step : walk.main) {
+    CHECK(walk.at == step);
+    if (step != walk.main.back()) page.press({"ArrowRight"});
+  }
+  page.press({"Home"});
+  page.press({"PageDown"});
+  CHECK(walk.detail.step.chapter == Chapter::vertex_chords);
+  CHECK(timeline(page.app.state).at == 2);
+  go(page, 1);
+  CHECK(timeline(page.app.state).count == all);
+  page.press({"u"});
+  CHECK(walk.at == 0);
+  CHECK(timeline(page.app.state).count == walk.main.size());
+}
+
+TEST_CASE("every position of the timeline has a place of its own, where it is found again",
+          "[view][lesson]") {
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/stone-slab.txt"));
+  page.press({"b"});
+  for (int i = 0; i < 2; ++i) {
+    const auto parts = chapter_parts(page.app.state);
+    CHECK(parts.size() == chapter_count);
+    const std::uint32_t count = timeline(page.app.state).count;
+    double before = -1;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const double share = share_of(parts, k);
+      CHECK(share > before);
+      CHECK(position_at(parts, share) == k);
+      before = share;
+    }
+    CHECK(share_of(parts, 0) == 0);
+    CHECK(before == 1);
+    for (std::size_t c = 0; c < parts.size(); ++c)
+      CHECK(share_of(parts, parts[c].first) ==
+            static_cast<double>(c) / static_cast<double>(parts.size()));
+    page.press({"u"});
+  }
+}
+
+TEST_CASE("presenting shows the drawing and the words alone, and Escape ends it before the lesson",
+          "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  const double panel = layout(page.app.state).panel.width();
+  CHECK(panel > 0);
+  page.press({"P"});
+  CHECK(page.app.state.presenting);
+  CHECK(layout(page.app.state).panel.width() == 0);
+  page.frame();
+  page.press({"Escape"});
+  CHECK_FALSE(page.app.state.presenting);
+  CHECK(walkthrough_is_open(page.app.state));
+  page.press({"P"});
+  page.press({"b"});
+  CHECK_FALSE(page.app.state.presenting);
 }
 
 TEST_CASE("an edit during the lesson keeps the place, and undo is of the edit", "[view][lesson]") {
@@ -122,15 +189,18 @@ TEST_CASE("a step that there is not is refused by name, and told of a link", "[v
   CHECK_FALSE(walkthrough_is_open(page.app.state));
   page.open(far);
   CHECK(page.app.state.notice.text.starts_with("This lesson has no step 100000"));
-  CHECK(page.app.state.walkthrough.at + 1 == timeline(page.app.state).count);
+  CHECK(timeline(page.app.state).at + 1 == timeline(page.app.state).count);
+  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::result);
 }
 
 TEST_CASE("predicting stops before each choice, and tells whether the guess was right",
           "[view][lesson]") {
-  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/stone-slab.txt"));
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/puzzle-piece.txt"));
   page.press({"b"});
+  page.press({"u"});
   page.press({"q"});
   int asked = 0, right = 0;
+  std::array<int, 2> of_kind{};
   while (action_for(page.app.state, {"ArrowRight"})) {
     const std::uint32_t before = page.app.state.walkthrough.at;
     page.press({"ArrowRight"});
@@ -138,8 +208,11 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
     CHECK(page.app.state.walkthrough.at == before);  // not shown yet
     const Ask ask = *page.app.state.walkthrough.ask;
     CHECK_FALSE(ask.text.empty());
+    CHECK(ask.choices.size() > 1);
+    CHECK(ask.choices[ask.pointed] != ask.question.answer);  // what is offered gives nothing away
     page.frame();
     ++asked;
+    ++of_kind[ask.question.kind == QuestionKind::winning_chord];
     const bool honest = asked % 2 == 0;
     std::uint32_t answer = ask.question.answer;
     if (!honest && ask.choices.size() > 1)
@@ -152,6 +225,8 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
     page.frame();
   }
   CHECK(asked > 3);
+  for (const int n : of_kind) CHECK(n <= static_cast<int>(most_questions));
+  CHECK_FALSE(page.app.state.walkthrough.guesses.told.empty());  // the others were shown
   CHECK(right > 0);
   CHECK(right < asked);
 }
@@ -185,7 +260,8 @@ TEST_CASE("playing turns over by itself and stops at the end", "[view][lesson]")
     now += 0.1;
   }
   CHECK_FALSE(page.app.state.walkthrough.playing);
-  CHECK(page.app.state.walkthrough.at + 1 == timeline(page.app.state).count);
+  CHECK(timeline(page.app.state).at + 1 == timeline(page.app.state).count);
+  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::result);
 }
 
 TEST_CASE("a ready-made lesson shows its own stops and words, and can be left for all steps",
@@ -200,8 +276,7 @@ TEST_CASE("a ready-made lesson shows its own stops and words, and can be left fo
   CHECK(words_of_stop(page.app.state) == "Done.");
   CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
   page.frame();
-  page.app.commands.push_back(LeaveScript{});
-  settle(page.app);
+  page.press({"u"});
   CHECK(timeline(page.app.state).count > 20);
   CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "state/layout.h"
+#include "state/method.h"
+#include "tools/drawing.h"
 #include "tools/transform.h"
 #include "walkthrough/walkthrough.h"
 
@@ -16,23 +19,27 @@ bool editing(const AppState& s) { return !s.screen.embed; }
 bool has_teams_number(const AppState& s) { return editing(s) && s.placement.has_value(); }
 
 // If all teams were asked for, one step down begins at the number that was placed.
-std::uint32_t teams_now(const AppState& s) {
-  return settings(s).teams.value_or(
-      static_cast<std::uint32_t>(s.placement ? s.placement->teams.size() : 3));
-}
+std::uint32_t teams_now(const AppState& s) { return settings(s).teams.value_or(placed_teams(s)); }
 
-void set_teams(const AppState& s, Commands& out, std::int64_t teams) {
+// More teams, or more balanced robots.
+template <int by>
+void change_number(const AppState& s, Commands& out) {
   Settings changed = settings(s);
-  changed.teams = static_cast<std::uint32_t>(std::clamp<std::int64_t>(teams, 1, max_teams));
+  const auto within = [](std::int64_t number, std::uint32_t low, std::uint32_t high) {
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(number, low, high));
+  };
+  if (changed.method == Method::balanced)
+    changed.robots = within(std::int64_t{changed.robots} + by, fewest_robots(changed), most_robots);
+  else
+    changed.teams = within(std::int64_t{teams_now(s)} + by, 1, max_teams);
   out.push_back(SetSettings{changed});
 }
 
 void next_method(const AppState& s, Commands& out) {
-  Settings changed = settings(s);
-  const auto* at = std::find(std::begin(all_methods), std::end(all_methods), changed.method);
+  const auto* at = std::find(std::begin(all_methods), std::end(all_methods), settings(s).method);
   const auto next = static_cast<std::size_t>(at - std::begin(all_methods)) + 1;
-  changed.method = all_methods[next % std::size(all_methods)];
-  out.push_back(SetSettings{changed});
+  out.push_back(SetSettings{
+      with_method(settings(s), all_methods[next % std::size(all_methods)], placed_teams(s))});
 }
 
 void change_ratio(const AppState& s, Commands& out, double steps) {
@@ -64,7 +71,28 @@ void take(const AppState& s, Commands& out) {
 }
 
 bool drawing(const AppState& s) { return s.tool == Tool::draw; }
-bool can_close(const AppState& s) { return drawing(s) && s.drawing.points.size() >= 3; }
+// Whether keys moved the cursor to where a vertex can be placed.
+bool keys_place(const AppState& s) {
+  const Drawing& d = s.drawing;
+  return d.by_keys && d.cursor && (d.points.empty() || *d.cursor != d.points.back()) &&
+         !closes(s, s.camera.to_screen(*d.cursor));
+}
+bool can_place(const AppState& s) { return drawing(s) && s.drawing.cursor.has_value(); }
+bool can_finish(const AppState& s) {
+  return drawing(s) && (keys_place(s) || s.drawing.points.size() >= 3);
+}
+void place(const AppState& s, Commands& out) {
+  if (closes(s, s.camera.to_screen(*s.drawing.cursor)))
+    out.push_back(FinishDrawing{});
+  else
+    out.push_back(AddPoint{*s.drawing.cursor});
+}
+void finish(const AppState& s, Commands& out) {
+  if (keys_place(s))
+    place(s, out);
+  else
+    out.push_back(FinishDrawing{});
+}
 bool on_parts(const AppState& s) { return editing(s) && s.tool == Tool::parts; }
 
 bool in_walkthrough(const AppState& s) { return walkthrough_is_open(s); }
@@ -75,6 +103,7 @@ void begin_or_end_walkthrough(const AppState& s, Commands& out) {
   else
     out.push_back(OpenWalkthrough{});
 }
+bool can_present(const AppState& s) { return in_walkthrough(s) && editing(s); }
 bool can_go_on(const AppState& s) {
   const Timeline t = timeline(s);
   return in_walkthrough(s) && (t.at + 1 < t.count || s.walkthrough.ask);
@@ -124,11 +153,39 @@ void insert_vertex(const AppState& s, Commands& out) {
   out.push_back(InsertVertex{*s.selected, a + (b - a) / 2});
 }
 
+bool can_take_back(const AppState& s) { return drawing(s) && !s.drawing.points.empty(); }
+
+// Moves the cursor of the drawing to the next dots of the grid, or by a pixel.
+template <int x, int y, bool finely>
+void move_cursor(const AppState& s, Commands& out) {
+  const Drawing& d = s.drawing;
+  Vec2 at = d.cursor            ? *d.cursor
+            : !d.points.empty() ? d.points.back()
+                                : nearest_dot(s.camera, s.camera.to_world(layout(s).free.middle()));
+  const bool begins = !d.cursor && d.points.empty();  // the first press shows the cursor
+  if (!begins) {
+    const double step = finely ? 1 / s.camera.scale : grid_step(s.camera);
+    const Vec2 wanted = at + Vec2(x * step, y * step);
+    const Vec2 to = finely ? rounded_finely(s.camera, wanted) : nearest_dot(s.camera, wanted);
+    (x != 0 ? at.x() : at.y()) = x != 0 ? to.x() : to.y();
+  }
+  out.push_back(SetDrawCursor{at, {}, true});
+}
+
 // Moves the selected vertex, or the whole polygon, by a dot of the grid.
-bool can_nudge(const AppState& s) { return on_vertex(s) || transforming(s); }
+// A balanced robot can be moved while its card is open.
+bool on_robot(const AppState& s) { return on_parts(s) && s.explanation && s.explanation->robot; }
+bool can_nudge(const AppState& s) {
+  return on_vertex(s) || on_robot(s) || transforming(s) || drawing(s);
+}
 template <int x, int y>
 void nudge(const AppState& s, Commands& out) {
+  if (drawing(s)) return move_cursor<x, y, false>(s, out);
   if (transforming(s)) return out.push_back(moved_polygon(s, x, y));
+  if (on_robot(s)) {
+    const Vec2 along = Vec2(x, y) * (grid_step(s.camera) / 10);
+    return out.push_back(MoveRobot{*s.explanation->robot, s.explanation->at + along});
+  }
   const double step = grid_step(s.camera) / (s.snap.grid ? 1 : 10);
   const Vec2 to = s.document.vertices[*s.selected] + Vec2(x * step, y * step);
   out.push_back(MoveVertex{
@@ -164,22 +221,53 @@ void next_second_method(const AppState& s, Commands& out) {
       Compare{next == std::end(all_methods) ? std::nullopt : std::optional<Method>(*next)});
 }
 
+bool by_candidates(const AppState& s) {
+  return has_teams_number(s) && selects_candidates(settings(s).method);
+}
+void take_all_teams(const AppState& s, Commands& out) {
+  Settings changed = settings(s);
+  changed.teams =
+      changed.teams ? std::nullopt : std::optional<std::uint32_t>(std::max(1u, teams_now(s)));
+  out.push_back(SetSettings{changed});
+}
+
+// Opens the panel if it is closed, and then the field of a value (see the panels' names of their controls).
+constexpr char typed_ratio[] = "min ratio", typed_weight[] = "weight", typed_seed[] = "seed",
+               typed_centre[] = "com", typed_capacity[] = "capacity";
+template <const char* control>
+void type_value(const AppState& s, Commands& out) {
+  if (!s.panel_open) out.push_back(SetPanelOpen{true});
+  if (s.sheet == Sheet::closed) out.push_back(SetSheet{Sheet::half});
+  out.push_back(TypeValue{control});
+}
+void type_capacity(const AppState& s, Commands& out) {
+  const bool carries = s.placement && s.placement->loads;
+  if (!s.capacity) out.push_back(SetCapacity{carries ? std::ceil(s.placement->loads->max) : 20.0});
+  type_value<typed_capacity>(s, out);
+}
+bool is_random(const AppState& s) { return editing(s) && settings(s).method == Method::random; }
+bool has_own_centre(const AppState& s) {
+  return editing(s) && s.document.centre_of_mass.has_value();
+}
+
 // Escape closes the topmost thing that is open.
 bool anything_open(const AppState& s) {
-  return s.list_open || s.help_open || s.selected || s.tool != Tool::parts ||
+  return s.list_open || s.explanation || s.selected || s.tool != Tool::parts ||
          !s.notice.text.empty() || (in_walkthrough(s) && editing(s));
 }
 void dismiss(const AppState& s, Commands& out) {
   if (s.list_open)
     out.push_back(CloseList{});
-  else if (s.help_open)
-    out.push_back(SetHelpOpen{false});
+  else if (s.explanation)
+    out.push_back(Explain{});
+  else if (drawing(s) && !s.drawing.points.empty())
+    out.push_back(TakePointBack{});  // and the notice, if there is one, is about it
   else if (!s.notice.text.empty())
     out.push_back(ShowNotice{});
+  else if (s.presenting)
+    out.push_back(SetPresenting{false});
   else if (in_walkthrough(s))
     out.push_back(CloseWalkthrough{});
-  else if (drawing(s) && !s.drawing.points.empty())
-    out.push_back(TakePointBack{});
   else if (s.tool != Tool::parts)
     out.push_back(SetTool{Tool::parts});
   else
@@ -193,9 +281,9 @@ const std::vector<Action> table = {
     {ActionId::lessons, Icon::board, "Lessons", "Shift+B", {{"B"}}, editing, show<browser::Dialog::lessons>},
     {ActionId::walkthrough, Icon::board, "The algorithm step by step, on this object", "B", {{"b"}}, can_teach, begin_or_end_walkthrough},
     {ActionId::step_on, Icon::step_on, "Next step", "Right", {{"ArrowRight"}}, can_go_on, move_step<1>},
-    {ActionId::step_back, Icon::step_back, "Step before", "Left", {{"ArrowLeft"}}, can_go_back, move_step<-1>},
+    {ActionId::step_back, Icon::step_back, "Previous step", "Left", {{"ArrowLeft"}}, can_go_back, move_step<-1>},
     {ActionId::next_chapter, Icon::chapter_on, "Next chapter", "Page down", {{"PageDown"}}, in_walkthrough, move_chapter<1>},
-    {ActionId::previous_chapter, Icon::chapter_back, "Chapter before", "Page up", {{"PageUp"}}, in_walkthrough, move_chapter<-1>},
+    {ActionId::previous_chapter, Icon::chapter_back, "Previous chapter", "Page up", {{"PageUp"}}, in_walkthrough, move_chapter<-1>},
     {ActionId::first_step, Icon::first, "First step", "Home", {{"Home"}}, in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, 0)}); }},
     {ActionId::last_step, Icon::last, "Last step", "End", {{"End"}}, in_walkthrough,
@@ -208,6 +296,10 @@ const std::vector<Action> table = {
      [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.walkthrough.speed / 2}); }},
     {ActionId::predict, Icon::none, "Predict before each choice", "Q", {{"q"}}, in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.walkthrough.predict}); }},
+    {ActionId::all_steps, Icon::none, "All steps, or only the main ones", "U", {{"u"}}, in_walkthrough,
+     [](const AppState& s, Commands& out) { out.push_back(ShowAllSteps{s.walkthrough.script || !s.walkthrough.all_steps}); }},
+    {ActionId::present, Icon::none, "Present to a room: large words, full screen", "Shift+P", {{"P"}}, can_present,
+     [](const AppState& s, Commands& out) { out.push_back(SetPresenting{!s.presenting}); }},
     {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, editing, show<browser::Dialog::open>},
     {ActionId::save, Icon::save, "Save", "S", {{"s"}}, editing, show<browser::Dialog::save>},
     {ActionId::undo, Icon::undo, "Undo", "Ctrl+Z", {{"z", true}}, can_undo, undo},
@@ -215,13 +307,19 @@ const std::vector<Action> table = {
     {ActionId::copy_link, Icon::link, "Copy link", "Ctrl+C", {{"c", true}}, always, ask<CopyLink>},
     {ActionId::table, Icon::table, "Coordinates", "E", {{"e"}}, editing, show<browser::Dialog::table>},
     {ActionId::transform, Icon::transform, "Move, turn or scale the whole", "W", {{"w"}}, editing, take<Tool::transform>},
-    {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, can_close, ask<FinishDrawing>},
+    {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, can_finish, finish},
+    {ActionId::place, Icon::none, "Place a vertex where the cursor is", "Space", {{" "}}, can_place, place},
+    {ActionId::take_back, Icon::none, "Take the last vertex back", "Backspace", {{"Backspace"}}, can_take_back, ask<TakePointBack>},
     {ActionId::next_vertex, Icon::none, "Select the next vertex", "V", {{"v"}}, on_parts, select_vertex<1>},
     {ActionId::previous_vertex, Icon::none, "Select the vertex before", "Shift+V", {{"V"}}, on_parts, select_vertex<-1>},
     {ActionId::insert_vertex, Icon::none, "Add a vertex after the selected one", "I", {{"i"}}, on_vertex, insert_vertex},
     {ActionId::remove_vertex, Icon::close, "Remove the selected vertex", "Delete", {{"Delete"}, {"Backspace"}}, on_vertex,
      [](const AppState& s, Commands& out) { out.push_back(RemoveVertex{*s.selected}); }},
-    {ActionId::left, Icon::none, "Move the selected vertex, or the whole", "Arrows", {{"ArrowLeft"}}, can_nudge, nudge<-1, 0>},
+    {ActionId::left_finely, Icon::none, "Move the cursor while drawing by a pixel", "Shift+arrows", {{"ArrowLeft", false, true}}, drawing, move_cursor<-1, 0, true>},
+    {ActionId::right_finely, Icon::none, "Move the cursor to the right by a pixel", "", {{"ArrowRight", false, true}}, drawing, move_cursor<1, 0, true>},
+    {ActionId::up_finely, Icon::none, "Move the cursor up by a pixel", "", {{"ArrowUp", false, true}}, drawing, move_cursor<0, 1, true>},
+    {ActionId::down_finely, Icon::none, "Move the cursor down by a pixel", "", {{"ArrowDown", false, true}}, drawing, move_cursor<0, -1, true>},
+    {ActionId::left, Icon::none, "Move the selected vertex, the balanced robot whose card is open, the whole, or the cursor while drawing", "Arrows", {{"ArrowLeft"}}, can_nudge, nudge<-1, 0>},
     {ActionId::right, Icon::none, "Move to the right", "", {{"ArrowRight"}}, can_nudge, nudge<1, 0>},
     {ActionId::up, Icon::none, "Move up", "", {{"ArrowUp"}}, can_nudge, nudge<0, 1>},
     {ActionId::down, Icon::none, "Move down", "", {{"ArrowDown"}}, can_nudge, nudge<0, -1>},
@@ -231,10 +329,8 @@ const std::vector<Action> table = {
     {ActionId::smaller, Icon::none, "Make the whole smaller", "", {{"{"}}, transforming, scale<9>},
     {ActionId::snap_grid, Icon::none, "Snap to the grid", "N", {{"n"}}, editing, snap<&Snap::grid>},
     {ActionId::snap_axis, Icon::none, "Snap to the axis", "X", {{"x"}}, editing, snap<&Snap::axis>},
-    {ActionId::more_teams, Icon::plus, "One team more", "T", {{"t"}}, has_teams_number,
-     [](const AppState& s, Commands& out) { set_teams(s, out, std::int64_t{teams_now(s)} + 1); }},
-    {ActionId::fewer_teams, Icon::minus, "One team fewer", "Shift+T", {{"T"}}, has_teams_number,
-     [](const AppState& s, Commands& out) { set_teams(s, out, std::int64_t{teams_now(s)} - 1); }},
+    {ActionId::more_teams, Icon::plus, "One team more, or one balanced robot", "T", {{"t"}}, has_teams_number, change_number<1>},
+    {ActionId::fewer_teams, Icon::minus, "One team fewer, or one balanced robot", "Shift+T", {{"T"}}, has_teams_number, change_number<-1>},
     {ActionId::next_method, Icon::none, "Next method", "M", {{"m"}}, editing, next_method},
     {ActionId::compare, Icon::compare, "Compare with another method", "K", {{"k"}}, editing, next_second_method},
     {ActionId::experiment, Icon::none, "Compare all methods in charts", "Shift+K", {{"K"}}, editing,
@@ -243,6 +339,13 @@ const std::vector<Action> table = {
      [](const AppState& s, Commands& out) { change_ratio(s, out, 1); }},
     {ActionId::lower_ratio, Icon::none, "Lower the minimum load ratio", ",", {{","}}, editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, -1); }},
+    {ActionId::all_teams, Icon::none, "A team on every candidate, or as many as before", "*", {{"*"}}, by_candidates, take_all_teams},
+    {ActionId::type_ratio, Icon::none, "Type the minimum load ratio", "Shift+R", {{"R"}}, editing, type_value<typed_ratio>},
+    {ActionId::type_weight, Icon::none, "Type the weight", "Y", {{"y"}}, editing, type_value<typed_weight>},
+    {ActionId::type_capacity, Icon::none, "Type what a robot carries", "Shift+Y", {{"Y"}}, editing, type_capacity},
+    {ActionId::type_seed, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, is_random, type_value<typed_seed>},
+    {ActionId::type_centre, Icon::none, "Type the centre of mass", "J", {{"j"}}, editing, type_value<typed_centre>},
+    {ActionId::free_centre, Icon::none, "Centre of mass back to the centroid", "Shift+J", {{"J"}}, has_own_centre, ask<ReleaseCentre>},
     {ActionId::toggle_hull, Icon::none, "Show the lifting base", "H", {{"h"}}, always, toggle<&Overlays::lifting_base>},
     {ActionId::toggle_clockwise, Icon::none, "Show free clockwise turns", "R", {{"r"}}, always, toggle<&Overlays::clockwise>},
     {ActionId::toggle_counterclockwise, Icon::none, "Show free counter-clockwise turns", "L", {{"l"}}, always,
@@ -259,8 +362,10 @@ const std::vector<Action> table = {
      [](const AppState& s, Commands& out) { out.push_back(SetPanelOpen{!s.panel_open}); }},
     {ActionId::motion, Icon::none, "Motion on or off", "Shift+M", {{"M"}}, always,
      [](const AppState& s, Commands& out) { out.push_back(SetMotion{!s.motion}); }},
-    {ActionId::help, Icon::help, "Keys", "?", {{"?"}}, always,
-     [](const AppState& s, Commands& out) { out.push_back(SetHelpOpen{!s.help_open}); }},
+    {ActionId::help, Icon::help, "Keys", "?", {{"?"}}, always, show<browser::Dialog::keys>},
+    {ActionId::about, Icon::none, "About evenlift", "Shift+A", {{"A"}}, editing, show<browser::Dialog::about>},
+    {ActionId::glossary, Icon::none, "Glossary", "Shift+G", {{"G"}}, always, show<browser::Dialog::glossary>},
+    {ActionId::welcome, Icon::none, "How to begin, and the tour", "Shift+W", {{"W"}}, editing, show<browser::Dialog::welcome>},
     {ActionId::dismiss, Icon::close, "Close, or select nothing", "Esc", {{"Escape"}}, anything_open, dismiss},
 };
 // clang-format on
@@ -272,7 +377,7 @@ bool same(const Key& wanted, const Key& pressed) {
     return wanted.shift == pressed.shift && wanted.name.size() == pressed.name.size() &&
            (wanted.name[0] | 0x20) == (pressed.name[0] | 0x20);
   }
-  return wanted.name == pressed.name;
+  return wanted.name == pressed.name && (!wanted.shift || pressed.shift);
 }
 
 }  // namespace
@@ -281,6 +386,17 @@ const std::vector<Action>& actions() { return table; }
 
 const Action& action(ActionId id) {
   return *std::find_if(table.begin(), table.end(), [&](const Action& a) { return a.id == id; });
+}
+
+std::string tip(const Action& action, const AppState& state) {
+  std::string text = action.label;
+  if (state.tool != Tool::draw) {  // there it takes back a vertex, as everybody sees
+    if (action.id == ActionId::undo && state.history.can_undo())
+      text += std::string(": ") + in_words(state.history.undoes());
+    if (action.id == ActionId::redo && state.history.can_redo())
+      text += std::string(": ") + in_words(state.history.redoes());
+  }
+  return *action.shown ? text + " (" + action.shown + ")" : text;
 }
 
 const Action* action_for(const AppState& state, const Key& key) {

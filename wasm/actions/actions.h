@@ -2,6 +2,7 @@
 // keys read it.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,12 +15,13 @@ namespace evenlift::view {
 // clang-format off
 enum class ActionId : std::uint8_t {
   samples, draw, lessons, walkthrough, transform, open, save, table, undo, redo, copy_link,
-  step_on, step_back, next_chapter, previous_chapter, first_step, last_step, play, faster, slower, predict,
-  finish, next_vertex, previous_vertex, insert_vertex, remove_vertex,
-  left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
+  step_on, step_back, next_chapter, previous_chapter, first_step, last_step, play, faster, slower, predict, all_steps, present,
+  finish, place, take_back, next_vertex, previous_vertex, insert_vertex, remove_vertex,
+  left_finely, right_finely, up_finely, down_finely, left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
   more_teams, fewer_teams, next_method, compare, experiment, higher_ratio, lower_ratio,
+  all_teams, type_ratio, type_weight, type_capacity, type_seed, type_centre, free_centre,
   toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, toggle_tipping,
-  zoom_in, zoom_out, fit, fold_panel, motion, help, dismiss
+  zoom_in, zoom_out, fit, fold_panel, motion, help, about, glossary, welcome, dismiss
 };
 // clang-format on
 
@@ -27,7 +29,7 @@ enum class ActionId : std::uint8_t {
 struct Key {
   std::string_view name;
   bool command = false;
-  bool shift = false;  // only compared together with `command`
+  bool shift = false;  // asked for where it is set, and compared together with `command`
 };
 
 struct Action {
@@ -42,6 +44,9 @@ struct Action {
 
 const std::vector<Action>& actions();
 const Action& action(ActionId id);
+
+// What the action would do now, with its key: "Undo: moved a vertex (Ctrl+Z)".
+std::string tip(const Action& action, const AppState& state);
 
 // The action of a key that can be done now; null if there is none, then the key is the browser's.
 const Action* action_for(const AppState& state, const Key& key);

@@ -18,7 +18,7 @@ Vec2 neighbour(const Points& points, std::size_t i, bool next) {
 }
 
 void press_parts(const AppState& state, const Pointer& pointer, Commands& commands) {
-  Pick under = pick(state, pointer.at, pointer.second);
+  Pick under = pick_to_hold(state, pointer.at, pointer.second);
   if (under.kind == Pick::Kind::edge && pointer.double_pressed && !state.screen.embed) {
     const Vec2 at = rounded_to_pixels(state.camera, under.at);
     commands.push_back(InsertVertex{under.index, at});
@@ -26,7 +26,8 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   }
   // A finger cannot hover, so a press also counts as hovering.
   if (pointer.touch) commands.push_back(SetHover{under});
-  const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre;
+  const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre ||
+                    can_take_robot(state, under);
   if (!grip) under.kind = Pick::Kind::ground;
   // From now on `at` is the offset from the pointer to what it holds, so that nothing jumps.
   under.at = grip ? Vec2(state.camera.to_screen(under.at) - pointer.at) : pointer.at;
@@ -37,6 +38,12 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
 void press(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (state.tool == Tool::parts) return press_parts(state, pointer, commands);
   Pick held{Pick::Kind::ground, 0, 0, pointer.at};
+  if (state.tool == Tool::draw) {
+    if (const auto placed = placed_at(state, pointer.at)) {
+      const Vec2 at = state.camera.to_screen(state.drawing.points[*placed]);
+      held = {Pick::Kind::vertex, *placed, 0, at - pointer.at};
+    }
+  }
   if (state.tool == Tool::transform) {
     if (const auto grip = grip_at(state, pointer.at)) {
       held.kind = Pick::Kind::frame;
@@ -58,10 +65,21 @@ void drag_ground(const AppState& state, const Pointer& pointer, Commands& comman
   commands.push_back(SetHeld{moved});
 }
 
+// Its neighbours are those of the shape when it is closed.
+void drag_placed(const AppState& state, const Pointer& pointer, Commands& commands) {
+  const std::size_t i = state.held.index;
+  const Points& points = state.drawing.points;
+  if (i >= points.size()) return;
+  const Vec2 to = state.camera.to_world(pointer.at + state.held.at);
+  commands.push_back(
+      MovePoint{i, snapped(state, to, neighbour(points, i, false), neighbour(points, i, true))});
+}
+
 void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.held;
   if (held.kind == Pick::Kind::ground) return drag_ground(state, pointer, commands);
   if (pointer.moved < still && !state.edit_open) return;
+  if (state.tool == Tool::draw) return drag_placed(state, pointer, commands);
   if (held.kind == Pick::Kind::frame) {
     commands.push_back(
         dragged_polygon(state, static_cast<FrameGrip>(held.index), held.at, pointer.at));
@@ -74,10 +92,16 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
         MoveVertex{held.index, snapped(state, to, neighbour(vertices, held.index, false),
                                        neighbour(vertices, held.index, true))});
   }
+  if (held.kind == Pick::Kind::robot)
+    commands.push_back(MoveRobot{static_cast<std::size_t>(held.end), to});
   if (held.kind == Pick::Kind::centre) {
-    const bool to_dot = state.snap.grid;
-    commands.push_back(
-        MoveCentre{to_dot ? nearest_dot(state.camera, to) : rounded_to_pixels(state.camera, to)});
+    const Vec2 centroid = centroid_of(state.document.vertices).value_or(to);
+    const double away = length(state.camera.to_screen(to) - state.camera.to_screen(centroid));
+    if (away <= (state.snap.grid || state.snap.axis ? 12 : 6))
+      commands.push_back(MoveCentre{rounded_finely(state.camera, centroid)});
+    else
+      commands.push_back(MoveCentre{state.snap.grid ? nearest_dot(state.camera, to)
+                                                    : rounded_to_pixels(state.camera, to)});
   }
 }
 
@@ -100,8 +124,20 @@ void click_walkthrough(const AppState& state, const Pointer& pointer, Commands& 
 }
 
 void release(const AppState& state, const Pointer& pointer, Commands& commands) {
-  const bool clicked = state.held.kind == Pick::Kind::ground && pointer.moved < still;
-  if (clicked && state.tool == Tool::draw) click_drawing(state, pointer, commands);
+  const bool still_there = pointer.moved < still;
+  const bool clicked = state.held.kind == Pick::Kind::ground && still_there;
+  // A robot that stands on a vertex is asked about, too, if the vertex was not dragged.
+  const bool asks = still_there && state.tool == Tool::parts && !walkthrough_is_open(state);
+  const Pick asked = asks ? pick_explained(state, pointer.at, pointer.second) : Pick{};
+  if (asked.kind != Pick::Kind::none)
+    commands.push_back(Explain{asked});
+  else if (state.explanation)
+    commands.push_back(Explain{});
+  if (state.tool == Tool::draw) {
+    const bool on_placed = still_there && state.held.kind == Pick::Kind::vertex;
+    if (clicked || (on_placed && closes(state, pointer.at)))
+      click_drawing(state, pointer, commands);
+  }
   // A click on the ground lets go of the selection; a pan does not.
   else if (clicked && walkthrough_is_open(state))
     click_walkthrough(state, pointer, commands);
@@ -119,9 +155,23 @@ void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
 }
 
 void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Commands& commands) {
-  std::optional<Vec2> cursor;
-  if (!none) cursor = next_point(state, state.camera.to_world(pointer.at));
-  if (cursor != state.drawing.cursor) commands.push_back(SetDrawCursor{cursor});
+  const Drawing& drawing = state.drawing;
+  // What keys or typing did stays until the pointer moves over the drawing.
+  if (drawing.by_keys && (none || pointer.at == drawing.pointer)) return;
+  Pick over;
+  std::optional<Vec2> cursor, at;
+  if (!none) {
+    at = pointer.at;
+    const auto placed = placed_at(state, pointer.at);
+    if (placed) over = {Pick::Kind::vertex, *placed, 0, drawing.points[*placed]};
+    if (closes(state, pointer.at))
+      cursor = drawing.points.front();
+    else if (!placed)
+      cursor = next_point(state, state.camera.to_world(pointer.at));
+  }
+  if (!(over == state.hover)) commands.push_back(SetHover{over});
+  if (cursor != drawing.cursor || at != drawing.pointer)
+    commands.push_back(SetDrawCursor{cursor, at});
 }
 
 void hover(const AppState& state, const Pointer& pointer, Commands& commands) {

@@ -11,7 +11,7 @@
 namespace evenlift::view {
 
 std::optional<InputError> open_lesson(AppState& state, const std::string& text,
-                                      const std::string& polygon, bool join) {
+                                      const std::string& polygon, LessonStart start) {
   Result<Lesson> lesson = parse_lesson(text);
   if (!lesson) return lesson.error();
   Document sample;
@@ -27,14 +27,24 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   Result<Trace> trace = compute_trace(of_it->placement);
   if (!trace) return trace.error();
   if (const auto problem = check_lesson(*lesson, *trace)) return problem;
-  Script script{std::move(lesson).value(), {}, 0, of_it->document.vertices, 0};
-  if (join) return join_script(state, std::move(script));
+  Script script;
+  script.lesson = std::move(lesson).value();
+  script.vertices = of_it->document.vertices;
+  if (start == LessonStart::join) return join_script(state, std::move(script));
+  script.own = of_it->document.settings;
+  script.before = settings_before_script(state).value_or(settings(state));
+  script.preview = start == LessonStart::preview;
   const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
   of_it->document.settings.step = of_it->placement.settings.step = first;
   of_it->trace = std::move(trace).value();
-  Commands commands;
-  commands.push_back(OpenDocument{std::move(of_it).value()});
-  apply(state, commands);
+  const std::optional<Script>& former = state.walkthrough.script;
+  if (script.preview && former && former->preview) {
+    reopen(state, std::move(of_it).value());
+  } else {
+    Commands commands;
+    commands.push_back(OpenDocument{std::move(of_it).value()});
+    apply(state, commands);
+  }
   begin_script(state, std::move(script));
   return std::nullopt;
 }

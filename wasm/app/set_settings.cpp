@@ -9,6 +9,11 @@
 namespace evenlift::view {
 namespace {
 
+// Whether scripts can set it.
+bool is_of_the_page(Setting setting) {
+  return setting != Setting::com_radius && setting != Setting::loads;
+}
+
 // Reads one setting into `changed`.
 std::optional<InputError> read(Setting setting, std::string_view text, Changeable& changed) {
   if (setting != Setting::capacity) return read_setting(setting, text, changed.document);
@@ -28,7 +33,7 @@ Result<Changeable> with_settings(Changeable given, std::string_view lines) {
     const std::size_t equals = line.find('=');
     const std::string_view name = line.substr(0, equals);
     const std::optional<Setting> setting = setting_from_name(name);
-    if (!setting || equals == std::string_view::npos)
+    if (!setting || !is_of_the_page(*setting) || equals == std::string_view::npos)
       return InputError{ErrorCode::bad_setting,
                         "there is no such setting",
                         {Place::Kind::option, 0, 0, std::string(name)}};

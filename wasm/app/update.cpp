@@ -1,21 +1,29 @@
 #include "app/update.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "app/by_hand.h"
+#include "app/search.h"
+#include "evenlift/document.h"
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
+#include "evenlift/plane.h"
+#include "evenlift/polygon.h"
 #include "state/browser.h"
 #include "state/layout.h"
+#include "state/method.h"
 #include "state/opened.h"
+#include "tools/drawing.h"
+#include "walkthrough/explain.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 namespace {
 
-constexpr double largest_zoom =
-    1000;  // times the view that fits: screen coordinates stay fit for floats
-constexpr double smallest_zoom = 0.05;
+// Times the view that fits. Larger ones would make screen coordinates unfit for floats.
+constexpr double largest_zoom = 1000, smallest_zoom = 0.25;
 
 void show(AppState& state, Notice notice) {
   if (notice.text != state.notice.text) browser::announce(notice.text);
@@ -33,6 +41,9 @@ void part_methods(AppState& state, Method former) {
 // Takes over the placement of the document, or why it is refused.
 void adopt(AppState& state, Result<Placement> placement) {
   ++state.revision;
+  drop_search(state);
+  state.by_hand = false;
+  state.explanation.reset();
   part_methods(state, state.placed.settings.method);
   const std::string before = state.refusal ? sentence(*state.refusal) : std::string();
   if (placement) {
@@ -49,30 +60,57 @@ void adopt(AppState& state, Result<Placement> placement) {
   browser::document_changed();
 }
 
-// Computes what is shown beside the placement. The capacity plan is computed only if it can have
-// changed, and not during a drag, when nobody reads it.
-void follow_up(AppState& state) {
-  if (state.refusal) return;
+// If no chord is even enough, the best load ratio that there is.
+std::optional<double> best_ratio_if_none(const Placement& placement) {
+  if (!placement.teams.empty() || !selects_candidates(placement.settings.method))
+    return std::nullopt;
+  const auto any = find_candidates(placement.polygon, placement.centre_of_mass, 0);
+  if (!any || any->empty()) return std::nullopt;
+  double best = 0;
+  for (const Candidate& c : *any) best = std::max(best, c.chord.ratio);
+  // Two decimals, as the slider has, and none of them too many.
+  return std::floor(best * 100) / 100;
+}
+
+// Places the second method, if there is one.
+void renew_second(AppState& state) {
+  constexpr auto balanced = Method::balanced;
+  if (state.second && state.second->settings.method == balanced) drop_search(state);
   state.second.reset();
-  if (state.second_method) {
-    Document document = state.placed;
-    document.settings.method = *state.second_method;
-    // Methods that do not choose among candidates cannot take all of them.
-    const bool all = !document.settings.teams;
-    if (all)
-      document.settings.teams =
-          static_cast<std::uint32_t>(std::max<std::size_t>(state.placement->teams.size(), 1));
-    if (Result<Placement> placement = compute_placement(document))
-      state.second = std::move(placement).value();
-  }
-  if (state.edit_open || !state.plan_due) return;
+  if (!state.second_method) return;
+  if (state.second_method == balanced) drop_search(state);
+  Document document = state.placed;
+  const std::uint32_t teams = placed_teams(state);
+  // So that both methods have as many teams.
+  if (!document.settings.teams && document.settings.method != balanced)
+    document.settings.teams = teams;
+  document.settings = with_method(document.settings, *state.second_method, teams);
+  if (Result<Placement> placement = compute_placement(document, state.placement))
+    state.second = std::move(placement).value();
+}
+
+// The plan for the capacity, if it can have changed; not during a drag, in which nobody reads it.
+void renew_plan(AppState& state) {
+  if (state.refusal || state.edit_open || !state.plan_due) return;
   state.plan.reset();
   if (state.capacity) state.plan = plan_capacity(*state.placement, *state.capacity);
   state.plan_due = false;
 }
 
+// Computes what is shown beside the placement. The best ratio, the plan and the search for balanced
+// robots wait for the end of a drag.
+void follow_up(AppState& state) {
+  if (state.refusal) return;
+  renew_second(state);
+  state.best_ratio.reset();
+  if (state.edit_open) return;
+  state.best_ratio = best_ratio_if_none(*state.placement);
+  renew_plan(state);
+  begin_search(state);
+}
+
 void recompute(AppState& state) {
-  adopt(state, compute_placement(state.document));
+  adopt(state, compute_placement(state.document, state.placement));
   follow_up(state);
   follow_placement(state);
 }
@@ -87,10 +125,36 @@ void drop_stale_picks(AppState& state) {
   }
 }
 
-void begin_edit(AppState& state, bool live) {
+Beside beside(const AppState& state) { return {state.capacity, state.second_method}; }
+
+void begin_edit(AppState& state, bool live, Edit edit) {
   if (live && state.edit_open) return;
-  state.history.record(state.document);
+  state.history.record(state.document, beside(state), edit);
   state.edit_open = live;
+}
+
+// Whether balanced robots are to hold as firmly.
+bool same_margin(const Settings& a, const Settings& b) {
+  return a.min_margin == b.min_margin && a.apart == b.apart && a.survive == b.survive;
+}
+
+// The setting that differs, if it is only one.
+Edit edit_between(const Settings& before, const Settings& after) {
+  Edit edit = Edit::settings;
+  int differing = 0;
+  const auto compare = [&](bool same, Edit which) {
+    if (same) return;
+    edit = which;
+    ++differing;
+  };
+  compare(before.teams == after.teams, Edit::teams);
+  compare(before.method == after.method, Edit::method);
+  compare(before.min_ratio == after.min_ratio, Edit::min_ratio);
+  compare(before.weight == after.weight, Edit::weight);
+  compare(before.seed == after.seed, Edit::seed);
+  compare(before.robots == after.robots, Edit::robots);
+  compare(before.goal == after.goal && same_margin(before, after), Edit::goal);
+  return differing == 1 ? edit : Edit::settings;
 }
 
 void fit_view(AppState& state) { state.camera_follows = state.fit_due = true; }
@@ -106,7 +170,9 @@ void forget_former(AppState& state) {
   state.walkthrough.script.reset();
   state.walkthrough.playing = false;
   state.walkthrough.visited.clear();
+  state.walkthrough.guesses = {};
   state.walkthrough.at = 0;
+  state.walkthrough.all_steps = false;
   fit_view(state);
 }
 
@@ -119,9 +185,73 @@ void show_opened(AppState& state, Opened opened) {
   follow_placement(state, std::move(opened.trace));
 }
 
-void open(AppState& state, Opened opened) {
-  begin_edit(state, false);
+void open(AppState& state, Opened opened, Edit edit = Edit::opened) {
+  begin_edit(state, false, edit);
   show_opened(state, std::move(opened));
+}
+
+// After a change of the placed vertices.
+void renew_drawing(AppState& state) {
+  Drawing& drawing = state.drawing;
+  drawing.length.reset();
+  drawing.degrees.reset();
+  drawing.checked = false;
+  drawing.refusal.reset();
+  show(state, {});
+  browser::document_changed();
+}
+
+void check_drawing(Drawing& drawing) {
+  if (drawing.checked) return;
+  drawing.checked = true;
+  const Result<Polygon> polygon = Polygon::create(drawing.points);
+  if (!polygon) drawing.refusal = polygon.error();
+}
+
+void add_point(AppState& state, const Vec2& at) {
+  Points& points = state.drawing.points;
+  if (!points.empty() && points.back() == at) return;
+  points.push_back(at);
+  state.drawing.undone.clear();
+  renew_drawing(state);
+}
+
+// A cursor that keys move stays in sight: the drawing moves along.
+void keep_in_sight(AppState& state, const Vec2& at) {
+  const Rect& free = layout(state).free;
+  const Vec2 spot = state.camera.to_screen(at);
+  constexpr double edge = 48;
+  const Vec2 wanted(
+      std::clamp(spot.x(), free.left + edge, std::max(free.left + edge, free.right - edge)),
+      std::clamp(spot.y(), free.top + edge, std::max(free.top + edge, free.bottom - edge)));
+  if (wanted == spot) return;
+  state.camera = pan(state.camera, wanted - spot);
+  state.camera_follows = false;
+}
+
+// Takes over what was typed of the next edge, and moves the cursor there.
+void type_edge(AppState& state, const TypeEdge& typed) {
+  Drawing& drawing = state.drawing;
+  if (drawing.points.empty()) return;
+  if (typed.length && !(*typed.length > 0 && *typed.length <= max_coordinate))
+    return show(state, {Notice::Kind::problem, "The length of an edge is a number above 0."});
+  if (typed.degrees && !(std::abs(*typed.degrees) <= 360))
+    return show(state, {Notice::Kind::problem, "The angle of an edge is between −360° and 360°."});
+  if (typed.length) drawing.length = typed.length;
+  if (typed.degrees) drawing.degrees = typed.degrees;
+  const Vec2 from = drawing.points.back(),
+             towards = drawing.cursor.value_or(drawing.last_cursor.value_or(from));
+  if (!drawing.length && towards == from)
+    return show(state, {Notice::Kind::problem, "Type the length of the edge, too."});
+  const Vec2 to = typed_end(drawing, towards);
+  if (!(std::abs(to.x()) <= max_coordinate && std::abs(to.y()) <= max_coordinate))
+    return show(state,
+                {Notice::Kind::problem, "The edge would end beyond the largest coordinate."});
+  drawing.cursor = drawing.last_cursor = to;
+  drawing.by_keys = true;
+  keep_in_sight(state, to);
+  if (typed.place) add_point(state, to);
+  browser::summary_changed();
 }
 
 // Opens the polygon that was drawn, with the present settings.
@@ -132,23 +262,40 @@ void finish_drawing(AppState& state) {
   drawn.settings.step.reset();
   Result<Opened> polygon = opened(std::move(drawn));
   if (!polygon) {
+    state.drawing.checked = true;
+    state.drawing.refusal = polygon.error();
     show(state, {Notice::Kind::problem, sentence(polygon.error()) + "."});
     return;
   }
-  open(state, std::move(polygon).value());
+  open(state, std::move(polygon).value(), Edit::drawn);
+}
+
+// A centre of mass that was dragged under a panel is brought back into view.
+bool centre_is_shown(const AppState& state) {
+  return !state.document.centre_of_mass ||
+         layout(state).free.contains(state.camera.to_screen(*state.document.centre_of_mass));
 }
 
 // Whether the camera shows all vertices, and not much smaller than they could be.
 bool well_shown(const AppState& state) {
   const Screen& screen = state.screen;
-  const double best = fit(state.document.vertices, layout(state).room).scale;
+  const double best = fitting_camera(state).scale;
   if (state.camera.scale < best * 0.4) return false;
   const Rect window{0, 0, screen.width, screen.height};
   return std::all_of(state.document.vertices.begin(), state.document.vertices.end(),
                      [&](const Vec2& p) { return window.contains(state.camera.to_screen(p)); });
 }
 
-void step_back(AppState& state, Document document) {
+void take_capacity(AppState& state, const std::optional<double>& capacity) {
+  if (state.capacity == capacity) return;
+  state.capacity = capacity;
+  state.plan_due = true;
+  browser::preferences_changed();
+}
+
+// Undo and redo. Those who cannot see what changed are told.
+void step_back(AppState& state, History::Recalled recalled, const char* what) {
+  Document& document = recalled.document;
   const bool other_shape = document.vertices.size() != state.document.vertices.size();
   state.edit_open = false;
   // The step of the walkthrough is not undone, except when undo leaves a script: then the former
@@ -162,11 +309,30 @@ void step_back(AppState& state, Document document) {
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);
   if (state.camera_follows && !well_shown(state)) state.fit_due = true;
+  state.second_method.reset();  // so that the two methods are not exchanged
+  take_capacity(state, recalled.beside.capacity);
+  adopt(state, compute_placement(state.document, state.placement));
+  if (!walkthrough_is_open(state)) state.second_method = recalled.beside.second_method;
+  follow_up(state);
+  follow_placement(state);
+  if (!state.refusal) browser::announce(what + std::string(in_words(recalled.edit)) + ".");
+}
+
+// Leaving a lesson brings the settings back that it found, unless they were changed since.
+void leave_lesson(AppState& state) {
+  const std::optional<Settings> before = settings_before_script(state);
+  close_walkthrough(state);
+  if (!before || same_settings(*before, settings(state))) return;
+  begin_edit(state, false, Edit::lesson_left);
+  const Overlays overlays = settings(state).overlays;
+  state.document.settings = *before;
+  state.document.settings.overlays = overlays;
+  state.document.settings.step.reset();
   recompute(state);
 }
 
 void zoom_view(AppState& state, const Vec2& about, double factor) {
-  const double fitting = fit(state.document.vertices, layout(state).room).scale;
+  const double fitting = fitting_camera(state).scale;
   state.camera = zoom(state.camera, about, factor, fitting * smallest_zoom, fitting * largest_zoom);
   state.camera_follows = false;
 }
@@ -176,33 +342,33 @@ struct Applier {
 
   void operator()(const SetSettings& c) const {
     if (c.settings == state.document.settings) return;
-    begin_edit(state, c.live);
+    begin_edit(state, c.live, edit_between(settings(state), c.settings));
     state.document.settings = c.settings;
     recompute(state);
   }
   void operator()(const MoveVertex& c) const {
     if (c.vertex >= state.document.vertices.size() || state.document.vertices[c.vertex] == c.to)
       return;
-    begin_edit(state, true);
+    begin_edit(state, true, Edit::vertex_moved);
     state.document.vertices[c.vertex] = c.to;
     recompute(state);
   }
   void operator()(const MoveCentre& c) const {
     if (state.document.centre_of_mass == c.to) return;
-    begin_edit(state, true);
+    begin_edit(state, true, Edit::centre_moved);
     state.document.centre_of_mass = c.to;
     recompute(state);
   }
   void operator()(const ReleaseCentre&) const {
     if (!state.document.centre_of_mass) return;
-    begin_edit(state, false);
+    begin_edit(state, false, Edit::centre_released);
     state.document.centre_of_mass.reset();
     recompute(state);
   }
   void operator()(const InsertVertex& c) const {
     Points& vertices = state.document.vertices;
     if (c.edge >= vertices.size()) return;
-    begin_edit(state, false);
+    begin_edit(state, false, Edit::vertex_added);
     vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(c.edge) + 1, c.at);
     state.selected = c.edge + 1;
     recompute(state);
@@ -214,7 +380,7 @@ struct Applier {
       show(state, {Notice::Kind::problem, "A polygon needs at least 3 vertices."});
       return;
     }
-    begin_edit(state, false);
+    begin_edit(state, false, Edit::vertex_removed);
     vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(c.vertex));
     state.selected.reset();
     state.hover = state.held = {};
@@ -223,7 +389,7 @@ struct Applier {
   void operator()(OpenDocument& c) const { open(state, std::move(c.opened)); }
   void operator()(const SetPolygon& c) const {
     if (c.vertices == state.document.vertices) return;
-    begin_edit(state, c.live);
+    begin_edit(state, c.live, Edit::whole);
     state.document.vertices = c.vertices;
     state.document.centre_of_mass = c.centre_of_mass;
     recompute(state);
@@ -231,13 +397,20 @@ struct Applier {
   void operator()(const EndEdit&) const {
     if (!state.edit_open) return;
     state.edit_open = false;
+    if (state.camera_follows && !centre_is_shown(state)) state.fit_due = true;
     follow_up(state);
   }
+  void operator()(const MoveRobot& c) const { move_by_hand(state, c.robot, c.to); }
+  void operator()(const ResetRobots&) const {
+    if (state.by_hand) recompute(state);
+  }
   void operator()(const Undo&) const {
-    if (state.history.can_undo()) step_back(state, state.history.undo(state.document));
+    if (state.history.can_undo())
+      step_back(state, state.history.undo(state.document, beside(state)), "Undone: ");
   }
   void operator()(const Redo&) const {
-    if (state.history.can_redo()) step_back(state, state.history.redo(state.document));
+    if (state.history.can_redo())
+      step_back(state, state.history.redo(state.document, beside(state)), "Done again: ");
   }
 
   // Overlays are no edit: they compute nothing and cannot be undone. Links carry them.
@@ -250,6 +423,8 @@ struct Applier {
   void operator()(const SetTool& c) const {
     if (c.tool == Tool::draw && walkthrough_is_open(state)) close_walkthrough(state);
     state.tool = c.tool;
+    browser::summary_changed();
+    state.explanation.reset();
     if (!state.drawing.points.empty()) browser::document_changed();
     state.drawing = {};
     state.selected.reset();
@@ -260,32 +435,30 @@ struct Applier {
   void operator()(const GripPolygon&) const {
     state.grip = {state.document.vertices, state.document.centre_of_mass};
   }
-  void operator()(const AddPoint& c) const {
+  void operator()(const AddPoint& c) const { add_point(state, c.at); }
+  void operator()(const MovePoint& c) const {
     Points& points = state.drawing.points;
-    if (!points.empty() && points.back() == c.at) return;
-    points.push_back(c.at);
-    state.drawing.undone.clear();
-    show(state, {});
-    browser::document_changed();
+    if (c.point >= points.size() || points[c.point] == c.to) return;
+    points[c.point] = c.to;
+    renew_drawing(state);
   }
   void operator()(const TakePointBack&) const {
     Drawing& drawing = state.drawing;
     if (drawing.points.empty()) return;
     drawing.undone.push_back(drawing.points.back());
     drawing.points.pop_back();
-    show(state, {});
-    browser::document_changed();
+    renew_drawing(state);
   }
   void operator()(const PutPointBack&) const {
     Drawing& drawing = state.drawing;
     if (drawing.undone.empty()) return;
     drawing.points.push_back(drawing.undone.back());
     drawing.undone.pop_back();
-    browser::document_changed();
+    renew_drawing(state);
   }
   void operator()(const FinishDrawing&) const { finish_drawing(state); }
   void operator()(const OpenWalkthrough&) const { open_walkthrough(state); }
-  void operator()(const CloseWalkthrough&) const { close_walkthrough(state); }
+  void operator()(const CloseWalkthrough&) const { leave_lesson(state); }
   void operator()(const GoToStep& c) const { go_to_step(state, c.step); }
   void operator()(const MoveSteps& c) const { move_steps(state, c.by); }
   void operator()(const MoveChapters& c) const { move_chapters(state, c.by); }
@@ -299,21 +472,68 @@ struct Applier {
   void operator()(const AskWhy& c) const { ask_why(state, c.at); }
   void operator()(const Measure& c) const { measure(state, c.candidate); }
   void operator()(const HoverFigure& c) const { state.walkthrough.hovered = c.figure; }
+  void operator()(const Explain& c) const {
+    state.explanation.reset();
+    if (!c.of || state.refusal || !state.placement) return;
+    state.explanation = explain(state, *c.of);
+    browser::announce(in_words(*state.explanation));
+  }
+  void operator()(const ShowInLesson& c) const {
+    state.explanation.reset();
+    if (walkthrough_is_open(state))
+      go_to_step(state, c.step);
+    else
+      open_walkthrough(state, c.step);
+  }
   void operator()(const LeaveScript&) const { leave_script(state); }
-  void operator()(const SetDrawCursor& c) const { state.drawing.cursor = c.at; }
-  void operator()(const SetSnap& c) const { state.snap = c.snap; }
+  void operator()(const ShowAllSteps& c) const { show_all_steps(state, c.all); }
+  void operator()(const SetPresenting& c) const {
+    if (c.on) open_walkthrough(state);
+    state.presenting = c.on && walkthrough_is_open(state);
+    browser::show_full_screen(state.presenting);
+  }
+  void operator()(const SetDrawCursor& c) const {
+    Drawing& drawing = state.drawing;
+    drawing.cursor = c.at;
+    if (c.at) drawing.last_cursor = c.at;
+    if (c.by_keys)
+      keep_in_sight(state, *c.at);
+    else
+      drawing.pointer = c.pointer;
+    if (c.by_keys || drawing.by_keys) browser::summary_changed();
+    drawing.by_keys = c.by_keys;
+    if (c.at && closes(state, state.camera.to_screen(*c.at))) check_drawing(drawing);
+  }
+  void operator()(const TypeEdge& c) const { type_edge(state, c); }
+  void operator()(const SetSnap& c) const {
+    // Where no bar shows it, a notice does.
+    if (state.tool == Tool::parts && !state.selected && !(c.snap == state.snap)) {
+      const bool grid = c.snap.grid != state.snap.grid, on = grid ? c.snap.grid : c.snap.axis;
+      std::string words =
+          on ? "What is dragged now snaps to the " : "What is dragged no longer snaps to the ";
+      words += grid ? "grid." : "axis through a neighbour.";
+      show(state, {Notice::Kind::info, std::move(words)});
+    }
+    state.snap = c.snap;
+    browser::summary_changed();
+  }
   void operator()(const Compare& c) const {
-    state.second_method = c.method == state.document.settings.method ? std::nullopt : c.method;
+    const std::optional<Method> second =
+        c.method == state.document.settings.method ? std::nullopt : c.method;
+    if (second == state.second_method) return;
+    begin_edit(state, false, Edit::comparison);
+    state.second_method = second;
     state.hover = state.held = {};
     follow_up(state);
     ++state.revision;
+    browser::document_changed();  // there is one more step of undo to be kept
   }
   void operator()(const SetCapacity& c) const {
     if (state.capacity == c.capacity) return;
-    state.capacity = c.capacity;
-    state.plan_due = true;
-    follow_up(state);
-    browser::preferences_changed();
+    begin_edit(state, false, Edit::capacity);
+    take_capacity(state, c.capacity);
+    renew_plan(state);
+    browser::document_changed();  // there is one more step of undo to be kept
   }
   void operator()(const SetMotion& c) const {
     state.motion = c.on;
@@ -321,13 +541,14 @@ struct Applier {
   }
 
   void operator()(const SelectVertex& c) const {
+    if (state.selected != c.vertex) browser::summary_changed();
     state.selected = c.vertex;
     drop_stale_picks(state);
   }
   void operator()(const SetHover& c) const { state.hover = c.pick; }
   void operator()(const SetHeld& c) const { state.held = c.pick; }
   void operator()(const SetCamera& c) const {
-    const double fitting = fit(state.document.vertices, layout(state).room).scale;
+    const double fitting = fitting_camera(state).scale;
     state.camera = c.camera;
     state.camera.scale =
         std::clamp(c.camera.scale, fitting * smallest_zoom, fitting * largest_zoom);
@@ -338,7 +559,6 @@ struct Applier {
     zoom_view(state, layout(state).room.middle(), c.factor);
   }
   void operator()(const SetPanelOpen& c) const { state.panel_open = c.open; }
-  void operator()(const SetHelpOpen& c) const { state.help_open = c.open; }
   void operator()(const ListIsOpen& c) const {
     state.list_open = c.open;
     state.close_list = state.close_list && c.open;
@@ -354,11 +574,23 @@ struct Applier {
       show(state, {Notice::Kind::problem, sentence(link.error()) + "."});
     }
   }
+  void operator()(const TypeValue& c) const { browser::type_value(c.control); }
   void operator()(const OpenDialog& c) const { browser::open_dialog(c.dialog); }
   void operator()(const ShowNotice& c) const { show(state, c.notice); }
 };
 
 }  // namespace
+
+void lay_behind(AppState& state, const std::optional<Box>& picture) {
+  state.backdrop = picture;
+  if (!picture) return;
+  if (state.tool != Tool::draw) {
+    Commands commands{SetTool{Tool::draw}};
+    apply(state, commands);
+  }
+  state.camera = fitting_camera(state);
+  state.camera_follows = false;
+}
 
 bool apply(AppState& state, Commands& commands) {
   if (commands.empty()) return false;
@@ -372,7 +604,7 @@ void frame_view(AppState& state) {
   if (!state.camera_follows || state.edit_open || state.tool == Tool::draw) return;
   const Rect room = layout(state).room;
   if (!state.fit_due && room == state.fitted) return;
-  state.camera = fit(state.document.vertices, room);
+  state.camera = fitting_camera(state);
   state.fitted = room;
   state.fit_due = false;
 }
@@ -386,8 +618,15 @@ void start_with(AppState& state, Opened opened, const std::optional<Document>& w
   }
 }
 
+void reopen(AppState& state, Opened opened) { show_opened(state, std::move(opened)); }
+
+void keep_capacity(AppState& state, const std::optional<double>& capacity) {
+  take_capacity(state, capacity);
+  renew_plan(state);
+}
+
 void resume_draft(AppState& state, Document draft) {
-  begin_edit(state, false);
+  begin_edit(state, false, Edit::vertex_moved);
   forget_former(state);
   state.document = std::move(draft);
   recompute(state);
@@ -427,9 +666,15 @@ std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t>
 
 }  // namespace
 
-std::optional<InputError> try_edit(AppState& state, const Document& edited) {
-  if (only_steps(state, edited)) return try_step(state, edited.settings.step);
-  Result<Placement> placement = compute_placement(edited);
+std::optional<InputError> try_edit(AppState& state, const Document& edited,
+                                   const std::optional<double>& capacity) {
+  if (only_steps(state, edited)) {
+    if (const auto problem = try_step(state, edited.settings.step)) return problem;
+    Commands commands{SetCapacity{capacity}};
+    apply(state, commands);
+    return std::nullopt;
+  }
+  Result<Placement> placement = compute_placement(edited, state.placement);
   if (!placement) return placement.error();
   std::optional<Trace> trace;
   if (edited.settings.step) {
@@ -438,8 +683,9 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited) {
     if (auto problem = check_step(*edited.settings.step, *made)) return problem;
     trace = std::move(made).value();
   }
-  begin_edit(state, false);
+  begin_edit(state, false, edit_between(settings(state), edited.settings));
   state.document = edited;
+  take_capacity(state, capacity);
   adopt(state, std::move(placement));
   follow_up(state);
   follow_placement(state, std::move(trace));

@@ -14,17 +14,31 @@ bool apply(AppState& state, Commands& commands);
 
 // Fits the view to the polygon if that is due: for a new document, and until somebody pans or zooms
 // also after the window or its panels changed. Never during a drag.
+// Lays a picture behind the drawing, at this place in polygon coordinates, shows all of it and begins to draw; or ends that.
+void lay_behind(AppState& state, const std::optional<Box>& picture);
+
 void frame_view(AppState& state);
 
 // Opens the first document of the page. There is nothing to undo, unless `work` is given: an older
 // document, which undo opens and which is not placed before that.
 void start_with(AppState& state, Opened opened, const std::optional<Document>& work);
 
+// Shows a document in place of the one that is open, which is no step of undo: a lesson that is being
+// written, say.
+void reopen(AppState& state, Opened opened);
+
+// Sets the capacity that the browser has kept; no step of undo either.
+void keep_capacity(AppState& state, const std::optional<double>& capacity);
+
 // Goes on with a document that was refused while it was edited; this is one step of undo.
 void resume_draft(AppState& state, Document draft);
 
-// Takes over an edited document as one step of undo; or says why it is refused, and changes
+// Takes over an edited document, and a capacity, as one step of undo; or says why it is refused, and changes
 // nothing. If only the step of the walkthrough differs, that is no edit, and nothing is computed.
-std::optional<InputError> try_edit(AppState& state, const Document& edited);
+std::optional<InputError> try_edit(AppState& state, const Document& edited,
+                                   const std::optional<double>& capacity);
+inline std::optional<InputError> try_edit(AppState& state, const Document& edited) {
+  return try_edit(state, edited, state.capacity);
+}
 
 }  // namespace evenlift::view

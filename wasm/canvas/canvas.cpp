@@ -55,8 +55,10 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
 
 void draw_object(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const RowFill rows = view.scene.triangles.empty() ? painter.rows(shape.points) : RowFill{};
-  painter.fill(shape.points, view.scene.triangles, view.theme.object);
-  painter.fill(rows, view.theme.object);
+  // A picture that was traced is seen through the object.
+  const Colour object = view.theme.object.at(view.state.backdrop ? 0.6f : 1);
+  painter.fill(shape.points, view.scene.triangles, object);
+  painter.fill(rows, object);
   if (!view.scene.shows_heat()) return;
   for (const HeatBand& band : view.scene.heat) {
     painter.triangles(band.triangles, heat_colour(view.theme, band.share));
@@ -85,8 +87,11 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
       break;
     case Role::chord: {
       const bool hovered = named(view, shape.team);
-      painter.line(shape.points[0], shape.points[1], hovered ? theme.accent : theme.chord,
-                   hovered ? 3.0f : 2.0f);
+      // What joins a balanced robot with C is no chord.
+      const bool thin = view.placement->settings.method == Method::balanced;
+      const float width = thin ? 1.0f : 2.0f;
+      painter.line(shape.points[0], shape.points[1], hovered ? theme.accent_on_object : theme.chord,
+                   hovered ? width + 1 : width);
       break;
     }
     case Role::robot:
@@ -113,9 +118,15 @@ void draw_refused(const Painter& painter, const AppState& state, const Theme& th
     painter.line(vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()],
                  theme.amber, 5);
   };
+  const auto number_edge = [&](std::size_t edge) {
+    draw_edge_number(painter, theme, vertices[edge % vertices.size()],
+                     vertices[(edge + 1) % vertices.size()], edge);
+  };
   if (place.kind == Place::Kind::edge) {
     mark_edge(place.index);
     mark_edge(place.other);
+    number_edge(place.index);
+    number_edge(place.other);
   }
   if (place.kind == Place::Kind::vertex && place.index < vertices.size()) {
     painter.list().AddCircle(painter.at(vertices[place.index]), 11, theme.amber.packed(), 32, 3);
@@ -132,7 +143,7 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
   } else if (view.placement) {
     const Painter painter(list, view.camera, view.window, view.current() ? 1.0f : 0.35f);
     draw_picture(painter, view);
-    if (view.current()) painter.outline(view.placement->vertices, view.theme.object_outline, 2);
+    if (view.current()) painter.outline(view.placement->vertices(), view.theme.object_outline, 2);
   }
   const Painter painter(list, view.camera, view.window);
   if (view.state.refusal) draw_refused(painter, view.state, view.theme);

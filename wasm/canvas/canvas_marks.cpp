@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "canvas/canvas_drawing.h"
 #include "canvas/hint.h"
 #include "canvas/labels.h"
+#include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
 #include "tools/pick.h"
@@ -70,17 +72,42 @@ void draw_edge_offer(const Painter& painter, const CanvasView& view) {
 // With many robots their marks are smaller.
 struct RobotSize {
   float disc, ring;
-  bool numbered, labelled;
+  bool numbered;
 };
+constexpr std::size_t most_labelled = 50;
+// How many teams of two there are, or would be of so many balanced robots.
+std::size_t pairs_of(const std::vector<Team>& teams) { return (count_robots(teams) + 1) / 2; }
+
 RobotSize robot_size(std::size_t teams) {
-  if (teams <= 8) return {10.5f, 13.5f, true, true};
-  if (teams <= 16) return {9, 11.5f, true, true};
-  if (teams <= 40) return {7, 9, false, false};
-  return {4, 5.5f, false, false};
+  if (teams <= 8) return {10.5f, 13.5f, true};
+  if (teams <= 16) return {9, 11.5f, true};
+  if (teams <= most_labelled) return {8.5f, 10.5f, true};
+  return {4, 5.5f, false};
+}
+
+// The number of robots in the first of the teams.
+std::size_t robots_of(const std::vector<Team>& all, std::size_t teams) {
+  return all.empty() ? 0 : teams * all.front().robots.size();
+}
+
+// The size of each robot: one that stands too near to another is smaller and has no number.
+std::vector<RobotSize> robot_sizes(const CanvasView& view, std::size_t teams) {
+  const std::vector<Team>& all = view.placement->teams;
+  std::vector<RobotSize> sizes(robots_of(all, teams), robot_size(pairs_of(all)));
+  if (pairs_of(all) <= 16 || pairs_of(all) > most_labelled) return sizes;
+  Points robots;
+  for (std::size_t i = 0; i < teams; ++i)
+    for (const Robot& robot : all[i].robots)
+      robots.push_back(view.camera.to_screen(robot.point.position));
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (std::size_t j = 0; j < robots.size(); ++j)
+      if (j != i && length(robots[i] - robots[j]) < 17) sizes[i] = {5.5f, 7, false};
+  }
+  return sizes;
 }
 
 void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
-                const Vec2& world, std::size_t team, double share, bool over) {
+                const Vec2& world, std::size_t shown_number, double share, bool over) {
   ImDrawList& list = painter.list();
   const ImVec2 at = painter.at(world);
   const float pi = 3.14159265f, start = -pi / 2;
@@ -89,36 +116,89 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
   list.PathStroke((over ? theme.amber : theme.robot_ring).packed(), 0, over ? 3.0f : 2.0f);
   list.AddCircleFilled(at, size.disc - 1, theme.robot.packed(), 32);
   if (!size.numbered) return;
-  const std::string number = std::to_string(team + 1);
+  const std::string number = std::to_string(shown_number);
   const ImVec2 text = text_size(Face::tiny, number);
   draw_text(list, Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2), theme.robot_text,
             number);
 }
 
-void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size) {
+// Where the coverage is written, in CSS pixels, if there is room.
+std::optional<Rect> coverage_box(const CanvasView& view) {
+  const CoveragePlace& place = view.scene.coverage;
+  if (!settings(view.state).overlays.lifting_base || place.room * view.camera.scale < 24)
+    return std::nullopt;
+  const Vec2 at = view.camera.to_screen(place.at);
+  const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
+  return Rect{at.x() - text.x / 2, at.y() - text.y / 2, at.x() + text.x / 2, at.y() + text.y / 2};
+}
+
+void draw_coverage(const Painter& painter, const CanvasView& view) {
+  if (const std::optional<Rect> box = coverage_box(view))
+    draw_text(painter.list(), Face::verdict, vec(box->left, box->top), view.theme.hull_text,
+              percentage(view.placement->coverage));
+}
+
+Rect about(const Vec2& middle, double reach) {
+  return {middle.x() - reach, middle.y() - reach, middle.x() + reach, middle.y() + reach};
+}
+
+// Where the picture is drawn and nothing lies over it.
+Rect free_window(const CanvasView& view) {
+  const Rect& free = view.layout.free;
+  return {std::max(free.left, view.window.left) + 4,
+          std::max(free.top, view.window.top) + view.layout.caption + 4,
+          std::min(free.right, view.window.right) - 4,
+          std::min(free.bottom, view.window.bottom) - 4};
+}
+
+// What labels keep clear of: robots, the centre of mass, vertices that can be dragged, the coverage, and lines.
+Occupied occupied_by_marks(const CanvasView& view, double reach) {
+  const Placement& placement = *view.placement;
+  Occupied occupied(free_window(view));
+  occupied.box(view.layout.tools);
+  for (const Team& team : placement.teams) {
+    for (const Robot& robot : team.robots)
+      occupied.box(about(view.camera.to_screen(robot.point.position), reach));
+    for (const Segment& line : joining_lines(team, placement.centre_of_mass))
+      occupied.line(view.camera.to_screen(line.from), view.camera.to_screen(line.to));
+  }
+  occupied.box(about(view.camera.to_screen(centre_of_mass(view.state)), 12));
+  const Points& vertices = placement.vertices();
+  const std::size_t n = vertices.size();
+  Vec2 last = view.camera.to_screen(vertices[n - 1]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 at = view.camera.to_screen(vertices[i]);
+    occupied.line(last, at);
+    if (n <= 40 && !view.state.screen.embed) occupied.box(about(at, 6));
+    last = at;
+  }
+  if (const std::optional<Rect> coverage = coverage_box(view)) occupied.box(*coverage);
+  return occupied;
+}
+
+void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
+                Occupied& occupied) {
   const AppState& state = view.state;
   const Placement& placement = *view.placement;
   const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
+  const bool few = pairs_of(placement.teams) <= 8;
   std::vector<LabelRequest> requests;
   std::vector<std::string> texts;
   std::vector<bool> over;
   for (const Team& team : placement.teams) {
-    for (std::size_t end = 0; end < 2; ++end) {
-      const Vec2 robot =
-          view.camera.to_screen(end == 0 ? team.chord.r1.position : team.chord.r2.position);
-      const Vec2 away = robot - middle;
-      texts.push_back(kilograms(team.loads[end], placement.loads->max));
-      over.push_back(state.capacity && team.loads[end] > *state.capacity);
+    for (const Robot& robot : team.robots) {
+      const Vec2 at = view.camera.to_screen(robot.point.position);
+      if (!view.window.contains(at)) continue;
+      const Vec2 away = at - middle;
+      texts.push_back(kilograms(robot.load, placement.loads->max));
+      over.push_back(state.capacity && robot.load > *state.capacity);
       const ImVec2 text = text_size(Face::strong_label, texts.back());
-      requests.push_back(
-          {robot, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
+      requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
     }
   }
-  const Rect& free = view.layout.free;
-  const Rect window{
-      std::max(free.left, view.window.left) + 4, std::max(free.top, view.window.top) + 4,
-      std::min(free.right, view.window.right) - 4, std::min(free.bottom, view.window.bottom) - 4};
-  const auto places = place_labels(requests, window, view.layout.tools, size.ring + 5);
+  // A label may cross a line where there are few of them; of many only those are shown that fit.
+  const auto places =
+      place_labels(requests, occupied, static_cast<double>(size.ring) + 4, few ? 60 : 8);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
     const Rect& box = *places[i];
@@ -127,6 +207,28 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
     draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3),
               over[i] ? view.theme.amber : view.theme.text, texts[i]);
   }
+}
+
+// An arrow from the centre of mass in a direction in which the object can slide, and its name where there is room.
+void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied) {
+  const Closure& closure = view.placement->closure;
+  if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
+  const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
+  const Vec2 along(closure.translation->x(), -closure.translation->y());
+  const Vec2 tail = from + along * 16, head = from + along * 62;
+  ImDrawList& list = painter.list();
+  painter.arrow(tail, head, view.theme.object, 7);
+  painter.arrow(tail, head, view.theme.amber_on_object, 3);
+  if (!occupied) return;
+  occupied->line(tail, head);
+  const ImVec2 text = text_size(Face::strong_label, "slides");
+  const auto place =
+      place_labels({{head, along, Vec2(text.x + 12, text.y + 6)}}, *occupied, 4, 60)[0];
+  if (!place) return;
+  list.AddRectFilled(vec(place->left, place->top), vec(place->right, place->bottom),
+                     view.theme.panel.at(0.88f).packed(), 6);
+  draw_text(list, Face::strong_label, vec(place->left + 6, place->top + 3), view.theme.amber,
+            "slides");
 }
 
 // Thousands of robots are dots, and one dot is drawn for all of them in the same spot, so that the
@@ -150,11 +252,9 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
   // Overloaded robots come first, so that no other hides them.
   for (const bool over : {true, false}) {
     for (std::size_t i = 0; i < teams; ++i) {
-      const Team& team = view.placement->teams[i];
-      for (std::size_t end = 0; end < 2; ++end) {
-        if ((view.state.capacity && team.loads[end] > *view.state.capacity) != over) continue;
-        draw(end == 0 ? team.chord.r1.position : team.chord.r2.position,
-             over ? view.theme.amber : view.theme.robot);
+      for (const Robot& robot : view.placement->teams[i].robots) {
+        if ((view.state.capacity && robot.load > *view.state.capacity) != over) continue;
+        draw(robot.point.position, over ? view.theme.amber_on_object : view.theme.robot);
       }
     }
   }
@@ -165,15 +265,17 @@ void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) 
   const Placement& placement = *view.placement;
   const Progress& known = view.state.walkthrough.known;
   if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
-  const RobotSize size = robot_size(placement.teams.size());
-  if (known.shares > 0 && known.shares == placement.teams.size() && size.labelled)
-    draw_loads(painter, view, size);
+  const std::vector<RobotSize> sizes = robot_sizes(view, known.teams);
+  if (known.shares > 0 && known.shares == placement.teams.size() && known.shares <= most_labelled) {
+    const RobotSize size = robot_size(placement.teams.size());
+    Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
+    draw_loads(painter, view, size, occupied);
+  }
   for (std::size_t i = known.teams; i-- > 0;) {
-    const Team& team = placement.teams[i];
-    for (std::size_t end = 0; end < 2; ++end) {
-      const double share = i < known.shares ? team.loads[end] / placement.loads->max : 1;
-      draw_robot(painter, view.theme, size,
-                 end == 0 ? team.chord.r1.position : team.chord.r2.position, i, share, false);
+    std::size_t number = robots_of(placement.teams, i);
+    for (const Robot& robot : placement.teams[i].robots) {
+      const double share = i < known.shares ? robot.load / placement.loads->max : 1;
+      draw_robot(painter, view.theme, sizes[number++], robot.point.position, i + 1, share, false);
     }
   }
 }
@@ -183,59 +285,57 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
   if (placement.teams.empty()) return;
   if (placement.teams.size() > most_single_robots)
     return draw_swarm(painter, view, placement.teams.size());
-  const RobotSize size = robot_size(placement.teams.size());
+  const std::vector<RobotSize> sizes = robot_sizes(view, placement.teams.size());
   const bool at_rest = view.scene.progress >= 1;
-  if (size.labelled && at_rest) draw_loads(painter, view, size);
+  if (pairs_of(placement.teams) <= most_labelled && at_rest) {
+    const RobotSize size = robot_size(pairs_of(placement.teams));
+    Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
+    draw_slide(painter, view, &occupied);
+    draw_loads(painter, view, size, occupied);
+  } else {
+    draw_slide(painter, view, nullptr);
+  }
+  // Discs of one team have its number; balanced robots, which are a single team, one each.
+  const bool alone = placement.settings.method == Method::balanced;
   for (std::size_t i = placement.teams.size(); i-- > 0;) {
-    const Team& team = placement.teams[i];
-    for (std::size_t end = 0; end < 2; ++end) {
-      const Vec2& robot = end == 0 ? team.chord.r1.position : team.chord.r2.position;
-      RobotSize now = size;
-      if (!at_rest && !stood_there(view.scene, robot)) {
+    std::size_t number = robots_of(placement.teams, i);
+    for (const Robot& robot : placement.teams[i].robots) {
+      const Vec2& at = robot.point.position;
+      const std::size_t shown_number = alone ? number + 1 : i + 1;
+      RobotSize now = sizes[number++];
+      if (!at_rest && !stood_there(view.scene, at)) {
         now.disc *= view.scene.progress;
         now.ring *= view.scene.progress;
       }
-      const bool over = view.state.capacity && team.loads[end] > *view.state.capacity;
-      draw_robot(painter, view.theme, now, robot, i, team.loads[end] / placement.loads->max, over);
+      const bool over = view.state.capacity && robot.load > *view.state.capacity;
+      draw_robot(painter, view.theme, now, at, shown_number, robot.load / placement.loads->max,
+                 over);
     }
   }
 }
 
-void draw_coverage(const Painter& painter, const CanvasView& view) {
-  const CoveragePlace& place = view.scene.coverage;
-  if (!settings(view.state).overlays.lifting_base || place.room * view.camera.scale < 24) return;
-  const std::string share = percentage(view.placement->coverage);
-  const ImVec2 at = painter.at(place.at), text = text_size(Face::verdict, share);
-  draw_text(painter.list(), Face::verdict, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
-            view.theme.hull_text, share);
+// The edge on whose tip the object balances.
+void draw_tip(const Painter& painter, const ImVec2& tip, const Theme& theme, Colour colour) {
+  const ImVec2 left(tip.x - 9, tip.y + 15), right(tip.x + 9, tip.y + 15);
+  painter.list().AddTriangle(tip, left, right, theme.object.packed(), 5);
+  painter.list().AddTriangleFilled(tip, left, right, colour.packed());
 }
 
-void draw_centre(const Painter& painter, const AppState& state, const Theme& theme) {
+void draw_centre(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  const Theme& theme = view.theme;
   const ImVec2 at = painter.at(centre_of_mass(state));
+  if (view.placement && view.placement->settings.method == Method::balanced)
+    draw_tip(painter, ImVec2(at.x, at.y + 11), theme, theme.robot);
   const bool hovered = is_hovered(state, Pick::Kind::centre, 0);
   if (hovered) painter.list().AddCircleFilled(at, 16, theme.accent.at(0.22f).packed(), 32);
   const bool wrong = state.refusal && state.refusal->place.kind == Place::Kind::centre_of_mass;
   painter.list().AddCircleFilled(at, 11.5f, theme.object.packed(), 32);
   draw_centre_mark(painter.list(), at, 9,
-                   wrong     ? theme.amber
-                   : hovered ? theme.accent
+                   wrong     ? theme.amber_on_object
+                   : hovered ? theme.accent_on_object
                              : theme.robot,
                    theme.object);
-}
-
-// An arrow from the centre of mass in a direction in which the object can slide.
-void draw_slide(const Painter& painter, const CanvasView& view) {
-  const Closure& closure = view.placement->closure;
-  if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
-  const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
-  const Vec2 along(closure.translation->x(), -closure.translation->y());
-  const Vec2 tail = from + along * 16, head = from + along * 62;
-  ImDrawList& list = painter.list();
-  painter.arrow(tail, head, view.theme.object, 7);
-  painter.arrow(tail, head, view.theme.amber, 3);
-  const Vec2 spot = head + along * 4;
-  draw_text(list, Face::strong_label, vec(spot.x() + (along.x() < 0 ? -34 : 6), spot.y() - 7),
-            view.theme.amber, "slides");
 }
 
 // How hard a push under the pointer must be to tip the object.
@@ -248,7 +348,7 @@ void draw_push(const Painter& painter, const CanvasView& view) {
                                      placement.settings.weight, hover.at);
   const bool safe = std::isinf(force);
   const ImVec2 at = painter.at(hover.at);
-  const Colour colour = safe ? view.theme.hull_text : view.theme.amber;
+  const Colour colour = safe ? view.theme.hull_text : view.theme.amber_on_object;
   painter.list().AddCircle(at, 5, view.theme.panel.packed(), 20, 4);
   painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
   const std::string text =
@@ -283,26 +383,36 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
             capitalised(error.message));
 }
 
-// The method's name and result over its picture, while two methods are compared.
+// What a method came to: its loads, its coverage, and where there is room whether the object can move.
+std::string result_in_words(const Placement& placement, bool wide) {
+  if (!placement.loads) return "no team";
+  const LoadSummary& loads = *placement.loads;
+  const std::string words = kilograms(loads.min, loads.max, loads.max) + " · " +
+                            percentage(placement.coverage) + " covered";
+  return wide ? words + (is_held(placement) ? " · cannot move" : " · can move") : words;
+}
+
+// The method's name and result over its picture, while two methods are compared: two lines, or on a narrow screen one.
 void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
-  const Placement& p = *view.placement;
-  const std::string name = capitalised(std::string(evenlift::name(p.settings.method)));
-  std::string numbers = "no team";
-  if (p.loads) {
-    numbers = kilograms(p.loads->min, p.loads->max, p.loads->max) + " · " + percentage(p.coverage) +
-              " covered · " +
-              (p.closure.form_closure || p.closure.second_order ? "cannot move" : "can move");
-  }
-  const ImVec2 title = text_size(Face::strong, name), text = text_size(Face::label, numbers);
-  const float width = std::max(title.x, text.x) + 24;
-  const double x = view.window.middle().x(), y = view.window.top + (view.layout.wide ? 20 : 6);
-  const ImVec2 low = vec(x - static_cast<double>(width) / 2, y), high(low.x + width, low.y + 46);
+  const bool wide = view.layout.wide;
+  const std::string name =
+      capitalised(std::string(evenlift::name(view.placement->settings.method)));
+  const std::string result = result_in_words(*view.placement, wide);
+  const Face face = wide ? Face::strong : Face::strong_label;
+  const ImVec2 title = text_size(face, name), text = text_size(Face::label, result);
+  const float beside = title.x + 10;  // where the result begins in the same line
+  const float width = (wide ? std::max(title.x, text.x) : beside + text.x) + 24;
+  const double height = wide ? 46 : 28;
+  const ImVec2 low = vec(view.window.middle().x() - static_cast<double>(width) / 2,
+                         view.window.top + view.layout.caption - height);
+  const ImVec2 high(low.x + width, low.y + static_cast<float>(height));
   painter.list().AddRectFilled(low, high, view.theme.panel.at(0.94f).packed(), 8);
-  draw_text(painter.list(), Face::strong, ImVec2(low.x + (width - title.x) / 2, low.y + 5),
-            view.theme.text, name);
-  draw_text(painter.list(), Face::label, ImVec2(low.x + (width - text.x) / 2, low.y + 26),
-            view.theme.second_text, numbers);
+  const ImVec2 name_at(wide ? low.x + (width - title.x) / 2 : low.x + 12, low.y + 5);
+  const ImVec2 result_at = wide ? ImVec2(low.x + (width - text.x) / 2, low.y + 26)
+                                : ImVec2(name_at.x + beside, name_at.y);
+  draw_text(painter.list(), face, name_at, view.theme.text, name);
+  draw_text(painter.list(), Face::label, result_at, view.theme.second_text, result);
 }
 
 }  // namespace
@@ -312,7 +422,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   if (walkthrough_is_open(state) && view.current() && !view.second) {
     draw_vertices(painter, view);
     draw_robots_of_walkthrough(painter, view);
-    draw_centre(painter, state, view.theme);
+    draw_centre(painter, view);
     return;
   }
   if (view.current()) draw_coverage(painter, view);
@@ -320,10 +430,9 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
   if (view.current()) {
-    draw_slide(painter, view);
     draw_robots(painter, view);
   }
-  draw_centre(painter, state, view.theme);
+  draw_centre(painter, view);
   if (view.current()) draw_push(painter, view);
   if (state.refusal) draw_reason(painter, view);
   if (state.second_method) draw_caption(painter, view);

@@ -69,7 +69,7 @@ void draw_arrow(const Painter& painter, const CanvasView& view, const Vec2& from
   constexpr double arrow_length = 62;  // CSS pixels
   const Vec2 tail = view.camera.to_screen(from), way = view.camera.to_screen(to) - tail;
   if (length(way) > 0)
-    painter.arrow(tail, tail + way / length(way) * arrow_length, view.theme.amber, 3);
+    painter.arrow(tail, tail + way / length(way) * arrow_length, view.theme.amber_on_object, 3);
 }
 
 // How a figure that is a segment is drawn.
@@ -230,13 +230,14 @@ void draw_choices(const Painter& painter, const CanvasView& view) {
     const Chord& chord = ask->question.kind == QuestionKind::nearer_end
                              ? ask->detail.pair->ends[choice]
                              : view.state.walkthrough.trace->placement.candidates[choice].chord;
-    draw_chord(painter, chord, view.theme.accent.at(pointed ? 1 : 0.45f), pointed ? 4.0f : 2.5f);
+    draw_chord(painter, chord, view.theme.accent_on_object.at(pointed ? 1 : 0.45f),
+               pointed ? 4.0f : 2.5f);
     if (ask->choices.size() > most_valued) continue;
     const ImVec2 at = painter.at(chord.r2.position);
     const bool end = ask->question.kind == QuestionKind::nearer_end;
     const std::string name = !end ? std::to_string(choice + 1) : choice == 0 ? "first" : "second";
-    draw_text(painter.list(), Face::strong_label, ImVec2(at.x + 8, at.y - 8), view.theme.accent,
-              name);
+    draw_text(painter.list(), Face::strong_label, ImVec2(at.x + 8, at.y - 8),
+              view.theme.accent_on_object, name);
   }
 }
 
@@ -245,24 +246,25 @@ void draw_choices(const Painter& painter, const CanvasView& view) {
 void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
   const Placement& placement = walk.trace->placement;
-  painter.fill(placement.vertices, view.scene.triangles, view.theme.object);
+  painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);
   if (walk.base.size() >= 3) painter.fill_convex(walk.base, view.theme.hull);
-  painter.outline(placement.vertices, view.theme.object_outline, 2);
+  painter.outline(placement.vertices(), view.theme.object_outline, 2);
   if (walk.base.size() >= 2)
     painter.outline(walk.base, view.theme.hull_outline, 2, walk.base.size() > 2);
   draw_rays(painter, view);
   draw_candidates(painter, view);
   for (std::uint32_t i = 0; i < walk.known.teams; ++i)
-    draw_chord(painter, placement.teams[i].chord, view.theme.chord, 2);
+    draw_chord(painter, chord_of(placement.teams[i]), view.theme.chord, 2);
   for (const Figure& figure : walk.gained) draw_figure(painter, view, figure);
   for (const Figure& figure : walk.figures) draw_figure(painter, view, figure);
   if (walk.hovered && *walk.hovered < walk.figures.size()) {
     const Figure& figure = walk.figures[*walk.hovered];
     if (figure.points.size() == 2)
-      painter.line(figure.points[0], figure.points[1], view.theme.accent, 4);
-    if (figure.points.size() == 1) draw_ring(painter, figure.points[0], view.theme.accent);
+      painter.line(figure.points[0], figure.points[1], view.theme.accent_on_object, 4);
+    if (figure.points.size() == 1)
+      draw_ring(painter, figure.points[0], view.theme.accent_on_object);
   }
-  if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber, 4);
+  if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
   draw_values(painter, view);
   draw_choices(painter, view);
 }

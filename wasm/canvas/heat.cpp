@@ -30,7 +30,7 @@ std::vector<Side> cutting_sides(const Placement& placement) {
     const Vec2 along = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
     const Side side{hull[i], along, cross(along, placement.centre_of_mass - hull[i])};
     if (!(side.within > 0)) continue;
-    const bool cuts = std::any_of(placement.vertices.begin(), placement.vertices.end(),
+    const bool cuts = std::any_of(placement.vertices().begin(), placement.vertices().end(),
                                   [&](const Vec2& p) { return side.beyond(p) > 0; });
     if (cuts) sides.push_back(side);
   }
@@ -57,7 +57,7 @@ HeatBand band(const Placement& placement, const std::vector<std::uint32_t>& tria
   const double most = share > 0 ? 1 / share : std::numeric_limits<double>::infinity();
   if (triangles.empty() && share > 0) {
     Points spare;
-    result.region = frame_around(placement.vertices);
+    result.region = frame_around(placement.vertices());
     for (const Side& side : sides) {
       if (!result.region.empty()) cut(result.region, side, most, spare);
     }
@@ -65,8 +65,8 @@ HeatBand band(const Placement& placement, const std::vector<std::uint32_t>& tria
   }
   Points area, spare;
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-    area.assign({placement.vertices[triangles[i]], placement.vertices[triangles[i + 1]],
-                 placement.vertices[triangles[i + 2]]});
+    area.assign({placement.vertices()[triangles[i]], placement.vertices()[triangles[i + 1]],
+                 placement.vertices()[triangles[i + 2]]});
     for (const Side& side : sides) {
       if (share == 0 || area.empty()) break;
       cut(area, side, most, spare);

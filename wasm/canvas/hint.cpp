@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "evenlift/output/words.h"
+#include "tools/drawing.h"
 #include "tools/pick.h"
 #include "walkthrough/walkthrough.h"
 
@@ -25,17 +26,54 @@ std::string hint_of_vertex(const Points& vertices, std::size_t i) {
          " · drag to move, Delete to remove";
 }
 
+bool on_centroid(const AppState& state) {
+  const std::optional<Vec2> centroid = centroid_of(state.document.vertices);
+  return centroid && state.document.centre_of_mass == rounded_finely(state.camera, *centroid);
+}
+
 std::string hint_of_centre(const AppState& state) {
   return "Centre of mass " +
          point_in_words(centre_of_mass(state), coordinate_decimals(state.document.vertices)) +
-         " · drag to move";
+         (on_centroid(state) ? " · on the centroid" : " · drag to move");
 }
 
 std::string hint_of_team(const Placement* placement, std::size_t i) {
   if (!placement || i >= placement->teams.size()) return {};
-  const TeamInWords words = team_in_words(*placement, i, coordinate_decimals(placement->vertices));
+  const TeamInWords words =
+      team_in_words(*placement, i, coordinate_decimals(placement->vertices()));
   return "Team " + std::to_string(i + 1) + " · load ratio " + words.ratio + " · " + words.loads[0] +
-         " and " + words.loads[1] + "\u00A0kg · " + words.length + " apart";
+         " and " + words.loads[1] + "\u00A0kg · " + words.length + " apart · press it to see why";
+}
+
+std::string hint_of_robot(const AppState& state, const Pick& at) {
+  const Placement* placement = current_placement(state, at.second);
+  if (!placement || placement->settings.method != Method::balanced)
+    return hint_of_team(placement, at.index);
+  const auto robot = static_cast<std::size_t>(at.end);
+  const TeamInWords words =
+      team_in_words(*placement, 0, coordinate_decimals(placement->vertices()));
+  if (robot >= words.at.size()) return {};
+  return "Robot " + std::to_string(robot + 1) + " " + words.at[robot] + " · " + words.loads[robot] +
+         "\u00A0kg, as each of them · " +
+         (can_take_robot(state, at) ? "drag it along the edge: its neighbours follow"
+                                    : "press it to see why");
+}
+
+std::string hint_of_candidate(const Placement* placement, std::size_t i) {
+  if (!placement || i >= placement->candidates.size()) return {};
+  return "Candidate " + std::to_string(i + 1) + " · load ratio " +
+         ratio_in_words(placement->candidates[i].chord.ratio) +
+         " · press it to see why it was not taken";
+}
+
+std::string hint_of_drawing(const AppState& state) {
+  const Points& points = state.drawing.points;
+  if (points.empty())
+    return "Click to place the first vertex · drag to move the view · or use arrow keys and Enter";
+  if (state.hover.kind == Pick::Kind::vertex && state.hover.index < points.size())
+    return "Vertex " + std::to_string(state.hover.index + 1) + " " +
+           given_point(points[state.hover.index]) + " · drag to move";
+  return "Click to place vertices · click the first, or Enter, to close · Esc takes one back";
 }
 
 std::string hint_of_pick(const AppState& state, const Pick& at) {
@@ -47,8 +85,11 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
     case Pick::Kind::edge:
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
+      return hint_of_robot(state, at);
     case Pick::Kind::chord:
       return hint_of_team(current_placement(state, at.second), at.index);
+    case Pick::Kind::candidate:
+      return hint_of_candidate(current_placement(state, at.second), at.index);
     case Pick::Kind::object:
     case Pick::Kind::frame:
     case Pick::Kind::none:
@@ -68,10 +109,7 @@ std::string capitalised(std::string text) {
 
 std::string hint(const AppState& state) {
   if (state.screen.embed) return {};
-  if (state.tool == Tool::draw)
-    return state.drawing.points.empty()
-               ? "Click to place the first vertex · drag to move the view"
-               : "Click to place vertices · click the first, or Enter, to close · Esc takes one back";
+  if (state.tool == Tool::draw) return hint_of_drawing(state);
   if (state.tool == Tool::transform)
     return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do the same";
   const bool holds = state.held.kind != Pick::Kind::none && state.held.kind != Pick::Kind::ground;
@@ -84,7 +122,9 @@ std::string hint(const AppState& state) {
 void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme) {
   const std::string text = hint(state);
   // A phone has neither the room nor the wheel that it speaks of.
-  if (text.empty() || !layout.wide || state.screen.finger || state.screen.height < 560) return;
+  if (text.empty() || state.screen.foot > 0 || state.screen.side > 0 || !layout.wide ||
+      state.screen.finger || state.screen.height < 560)
+    return;
   const ImVec2 size = text_size(Face::label, text);
   const double width = static_cast<double>(size.x);
   // Beside the tools of the view, not under them.

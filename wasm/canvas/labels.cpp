@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/output/picture.h"
 #include "evenlift/plane.h"
 
 namespace evenlift::view {
 namespace {
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
+constexpr double cell = 4;  // CSS pixels
 
 Rect around(const Vec2& middle, const Vec2& size) {
   return {middle.x() - size.x() / 2, middle.y() - size.y() / 2, middle.x() + size.x() / 2,
@@ -44,16 +43,17 @@ double away(const Vec2& a, const Vec2& b, const Vec2& p) {
 // The room about p: its distance to what the number must not cover; 0 outside of the object or
 // base.
 double clearance(const Placement& placement, const Vec2& p) {
-  if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices, p)) return 0;
+  if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices(), p)) return 0;
   double room = length(p - placement.centre_of_mass);
   for (std::size_t i = 0; i < placement.lifting_base.size(); ++i) {
     const std::size_t next = i + 1 == placement.lifting_base.size() ? 0 : i + 1;
     room = std::min(room, away(placement.lifting_base[i], placement.lifting_base[next], p));
   }
   for (const Team& team : placement.teams) {
-    room = std::min(room, away(team.chord.r1.position, team.chord.r2.position, p));
+    for (const Segment& line : joining_lines(team, placement.centre_of_mass))
+      room = std::min(room, away(line.from, line.to, p));
   }
-  const Points& vertices = placement.vertices;
+  const Points& vertices = placement.vertices();
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     room = std::min(room, away(vertices[i], vertices[i + 1 == vertices.size() ? 0 : i + 1], p));
   }
@@ -62,28 +62,89 @@ double clearance(const Placement& placement, const Vec2& p) {
 
 }  // namespace
 
+Occupied::Occupied(const Rect& window)
+    : window_(window),
+      across_(std::max(0, static_cast<int>(window.width() / cell) + 1)),
+      down_(std::max(0, static_cast<int>(window.height() / cell) + 1)),
+      boxes_(static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_)),
+      lines_(boxes_.size()) {}
+
+Occupied::Cells Occupied::cells(const Rect& area) const {
+  const auto index = [](double at, int count) {
+    return static_cast<int>(std::clamp(std::floor(at / cell), -1.0, static_cast<double>(count)));
+  };
+  return {std::max(0, index(area.left - window_.left, across_)),
+          std::max(0, index(area.top - window_.top, down_)),
+          std::min(across_, index(area.right - window_.left, across_) + 1),
+          std::min(down_, index(area.bottom - window_.top, down_) + 1)};
+}
+
+std::size_t Occupied::index_of(int x, int y) const {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(across_) +
+         static_cast<std::size_t>(x);
+}
+
+void Occupied::box(const Rect& taken) {
+  const Cells c = cells(taken);
+  for (int y = c.top; y < c.bottom; ++y)
+    for (int x = c.left; x < c.right; ++x) boxes_[index_of(x, y)] = 1;
+}
+
+void Occupied::line(const Vec2& a, const Vec2& b) {
+  const std::optional<PartOfSegment> part = part_within(window_, a, b);  // only this has cells
+  if (!part) return;
+  const double share = part->to - part->from;
+  const Vec2 along = b - a;
+  const int steps = static_cast<int>(length(along) * share / cell) + 1;
+  for (int i = 0; i <= steps; ++i) {
+    const Vec2 p = a + along * (part->from + share * i / steps);
+    const auto x = static_cast<int>((p.x() - window_.left) / cell),
+               y = static_cast<int>((p.y() - window_.top) / cell);
+    if (x >= 0 && y >= 0 && x < across_ && y < down_) lines_[index_of(x, y)] = 1;
+  }
+}
+
+bool Occupied::free(const Rect& wanted) const {
+  if (wanted.left < window_.left || wanted.right > window_.right || wanted.top < window_.top ||
+      wanted.bottom > window_.bottom)
+    return false;
+  const Cells c = cells(wanted);
+  for (int y = c.top; y < c.bottom; ++y)
+    for (int x = c.left; x < c.right; ++x)
+      if (boxes_[index_of(x, y)]) return false;
+  return true;
+}
+
+int Occupied::crossed(const Rect& wanted) const {
+  const Cells c = cells(wanted);
+  int count = 0;
+  for (int y = c.top; y < c.bottom; ++y)
+    for (int x = c.left; x < c.right; ++x) count += lines_[index_of(x, y)];
+  return count;
+}
+
 std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests,
-                                              const Rect& window, const Rect& covered,
-                                              double reach) {
+                                              Occupied& occupied, double reach, int most_crossed) {
   std::vector<std::optional<Rect>> places(requests.size());
-  const Vec2 robot_size(2 * reach, 2 * reach);
-  constexpr double turns[] = {0, 40, -40, 80, -80, 120, -120, 180};
+  constexpr double turns[] = {0, 25, -25, 50, -50, 75, -75, 100, -100, 130, -130, 180};
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const LabelRequest& request = requests[i];
-    if (!window.contains(request.robot)) continue;
-    for (double turn : turns) {
-      const Rect box = around(
-          beside(request.robot, turned(request.outward, turn), request.size, reach), request.size);
-      bool free = box.left > window.left && box.right < window.right && box.top > window.top &&
-                  box.bottom < window.bottom && !overlap(box, covered);
-      for (std::size_t j = 0; j < requests.size() && free; ++j) {
-        free = j == i || !overlap(box, around(requests[j].robot, robot_size));
-        if (free && j < i && places[j]) free = !overlap(box, *places[j]);
+    int fewest = most_crossed + 1;
+    // The nearer ring first; the farther one only if it covers fewer lines.
+    for (const double farther : {0.0, 9.0}) {
+      for (const double turn : turns) {
+        if (fewest == 0) break;
+        const Rect box = around(
+            beside(request.robot, turned(request.outward, turn), request.size, reach + farther),
+            request.size);
+        if (!occupied.free(box)) continue;
+        const int crossed = occupied.crossed(box);
+        if (crossed >= fewest) continue;
+        fewest = crossed;
+        places[i] = box;
       }
-      if (!free) continue;
-      places[i] = box;
-      break;
     }
+    if (places[i]) occupied.box(*places[i]);
   }
   return places;
 }
@@ -91,7 +152,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
   // With more than this there is no room for a number anyway, and the search would take long.
   if (placement.lifting_base.size() < 3 || placement.teams.size() > 40 ||
-      placement.vertices.size() > 400)
+      placement.vertices().size() > 400)
     return {};
   const Box box = bounding_box(placement.lifting_base);
   CoveragePlace best{before, clearance(placement, before)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "evenlift/plane.h"
@@ -136,12 +137,16 @@ void Painter::long_outline(const Points& polygon, Colour colour, float width, bo
   const ImU32 packed = colour.at(strength_).packed();
   const double least = least_step();
   const auto stroke = [&] { list_.PathStroke(packed, ImDrawFlags_None, width); };
-  Vec2 last = camera_.to_screen(polygon[0]);
+  Vec2 last = camera_.to_screen(polygon[0]), before = last;
   const std::size_t edges = closed ? polygon.size() : polygon.size() - 1;
   for (std::size_t i = 1; i <= edges; ++i) {
     const Vec2 next = camera_.to_screen(polygon[i == polygon.size() ? 0 : i]);
     if (i < edges && length(next - last) < least) continue;
+    // Dear ImGui draws a join of two lines that turn back as a spike, so there the line is parted.
+    const bool back = dot(last - before, next - last) < 0;
+    before = last;
     if (seen(last, next)) {
+      if (back && list_._Path.Size > 1) stroke();
       if (list_._Path.Size == 0) list_.PathLineTo(vec(last));
       list_.PathLineTo(vec(next));
       if (static_cast<std::size_t>(list_._Path.Size) >= most_at_once) stroke();
@@ -161,20 +166,13 @@ bool Painter::seen(const Vec2& a, const Vec2& b) const {
 }
 
 bool Painter::clip(Vec2& a, Vec2& b) const {
-  double from = 0, to = 1;
-  const Vec2 along = b - a;
-  const auto bound = [&](double start, double step, double low, double high) {
-    if (step == 0) return start >= low && start <= high;
-    const double first = (low - start) / step, second = (high - start) / step;
-    from = std::max(from, std::min(first, second));
-    to = std::min(to, std::max(first, second));
-    return from < to;
-  };
-  if (!bound(a.x(), along.x(), window_.left - margin, window_.right + margin)) return false;
-  if (!bound(a.y(), along.y(), window_.top - margin, window_.bottom + margin)) return false;
-  const Vec2 start = a;
-  a = start + along * from;
-  b = start + along * to;
+  const Rect drawn{window_.left - margin, window_.top - margin, window_.right + margin,
+                   window_.bottom + margin};
+  const std::optional<PartOfSegment> part = part_within(drawn, a, b);
+  if (!part) return false;
+  const Vec2 start = a, along = b - a;
+  a = start + along * part->from;
+  b = start + along * part->to;
   return true;
 }
 

@@ -31,7 +31,8 @@ void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>&
   scene.progress = 1;
   const bool many = state.placement && state.placement->teams.size() > most_single_robots;
   const bool wanted = state.motion && !state.screen.reduced_motion && !many;
-  if (!wanted || state.edit_open || before.empty() || scene.shapes.empty()) return;
+  const bool moved = state.edit_open || state.held.kind == Pick::Kind::robot;  // by hand
+  if (!wanted || moved || before.empty() || scene.shapes.empty()) return;
   if (before[0].points != scene.shapes[0].points) return;  // another polygon
   scene.hull_before = hull_of(before);
   scene.robots_before = robots_of(before);
@@ -44,11 +45,11 @@ void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>&
 // Computes what depends on the placement, and not on the overlays.
 void follow_anew(Scene& scene, const AppState& state, const Placement& placement,
                  const std::vector<Shape>& before, double now) {
-  const bool same_polygon = !before.empty() && before[0].points == placement.vertices;
+  const bool same_polygon = !before.empty() && before[0].points == placement.vertices();
   if (!same_polygon) {
     scene.triangles.clear();
-    if (placement.vertices.size() <= most_triangulated)
-      scene.triangles = triangulate(placement.vertices);
+    if (placement.vertices().size() <= most_triangulated)
+      scene.triangles = triangulate(placement.vertices());
   }
   scene.heat.clear();
   scene.coverage = place_coverage(placement, scene.coverage.at);

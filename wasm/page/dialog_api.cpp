@@ -1,22 +1,18 @@
-// What the page's own windows (web/windows) ask of the program: samples, coordinates, files, QR
-// codes. Edits are commands, so each is one step of undo. A function that may refuse returns a
+// What the page's own windows (web/windows) ask of the program: samples, coordinates, files. Edits are commands, so each is one step of undo. A function that may refuse returns a
 // sentence that says why, or an empty text.
 #include <emscripten/emscripten.h>
-#include <qrcodegen.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "actions/key_list.h"
 #include "app/app.h"
-#include "app/open_lesson.h"
 #include "app/update.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
@@ -26,17 +22,9 @@
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/browser.h"
-#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 namespace {
-
-void carry_out(Commands commands) {
-  App& a = app();
-  std::move(commands.begin(), commands.end(), std::back_inserter(a.commands));
-  settle(a);
-  browser::request_frame();
-}
 
 // Opens a polygon's text with the present settings.
 std::string open_with_these_settings(std::string_view text) {
@@ -214,63 +202,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
   return hand_over(link ? std::string() : sentence(link.error()));
 }
 
-// A text as a QR code: a line of 0 and 1 (dark) for each row of modules, without the quiet zone.
-// Nothing if it is too long. The generator chooses version and mask, and as much error correction
-// as the version has room for.
-EMSCRIPTEN_KEEPALIVE const char* page_qr(const char* text) {
-  static std::array<std::uint8_t, qrcodegen_BUFFER_LEN_MAX> code, work;
-  if (!qrcodegen_encodeText(text, work.data(), code.data(), qrcodegen_Ecc_LOW,
-                            qrcodegen_VERSION_MIN, qrcodegen_VERSION_MAX, qrcodegen_Mask_AUTO,
-                            true))
-    return hand_over({});
-  const int size = qrcodegen_getSize(code.data());
-  std::string rows;
-  for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) rows += qrcodegen_getModule(code.data(), x, y) ? '1' : '0';
-    rows += '\n';
-  }
-  return hand_over(std::move(rows));
-}
+// --- Keys
 
-// --- Lessons
-
-// The sample that a ready-made lesson names; the text of its polygon is passed to
-// page_open_lesson(). Nothing if the lesson has a link instead, or cannot be read.
-EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
-  const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
-  return hand_over(lesson ? lesson->polygon : std::string());
-}
-
-// Opens a ready-made lesson; with `join`, for the document that is open, which stays at its step.
-// Returns why it cannot be opened, or nothing.
-EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon, int join) {
-  const std::optional<evenlift::InputError> problem =
-      open_lesson(app().state, text, polygon, join != 0);
-  if (problem) return hand_over(sentence(*problem));
-  frame_view(app().state);
-  browser::request_frame();
-  return hand_over({});
-}
-
-// Opens the walkthrough of the open document at the step where it was left; or, with `predict`, as
-// a challenge from its first step.
-EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
-  Commands commands{OpenWalkthrough{}, LeaveScript{}, SetPredict{predict != 0}};
-  if (predict) commands.push_back(GoToStep{0});
-  carry_out(std::move(commands));
-}
-
-// Asks for a prediction before each choice of the open walkthrough.
-EMSCRIPTEN_KEEPALIVE void page_predict() { carry_out({SetPredict{true}}); }
-
-EMSCRIPTEN_KEEPALIVE int page_walkthrough_is_open() {
-  return walkthrough_is_open(app().state) ? 1 : 0;
-}
-
-// 0 if no ready-made lesson is open, 1 if one is but its polygon was edited since, otherwise 2.
-EMSCRIPTEN_KEEPALIVE int page_script() {
-  const AppState& state = app().state;
-  return !state.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
-}
+// key_list().
+EMSCRIPTEN_KEEPALIVE const char* page_keys() { return hand_over(key_list()); }
 
 }  // extern "C"

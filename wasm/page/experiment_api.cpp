@@ -9,17 +9,14 @@
 #include <vector>
 
 #include "evenlift/experiment/outputs.h"
-#include "evenlift/formats.h"
+#include "evenlift/import.h"
+#include "page/hand_over.h"
 
 namespace evenlift {
-namespace {
 
-// Keeps a text alive for JavaScript to read.
-const char* hand_over(std::string text) {
-  static std::string kept;
-  kept = std::move(text);
-  return kept.c_str();
-}
+using view::hand_over;
+
+namespace {
 
 // Results collected so far.
 std::vector<experiment::PolygonResult>& collected() {
@@ -50,12 +47,17 @@ experiment::PolygonResult refused(const std::string& set, const std::string& nam
 // The result of a polygon, or why there is none; if a method is given, only for that one.
 experiment::PolygonResult measured(const std::string& set, const std::string& name,
                                    const char* text, std::optional<Method> only) {
-  const Result<Document> document = read_polygon(text);
-  if (!document) return refused(set, name, problem_of(document.error()));
-  const Result<experiment::Subject> subject = experiment::prepare(*document, settings().min_ratio);
+  const Result<Import> import = read_shapes(text);
+  if (!import) return refused(set, name, problem_of(import.error()));
+  if (import->shapes.size() != 1)
+    return refused(
+        set, name,
+        "it has " + std::to_string(import->shapes.size()) + " shapes, and here a file has one");
+  const Document& document = import->shapes.front().document;
+  const Result<experiment::Subject> subject = experiment::prepare(document, settings().min_ratio);
   if (!subject) return refused(set, name, problem_of(subject.error()));
   experiment::PolygonResult result = experiment::describe(set, name, *subject);
-  for (const Method method : all_methods) {
+  for (const Method method : pair_methods) {
     if (only && *only != method) continue;
     for (experiment::Measurement& m : experiment::measure(*subject, method, settings()))
       result.measurements.push_back(std::move(m));

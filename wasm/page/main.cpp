@@ -19,10 +19,15 @@
 #include <string>
 
 #include "evenlift/numbers.h"
+#include "page/hand_over.h"
 #include "page/page_api.h"
 #include "page/sdl_input.h"
 #include "page/webgl_renderer.h"
 #include "state/browser.h"
+#include "tools/cursor.h"
+#include "ui/controls.h"
+#include "ui/fonts.h"
+#include "ui/letters.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -38,17 +43,19 @@ struct Page {
   WebglRenderer renderer;
   SdlInput input;
   int canvas_width = 0, canvas_height = 0;  // device pixels
+  bool letters_asked = false;
   int frames_due = 0;
   bool frame_scheduled = false;
   bool context_lost = false;
   bool passing = false;  // a pass is under way: calls that it makes to the page may call back
   int passes_due = 0;    // until the panels stand as they will be: no press is dealt with before
   double fonts_for_ratio = 0;
+  bool large_letters = false;
   double last_frame_at = 0;  // seconds
   double frames = 0;
   double press_time = 0;  // of the press that the browser is telling of: page_press()
   int press_clicks = 0;
-  ImGuiMouseCursor cursor = ImGuiMouseCursor_Arrow;
+  browser::Cursor cursor = browser::Cursor::arrow;
 };
 Page page;
 
@@ -76,10 +83,28 @@ int SDLCALL on_event(void*, SDL_Event* event) {
 }
 
 void load_fonts_for(double ratio) {
-  if (page.fonts_for_ratio == ratio) return;
-  load_fonts(ratio);
+  const bool large = app().state.presenting;
+  if (page.fonts_for_ratio == ratio && page.large_letters == large) return;
+  load_fonts(ratio, large);
+  page.large_letters = large;
   page.renderer.upload_fonts();
   page.fonts_for_ratio = ratio;
+}
+
+// Characters that a text needs and the fonts lack: fetches larger fonts, once; or rasterises more of them before the next
+// picture, and says which characters no font has.
+void find_letters() {
+  if (!letters_are_due()) return;
+  if (letters_are_here()) {
+    page.fonts_for_ratio = 0;
+    load_fonts_for(app().state.screen.ratio);
+    const std::string absent = absent_letters(*font(Face::text));
+    if (!absent.empty()) browser::say_absent(absent);
+    browser::request_frame();
+  } else if (!page.letters_asked) {
+    page.letters_asked = true;
+    browser::fetch_letters();
+  }
 }
 
 // SDL resizes the canvas to CSS pixels, or not at all; the page knows the exact device pixels.
@@ -113,15 +138,15 @@ void show_frame(const Colour& ground) {
 }
 
 void show_cursor() {
-  const ImGuiMouseCursor wanted = ImGui::GetMouseCursor();
+  using browser::Cursor;
+  const bool over_button = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
+  const bool over_panel = ImGui::GetIO().WantCaptureMouse;
+  const Cursor wanted = over_button  ? Cursor::press
+                        : over_panel ? Cursor::arrow
+                                     : cursor(app().state);
   if (wanted == page.cursor) return;
   page.cursor = wanted;
-  SDL_SystemCursor shape = SDL_SYSTEM_CURSOR_ARROW;
-  if (wanted == ImGuiMouseCursor_Hand) shape = SDL_SYSTEM_CURSOR_HAND;
-  if (wanted == ImGuiMouseCursor_ResizeAll) shape = SDL_SYSTEM_CURSOR_SIZEALL;
-  static SDL_Cursor* shown[SDL_NUM_SYSTEM_CURSORS];
-  if (!shown[shape]) shown[shape] = SDL_CreateSystemCursor(shape);
-  SDL_SetCursor(shown[shape]);
+  browser::show_cursor(wanted);
 }
 
 // What a press opens is measured in the next pass, and can be pressed in the one after.
@@ -139,7 +164,7 @@ bool pass(bool may_draw) {
   advance(a, pointer, ImGui::GetTime());
   draw_frame(a, draws);
   if (draws)
-    show_frame(theme(a.state).ground);
+    show_frame(theme(a.state).ground.at(a.state.backdrop ? 0 : 1));
   else
     ImGui::EndFrame();
   if (settle(a)) ask_for_frames(2);
@@ -164,6 +189,7 @@ void draw() {
   while (!pass(true)) {
   }
   show_cursor();
+  find_letters();
   page.frames += 1;
   if (page.frames_due > 0) schedule();
 }
@@ -180,7 +206,7 @@ bool make_webgl_context() {
   EmscriptenWebGLContextAttributes attributes;
   emscripten_webgl_init_context_attributes(&attributes);
   attributes.majorVersion = 2;
-  attributes.alpha = attributes.depth = attributes.antialias = false;
+  attributes.depth = attributes.antialias = false;
   attributes.enableExtensionsByDefault = false;
   const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context =
       emscripten_webgl_create_context("#canvas", &attributes);
@@ -272,21 +298,47 @@ EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
   page.press_clicks = clicks;
 }
 
+// Lays out the panels until nothing changes any more.
+static void lay_out_panels() {
+  if (page.passing || page.frames == 0) return;
+  do pass(false);
+  while (page.passes_due > 0);
+}
+
+// All controls of the panels, as controls_text() writes them.
+EMSCRIPTEN_KEEPALIVE const char* page_controls() { return hand_over(controls_text()); }
+
+// Takes over the larger fonts (letters.h), each as its bytes and their number.
+EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular_size,
+                                       const unsigned char* semibold, int semibold_size) {
+  give_fonts({regular, regular + regular_size}, {semibold, semibold + semibold_size});
+  have_letters();
+  browser::request_frame();
+}
+
 // The place of a control of the panels, as `left top width height`; nothing if no control of that
 // name is shown.
 EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
-  static std::string place;
-  place.clear();
-  if (page.passing || page.frames == 0) return place.c_str();
-  do pass(false);
-  while (page.passes_due > 0);
-  seek_control(name);
-  pass(false);
-  if (const std::optional<Rect> found = found_control()) {
-    for (const double value : {found->left, found->top, found->width(), found->height()})
+  lay_out_panels();
+  const std::vector<Control>& all = controls();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Control& control) { return control.name == name; });
+  std::string place;
+  if (found != all.end()) {
+    const Rect& at = found->place;
+    for (const double value : {at.left, at.top, at.width(), at.height()})
       place += evenlift::shortest(value) + " ";
   }
-  return place.c_str();
+  return hand_over(place);
+}
+
+// Does with a control what a pointer would: 0 presses it, 1 chooses the choice number `value`, 2 moves it to `value`, 3
+// scrolls its card until it is seen, and 4 moves it to `value` and confirms that.
+EMSCRIPTEN_KEEPALIVE void page_ask_control(int what, const char* card, const char* name,
+                                           double value) {
+  if (what < 0 || what > static_cast<int>(ControlRequest::enter)) return;
+  ask_control(static_cast<ControlRequest>(what), card, name, value);
+  browser::request_frame();
 }
 
 }  // extern "C"

@@ -3,8 +3,11 @@
 
 #include <emscripten/emscripten.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "actions/actions.h"
 #include "app/opening.h"
@@ -13,11 +16,14 @@
 #include "app/update.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
+#include "evenlift/numbers.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
+#include "evenlift/settings_text.h"
 #include "panels/summary.h"
 #include "state/browser.h"
+#include "state/layout.h"
 #include "tools/drawing.h"
 
 namespace evenlift::view {
@@ -44,6 +50,13 @@ std::string link_or_nothing(const Document& document) {
 App& app() {
   static App the_app;
   return the_app;
+}
+
+void carry_out(Commands commands) {
+  App& a = app();
+  std::move(commands.begin(), commands.end(), std::back_inserter(a.commands));
+  settle(a);
+  browser::request_frame();
 }
 
 }  // namespace evenlift::view
@@ -102,9 +115,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
   AppState& state = app().state;
   const Result<Changeable> changed = with_settings({state.placed, state.capacity}, changes);
   if (!changed) return hand_over(sentence(changed.error()));
-  if (const auto error = try_edit(state, changed->document)) return hand_over(sentence(*error));
-  Commands commands{SetCapacity{changed->capacity}};
-  apply(state, commands);
+  if (const auto error = try_edit(state, changed->document, changed->capacity))
+    return hand_over(sentence(*error));
   browser::request_frame();
   return no_error();
 }
@@ -113,7 +125,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_link() {
   return hand_over(link_or_nothing(app().state.placed));
 }
 EMSCRIPTEN_KEEPALIVE const char* page_svg() {
-  return hand_over(placement_svg(*app().state.placement));
+  const AppState& state = app().state;
+  return hand_over(placement_svg(*state.placement, link_or_nothing(state.placed)));
 }
 EMSCRIPTEN_KEEPALIVE const char* page_text() {
   return hand_over(evenlift::write_thesis(app().state.placed));
@@ -155,6 +168,11 @@ EMSCRIPTEN_KEEPALIVE void page_resume_drawing(const char* text) {
 
 EMSCRIPTEN_KEEPALIVE const char* page_summary() { return hand_over(summary(app().state)); }
 
+EMSCRIPTEN_KEEPALIVE const char* page_link_lacks() {
+  return hand_over(link_lacks_in_words(app().state));
+}
+EMSCRIPTEN_KEEPALIVE const char* page_news() { return hand_over(news(app().state)); }
+
 EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coarse_pointer) {
   Screen& screen = app().state.screen;
   screen.dark = dark != 0;
@@ -173,8 +191,75 @@ EMSCRIPTEN_KEEPALIVE void page_keep(const char* lines) {
   AppState& state = app().state;
   const Kept kept = read_kept(lines);
   state.motion = kept.motion;
-  Commands commands{SetCapacity{kept.capacity}};
-  apply(state, commands);
+  keep_capacity(state, kept.capacity);
+  browser::request_frame();
+}
+
+// The step that so many undos, or redos, lead to, to be kept: `EDIT CAPACITY METHOD LINK`, where 0 is
+// no capacity and the method 0 is none, and a document that is too large has no link. Nothing if there
+// is no such step.
+EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
+  const std::optional<History::Kept> kept =
+      app().state.history.kept(redo != 0, static_cast<std::size_t>(std::max(index, 0)));
+  if (!kept) return hand_over({});
+  const std::optional<evenlift::Method>& method = kept->beside.second_method;
+  return hand_over(std::to_string(static_cast<int>(kept->edit)) + ' ' +
+                   evenlift::shortest(kept->beside.capacity.value_or(0)) + ' ' +
+                   std::to_string(method ? static_cast<int>(*method) + 1 : 0) + ' ' + kept->link);
+}
+
+// And back: begins a history anew, or adds the newest step to be undone or redone.
+EMSCRIPTEN_KEEPALIVE void page_forget_steps() {
+  AppState& state = app().state;
+  state.history.clear();
+  if (state.walkthrough.script) state.walkthrough.script->depth = 0;
+}
+EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, double capacity, int method,
+                                        const char* link) {
+  History::Kept kept;
+  if (edit >= 0 && edit < static_cast<int>(edit_count)) kept.edit = static_cast<Edit>(edit);
+  if (evenlift::is_weight(capacity)) kept.beside.capacity = capacity;
+  if (method > 0 && method <= static_cast<int>(std::size(evenlift::all_methods)))
+    kept.beside.second_method = evenlift::all_methods[method - 1];
+  kept.link = link;
+  AppState& state = app().state;
+  state.history.add(redo != 0, kept);
+  if (state.walkthrough.script) state.walkthrough.script->depth = state.history.depth();
+  browser::request_frame();
+}
+
+// A window of the page covers the canvas left of and below these coordinates, in CSS pixels; 0 ends either.
+EMSCRIPTEN_KEEPALIVE void page_cover(double left, double below) {
+  AppState& state = app().state;
+  state.screen.side = left;
+  state.screen.foot = 0;
+  if (below > 0) state.screen.foot = std::max(0.0, layout(state).free.bottom - below);
+  frame_view(state);
+  browser::request_frame();
+}
+
+// Makes room for a card of this height at the foot of the drawing; 0 ends that. Returns where the card
+// may stand, as `left right bottom` in CSS pixels.
+EMSCRIPTEN_KEEPALIVE const char* page_seat(double height) {
+  AppState& state = app().state;
+  const Rect seat = card_seat(state);
+  state.screen.foot = 0;
+  if (height > 0)
+    state.screen.foot = std::max(0.0, layout(state).free.bottom - seat.bottom + height);
+  frame_view(state);
+  browser::request_frame();
+  std::string text;
+  for (const double value : {seat.left, seat.right, seat.bottom})
+    text += std::to_string(static_cast<int>(value)) + ' ';
+  return hand_over(std::move(text));
+}
+
+// A picture lies behind the canvas, at these polygon coordinates; without width there is none.
+EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width, double height) {
+  std::optional<evenlift::Box> place;
+  if (width > 0 && height > 0)
+    place = evenlift::Box{{left, bottom}, {left + width, bottom + height}};
+  lay_behind(app().state, place);
   browser::request_frame();
 }
 

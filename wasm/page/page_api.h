@@ -9,4 +9,7 @@ namespace evenlift::view {
 // The one page.
 App& app();
 
+// Carries out commands at once, as if a button had asked for them.
+void carry_out(Commands commands);
+
 }  // namespace evenlift::view

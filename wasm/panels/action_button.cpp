@@ -1,28 +1,43 @@
 #include "panels/action_button.h"
 
+#include <optional>
 #include <string>
 
+#include "ui/dropdown.h"
 #include "ui/widgets.h"
 
 namespace evenlift::view {
+
 namespace {
 
-std::string about(const Action& a) {
-  return *a.shown ? std::string(a.label) + " (" + a.shown + ")" : std::string(a.label);
+// Whether what the action takes in hand is in hand; nothing for the others.
+std::optional<bool> is_on(ActionId id, const AppState& state) {
+  if (id == ActionId::draw) return state.tool == Tool::draw;
+  if (id == ActionId::transform) return state.tool == Tool::transform;
+  return std::nullopt;
 }
 
 }  // namespace
 
 void action_button(const Ui& ui, ActionId id, float size) {
   const Action& a = action(id);
-  if (icon_button(ui, a.label, a.icon, a.enabled(ui.state), about(a).c_str(), size))
+  if (icon_button(ui, a.label, a.icon, a.enabled(ui.state), tip(a, ui.state).c_str(), size,
+                  is_on(id, ui.state)))
     a.run(ui.state, ui.commands);
 }
 
 void named_action_button(const Ui& ui, ActionId id, float size) {
   const Action& a = action(id);
-  if (text_button(ui, a.label, a.icon, a.label, about(a).c_str(), size))
+  if (text_button(ui, a.label, a.icon, a.label, tip(a, ui.state).c_str(), size, Icon::none,
+                  is_on(id, ui.state)))
     a.run(ui.state, ui.commands);
+}
+
+void action_row(const Ui& ui, ActionId id) {
+  const Action& a = action(id);
+  const bool keyed = *a.shown && !ui.state.screen.touch && !ui.state.screen.finger;
+  const std::string label = keyed ? std::string(a.label) + " (" + a.shown + ")" : a.label;
+  if (choice(ui, label, nullptr, false, a.icon, a.enabled(ui.state))) a.run(ui.state, ui.commands);
 }
 
 }  // namespace evenlift::view

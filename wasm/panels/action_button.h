@@ -1,5 +1,5 @@
-// The button of an action (actions.h): its icon, its name and key on hovering, and whether it can
-// be pressed now.
+// What an action (actions.h) is pressed by, if it can be pressed now: a button with its icon, and its name and key on hovering; or a
+// row of an open list.
 #pragma once
 
 #include "actions/actions.h"
@@ -11,5 +11,8 @@ void action_button(const Ui& ui, ActionId id, float size);
 
 // With the action's name beside the icon.
 void named_action_button(const Ui& ui, ActionId id, float size);
+
+// A row of the list that is open, with the key where there may be a keyboard.
+void action_row(const Ui& ui, ActionId id);
 
 }  // namespace evenlift::view

@@ -1,6 +1,8 @@
 // The bar of the present tool: the buttons for drawing a polygon, or for transforming it.
 #include "actions/actions.h"
+#include "evenlift/output/words.h"
 #include "panels/panels.h"
+#include "tools/drawing.h"
 #include "ui/widgets.h"
 
 namespace evenlift::view {
@@ -20,7 +22,7 @@ void snap_chips(const Ui& ui) {
 }
 
 bool word_button(const Ui& ui, const char* label, bool enabled, bool strong = false) {
-  const float width = text_size(Face::text, label).x + 28;
+  const float width = text_size(Face::text, label).x + (ui.layout.wide ? 28 : 20);
   return flat_button(ui, label, label, width, enabled, strong);
 }
 
@@ -34,12 +36,18 @@ void draw_drawing_bar(const Ui& ui) {
   if (word_button(ui, ui.layout.wide ? "Take one back" : "Back", some)) ui.push(TakePointBack{});
   ImGui::SameLine(0, 6);
   if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
+  if (!some || !ui.layout.wide) return;
+  ImGui::SameLine(0, 12);
+  draw_edge_fields(ui, 84, 72);
 }
 
 void draw_whole_bar(const Ui& ui) {
   if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
   ImGui::SameLine(0, 6);
-  if (word_button(ui, "Turn 15°", true)) run(ui, ActionId::turn_left);
+  const bool wide = ui.layout.wide;
+  if (word_button(ui, wide ? "Turn −15°" : "−15°", true)) run(ui, ActionId::turn_right);
+  ImGui::SameLine(0, 6);
+  if (word_button(ui, wide ? "Turn 15°" : "15°", true)) run(ui, ActionId::turn_left);
   ImGui::SameLine(0, 6);
   if (word_button(ui, "Larger", true)) run(ui, ActionId::larger);
   ImGui::SameLine(0, 6);
@@ -55,6 +63,22 @@ void draw_vertex_bar(const Ui& ui) {
 
 }  // namespace
 
+void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
+  const Drawing& drawing = ui.state.drawing;
+  const Vec2 from = drawing.points.back();
+  const Edge edge = edge_between(from, drawing.cursor.value_or(drawing.last_cursor.value_or(from)));
+  const Asked length =
+      typed_field(ui, "edge length", "Length",
+                  drawing.length ? plain(*drawing.length) : length_in_words(ui.state, edge.length),
+                  length_width);
+  ImGui::SameLine(0, 8);
+  const Asked angle = typed_field(
+      ui, "edge angle", "Angle",
+      drawing.degrees ? plain(*drawing.degrees) + "°" : fixed(edge.degrees, 1) + "°", angle_width);
+  if (length.moved) ui.push(TypeEdge{length.moved, {}, length.pressed});
+  if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
+}
+
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
   if (state.screen.embed) return;
@@ -69,7 +93,8 @@ void draw_tool_bar(const Ui& ui) {
     draw_whole_bar(ui);
   else
     draw_vertex_bar(ui);
-  if (ui.layout.wide) ImGui::SameLine(0, 12);
+  const bool fields = state.tool == Tool::draw && !state.drawing.points.empty() && ui.layout.wide;
+  if (ui.layout.wide && (!fields || at.width() >= 840)) ImGui::SameLine(0, 12);
   snap_chips(ui);
   end_card(ui);
 }

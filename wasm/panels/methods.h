@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include <vector>
+
 #include "evenlift/document.h"
+#include "ui/dropdown.h"
 
 namespace evenlift::view {
 
@@ -19,11 +22,19 @@ inline constexpr MethodWords methods[] = {
     {Method::distance, "Distance", "each team shortens the tipping arms most"},
     {Method::distributed, "Distributed", "teams at equal angles, to compare"},
     {Method::random, "Random", "teams at random, to compare"},
+    {Method::balanced, "Balanced", "robots that all bear the same"},
 };
 
 inline const MethodWords& words_of(Method method) {
   return *std::find_if(std::begin(methods), std::end(methods),
                        [&](const MethodWords& m) { return m.method == method; });
+}
+
+// The methods as the choices of a list.
+inline std::vector<Choice> method_choices() {
+  std::vector<Choice> choices;
+  for (const MethodWords& m : methods) choices.push_back({m.label, m.about});
+  return choices;
 }
 
 }  // namespace evenlift::view

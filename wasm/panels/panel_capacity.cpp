@@ -24,9 +24,33 @@ double stepped(double value, int by) {
   return step >= 1 ? steps * step : steps / std::round(1 / step);
 }
 
+namespace {
+
+// Who is overloaded and how many robots are needed: always as high as it can be, so that nothing below moves.
+void draw_need(const Ui& ui) {
+  const CapacityPlan* plan = ui.state.plan ? &*ui.state.plan : nullptr;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  text_block(Face::label, ui.theme.second_text, need_in_words(ui.state));
+  constexpr float three_lines = 54;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + three_lines));
+  const Settings& now = settings(ui.state);
+  Settings changed = now;
+  if (plan && now.method == Method::balanced) changed.robots = plan->team_size;
+  if (plan && now.method != Method::balanced) changed.teams = plan->teams;
+  const bool can_take = plan && plan->possible && !(changed == now);
+  const std::string label =
+      can_take ? "Use " + count_of(plan->team_size * plan->teams, "robot", "robots")
+               : std::string("As many as are needed");
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (!flat_button(ui, "use needed", label.c_str(), width, can_take)) return;
+  ui.push(SetSettings{changed});
+}
+
+}  // namespace
+
 void draw_capacity(const Ui& ui) {
   const std::optional<double>& capacity = ui.state.capacity;
-  const float width = labelled(ui, "A robot carries");
+  const float width = labelled(ui, "A robot carries", "What one robot can lift at most");
   if (!capacity) {
     // Begins with the smallest round number at which the present placement is not overloaded.
     const Placement* placement = ui.state.placement ? &*ui.state.placement : nullptr;
@@ -37,13 +61,15 @@ void draw_capacity(const Ui& ui) {
     return;
   }
   const float clear = ui.control();
-  const int by = stepper(ui, "capacity", plain(*capacity) + "\u00A0kg", *capacity > 1e-3,
-                         *capacity < 1e9, width - clear - 4);
+  const int by = stepper(ui, "capacity", plain(*capacity) + "\u00A0kg", width - clear - 4,
+                         {.can_lower = *capacity > 1e-3,
+                          .can_raise = *capacity < 1e9,
+                          .label = "What a robot carries, in kg",
+                          .setting = "capacity"});
   if (by != 0) ui.push(SetCapacity{stepped(*capacity, by)});
   ImGui::SameLine(0, 4);
   if (icon_button(ui, "any", Icon::close, true, "No limit", clear)) ui.push(SetCapacity{});
-  const std::string needed = need_in_words(ui.state);
-  if (!needed.empty()) text_block(Face::label, ui.theme.second_text, needed);
+  draw_need(ui);
 }
 
 }  // namespace evenlift::view

@@ -25,7 +25,7 @@ std::vector<Row> rows(const Placement& a, const Placement& b) {
     };
   };
   return {
-      {"Robots", both([](const Placement& p) { return std::to_string(2 * p.teams.size()); })},
+      {"Robots", both([](const Placement& p) { return std::to_string(count_robots(p.teams)); })},
       {"Least load, kg", both(load(&LoadSummary::min))},
       {"Greatest load, kg", both(load(&LoadSummary::max))},
       {"Difference, kg", both(load(&LoadSummary::spread))},
@@ -49,25 +49,32 @@ void draw_row(const Ui& ui, const Row& row, Face face, Colour colour) {
 }  // namespace
 
 void draw_compare(const Ui& ui) {
-  const float width = labelled(ui, "Compare with");
-  const std::optional<Method>& compared = ui.state.second_method;
-  dropdown_button(ui, "compared", compared ? words_of(*compared).label : "Nothing", width);
-  if (begin_choices(ui, "compared", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), width)) {
-    if (choice(ui, "Nothing", nullptr, !compared)) ui.push(Compare{});
-    for (const MethodWords& m : methods) {
-      if (m.method != settings(ui.state).method &&
-          choice(ui, m.label, m.about, compared == m.method))
-        ui.push(Compare{m.method});
-    }
-    if (choice(ui, "All methods …", "in charts, by the number of teams", false))
-      ui.push(OpenDialog{browser::Dialog::curves});
-    end_choices(ui);
+  const float width =
+      labelled(ui, "Compare with", "Shows the same object under a second method beside the first");
+  std::vector<Choice> choices = {{"Nothing"}};
+  std::vector<Method> of_choice;
+  std::size_t current = 0;
+  for (const MethodWords& m : methods) {
+    if (m.method == settings(ui.state).method) continue;
+    if (ui.state.second_method == m.method) current = choices.size();
+    choices.push_back({m.label, m.about});
+    of_choice.push_back(m.method);
   }
-  if (!ui.state.second || !ui.state.placement) return;
+  choices.push_back({"All methods …", "in charts, by the number of teams"});
+  const auto chosen = dropdown(ui, "compared", "Compare with", choices, current, width);
+  if (!chosen) return;
+  if (*chosen + 1 == choices.size())
+    ui.push(OpenDialog{browser::Dialog::curves});
+  else
+    ui.push(Compare{*chosen == 0 ? std::nullopt : std::optional<Method>(of_choice[*chosen - 1])});
+}
+
+void draw_comparison(const Ui& ui) {
+  if (!ui.state.placement) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  draw_row(ui,
-           {"", {words_of(ui.state.placement->settings.method).label, words_of(*compared).label}},
-           Face::label, ui.theme.second_text);
+  const char* first = words_of(ui.state.placement->settings.method).label;
+  draw_row(ui, {"", {first, words_of(*ui.state.second_method).label}}, Face::label,
+           ui.theme.second_text);
   for (const Row& row : rows(*ui.state.placement, *ui.state.second))
     draw_row(ui, row, Face::strong_label, ui.theme.text);
   ImGui::PopStyleVar();

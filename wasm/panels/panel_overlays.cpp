@@ -30,6 +30,27 @@ constexpr Overlay overlays[] = {
      "How hard a push tips the object, and where (F)"},
 };
 
+// Why a method has nothing of this kind to show; nothing where it has.
+const char* why_none(Method method, const Overlay& overlay) {
+  const bool weighs = method != Method::balanced || overlay.shown != &Overlays::candidates;
+  return weighs ? nullptr : "Balanced robots are not chosen among candidate chords";
+}
+
+// In place of chords.
+bool shows_lines(Method method, const Overlay& overlay) {
+  return overlay.shown == &Overlays::chords && method == Method::balanced;
+}
+
+const char* label_of(Method method, const Overlay& overlay) {
+  return shows_lines(method, overlay) ? "Lines" : overlay.label;
+}
+
+const char* about(Method method, const Overlay& overlay) {
+  return shows_lines(method, overlay)
+             ? "Balanced robots have no chords: a line joins each with the centre of mass (C)"
+             : overlay.about;
+}
+
 // The heat map's colours, and the forces between them.
 void draw_heat_key(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
@@ -65,15 +86,18 @@ void draw_overlays(const Ui& ui) {
   bool first = true;
   for (const Overlay& overlay : overlays) {
     const bool on = settings(ui.state).overlays.*overlay.shown;
-    const float wide = text_size(Face::label, overlay.label).x + 42;
+    const char* label = label_of(settings(ui.state).method, overlay);
+    const float wide = text_size(Face::label, label).x + 42;
     if (!first && ImGui::GetItemRectMax().x + 6 + wide <= left + width) ImGui::SameLine(0, 6);
     first = false;
-    if (chip(ui, overlay.label, overlay.swatch, overlay.label, on)) {
+    const char* why_not = why_none(settings(ui.state).method, overlay);
+    if (chip(ui, overlay.label, overlay.swatch, label, on && !why_not, !why_not)) {
       Overlays changed = settings(ui.state).overlays;
       changed.*overlay.shown = !on;
       ui.push(Show{changed});
     }
-    if (ImGui::IsItemHovered()) tip(ui, overlay.about);
+    if (ImGui::IsItemHovered())
+      tip(ui, why_not ? why_not : about(settings(ui.state).method, overlay));
   }
   if (settings(ui.state).overlays.tipping) draw_heat_key(ui);
 }

@@ -1,10 +1,12 @@
 // The player of the walkthrough: its timeline, and the buttons that move along it.
 #include <algorithm>
-#include <cmath>
+#include <string>
 
 #include "evenlift/output/words.h"
 #include "panels/action_button.h"
 #include "panels/panels.h"
+#include "state/browser.h"
+#include "ui/dropdown.h"
 #include "ui/widgets.h"
 #include "walkthrough/walkthrough.h"
 
@@ -25,31 +27,35 @@ void draw_play(const Ui& ui, float size) {
 }
 
 // Marks over the track where chapters begin.
-void draw_chapters(const Ui& ui, ImVec2 low, ImVec2 high, std::uint32_t count) {
-  const Walkthrough& walk = ui.state.walkthrough;
-  if (walk.script || count < 2) return;
-  const float knob = ui.control() > 40 ? 11.0f : 8.0f, from = low.x + knob, to = high.x - knob;
+void draw_chapters(const Ui& ui, ImVec2 low, ImVec2 high, std::size_t parts) {
+  const float knob = knob_radius(ui), from = low.x + knob, to = high.x - knob;
   const float y = (low.y + high.y) / 2;
-  for (std::uint32_t c = 0; c < chapter_count; ++c) {
-    const auto begin = walk.trace->chapter_begin(static_cast<Chapter>(c));
-    if (!begin) continue;
-    const float x = from + (to - from) * static_cast<float>(*begin) / static_cast<float>(count - 1);
+  if (to - from < 16 * static_cast<float>(parts)) return;  // they would be all that is seen
+  for (std::size_t i = 1; i < parts; ++i) {
+    const float x = from + (to - from) * static_cast<float>(i) / static_cast<float>(parts);
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 1, y - 8), ImVec2(x + 1, y + 8),
                                               ui.theme.quiet.packed());
   }
 }
 
+// Each chapter is as wide as the others; the knob moves within its own.
 void draw_timeline(const Ui& ui, float width) {
   const Timeline now = timeline(ui.state);
+  const std::vector<ChapterPart> parts = chapter_parts(ui.state);
+  const Track track{
+      [&](double value) { return share_of(parts, static_cast<std::uint32_t>(value)); },
+      [&](double share) { return static_cast<double>(position_at(parts, share)); }};
   const double last = std::max(now.count, 2u) - 1;
-  const SliderResult moved = slider(ui, "timeline", now.at, 0, last, 1, width);
+  const SliderResult moved =
+      slider(ui, "timeline", "Step of the lesson", now.at, 0, last, 1, width, track);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const bool hovered = ImGui::IsItemHovered();
-  draw_chapters(ui, low, high, now.count);
+  draw_chapters(ui, low, high, parts.size());
   if (hovered) {
-    const double share = std::clamp(
-        static_cast<double>((ImGui::GetIO().MousePos.x - low.x) / (high.x - low.x)), 0.0, 1.0);
-    const auto at = static_cast<std::uint32_t>(std::round(share * (now.count - 1)));
+    const float knob = knob_radius(ui);
+    const double share = static_cast<double>((ImGui::GetIO().MousePos.x - low.x - knob) /
+                                             (high.x - low.x - 2 * knob));
+    const std::uint32_t at = std::min(position_at(parts, share), now.count - 1);
     const Step step = ui.state.walkthrough.trace->step(step_of(ui.state, at));
     tip(ui, ("Step " + std::to_string(at + 1) + ": " + std::string(title(step.chapter))).c_str());
   }
@@ -57,73 +63,127 @@ void draw_timeline(const Ui& ui, float width) {
     ui.push(GoToStep{step_of(ui.state, static_cast<std::uint32_t>(moved.value))});
 }
 
-void draw_transport(const Ui& ui, float size, bool all) {
+void draw_transport(const Ui& ui, float size) {
   button(ui, ActionId::first_step, size);
-  if (all) button(ui, ActionId::previous_chapter, size);
+  button(ui, ActionId::previous_chapter, size);
   button(ui, ActionId::step_back, size);
   draw_play(ui, size);
   button(ui, ActionId::step_on, size);
-  if (all) button(ui, ActionId::next_chapter, size);
+  button(ui, ActionId::next_chapter, size);
   button(ui, ActionId::last_step, size);
 }
 
+constexpr float place_gap = 24;
+
 void draw_place(const Ui& ui, float size) {
-  const Timeline now = timeline(ui.state);
-  const std::string place =
-      "Step " + std::to_string(now.at + 1) + " of " + std::to_string(now.count);
+  const std::string place = "Step " + place_in_words(ui.state);
   const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, place);
   draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + (size - text.y) / 2),
             ui.theme.second_text, place);
-  ImGui::Dummy(ImVec2(text.x + 24, size));
+  ImGui::Dummy(ImVec2(text.x + place_gap, size));
 }
+
+float speed_width(float size) { return 3 * size + 8; }
 
 void draw_speed(const Ui& ui, float size) {
   const Walkthrough& walk = ui.state.walkthrough;
-  const int by = stepper(ui, "speed", plain(walk.speed) + "×", walk.speed > slowest_speed,
-                         walk.speed < fastest_speed, 3 * size + 8);
+  const int by = stepper(ui, "speed", plain(walk.speed) + "×", speed_width(size),
+                         {.can_lower = walk.speed > slowest_speed,
+                          .can_raise = walk.speed < fastest_speed,
+                          .label = "Speed"});
   if (by != 0) ui.push(SetSpeed{walk.speed * (by > 0 ? 2 : 0.5)});
 }
+
+bool shows_all(const Walkthrough& walk) { return walk.all_steps && !walk.script; }
 
 void draw_switches(const Ui& ui) {
   const Walkthrough& walk = ui.state.walkthrough;
   if (switch_chip(ui, "Predict first", walk.predict)) ui.push(SetPredict{!walk.predict});
-  if (!walk.script) return;
   ImGui::SameLine(0, 6);
-  const float width = text_size(Face::text, "All steps").x + 28;
-  if (flat_button(ui, "All steps", "All steps", width)) ui.push(LeaveScript{});
+  if (switch_chip(ui, "All steps", shows_all(walk))) ui.push(ShowAllSteps{!shows_all(walk)});
+}
+
+// What a row has no room for.
+void draw_menu(const Ui& ui) {
+  if (!begin_choices(ui, "player menu", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), 0))
+    return;
+  const Walkthrough& walk = ui.state.walkthrough;
+  if (choice(ui, "All steps", nullptr, shows_all(walk))) ui.push(ShowAllSteps{!shows_all(walk)});
+  if (choice(ui, "Predict first", nullptr, walk.predict)) ui.push(SetPredict{!walk.predict});
+  const std::string now = " (now " + plain(walk.speed) + "×)";
+  if (choice(ui, "Play faster" + now, nullptr, false, Icon::plus, walk.speed < fastest_speed))
+    ui.push(SetSpeed{walk.speed * 2});
+  if (choice(ui, "Play slower" + now, nullptr, false, Icon::minus, walk.speed > slowest_speed))
+    ui.push(SetSpeed{walk.speed / 2});
+  for (const ActionId id : {ActionId::first_step, ActionId::previous_chapter,
+                            ActionId::next_chapter, ActionId::last_step})
+    action_row(ui, id);
+  if (!ui.state.screen.embed) action_row(ui, ActionId::present);
+  end_choices(ui);
+}
+
+// At the right end of the row: the way out of it.
+void draw_leave(const Ui& ui, float size) {
+  if (ui.state.screen.embed) {
+    if (icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size))
+      browser::open_page();
+  } else if (ui.state.presenting) {
+    if (icon_button(ui, "leave", Icon::close, true, "Stop presenting (Esc)", size))
+      ui.push(SetPresenting{false});
+  } else if (!ui.layout.wide) {
+    if (icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", size))
+      ui.push(CloseWalkthrough{});
+  }
 }
 
 }  // namespace
 
-// Timeline, buttons and switches. A wide player has the switches beside the buttons; a narrow one
-// below them, and a closed sheet has none.
-void draw_player(const Ui& ui) {
+// One row, where room is precious: the timeline between the buttons that are pressed most, and a menu for the others.
+void draw_player_row(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
-  // A side panel has the button that leaves; the walkthrough of an <iframe> cannot be left.
-  const bool leaves = !ui.layout.wide && !ui.state.screen.embed;
-  const int buttons = leaves ? 8 : 7;
-  const float size = ui.control() <= 40
-                         ? ui.control()
-                         : std::clamp(width / static_cast<float>(buttons), 40.0f, ui.control());
+  const bool leaves = ui.state.screen.embed || ui.state.presenting || !ui.layout.wide;
+  const bool menu = !ui.state.presenting;
+  const int buttons = 3 + (menu ? 1 : 0) + (leaves ? 1 : 0);
+  const float size = std::clamp((width - 72) / static_cast<float>(buttons), 36.0f, ui.control());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  button(ui, ActionId::step_back, size);
+  draw_play(ui, size);
+  button(ui, ActionId::step_on, size);
+  ImGui::SameLine(0, 6);
+  draw_timeline(ui, width - static_cast<float>(buttons) * size - 12);
+  ImGui::SameLine(0, 6);
+  if (menu) {
+    if (icon_button(ui, "player more", Icon::more, true, "Speed, all steps, chapters", size))
+      ImGui::OpenPopup("player menu");
+    draw_menu(ui);
+    ImGui::SameLine(0, 0);
+  }
+  draw_leave(ui, size);
+  ImGui::PopStyleVar();
+}
+
+// Timeline, buttons and switches; what does not fit is in a menu.
+void draw_player(const Ui& ui) {
+  const float width = ImGui::GetContentRegionAvail().x, size = ui.control();
+  const float needed = 7 * size + 12 +
+                       text_size(Face::label, "Step " + place_in_words(ui.state)).x + place_gap +
+                       8 + speed_width(size) + 12 + switch_chip_width("Predict first") + 6 +
+                       switch_chip_width("All steps");
+  if (width < 8 * size) return draw_player_row(ui);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 4));
   draw_timeline(ui, width);
-  draw_transport(ui, size, width >= static_cast<float>(buttons) * size);
-  if (leaves && icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", size))
-    ui.push(CloseWalkthrough{});
-  if (width > 620) {
+  draw_transport(ui, size);
+  if (width >= needed) {
     ImGui::SameLine(0, 12);
     draw_place(ui, size);
     ImGui::SameLine(0, 8);
     draw_speed(ui, size);
     ImGui::SameLine(0, 12);
     draw_switches(ui);
-  } else if (ui.state.screen.embed || ui.state.sheet != Sheet::closed) {
-    if (!leaves) ImGui::NewLine();
-    draw_speed(ui, size);
-    ImGui::SameLine(0, 8);
-    draw_switches(ui);
-  } else if (!leaves) {
-    ImGui::NewLine();
+  } else {
+    if (icon_button(ui, "player more", Icon::more, true, "Speed, all steps", size))
+      ImGui::OpenPopup("player menu");
+    draw_menu(ui);
   }
   ImGui::PopStyleVar();
 }

@@ -7,6 +7,7 @@
 #include "evenlift/output/words.h"
 #include "panels/methods.h"
 #include "panels/panels.h"
+#include "state/method.h"
 #include "tools/pick.h"
 #include "ui/dropdown.h"
 #include "ui/widgets.h"
@@ -14,41 +15,36 @@
 namespace evenlift::view {
 namespace {
 
-std::uint32_t placed_teams(const AppState& state) {
-  return state.placement
-             ? std::max<std::uint32_t>(1, static_cast<std::uint32_t>(state.placement->teams.size()))
-             : 3;
-}
-
 void draw_method(const Ui& ui) {
   const Settings& now = settings(ui.state);
-  const float width = labelled(ui, "Method");
-  const MethodWords* current = &words_of(now.method);
-  dropdown_button(ui, "methods", current->label, width);
-  if (!begin_choices(ui, "methods", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), width))
-    return;
-  for (const MethodWords& m : methods) {
-    if (!choice(ui, m.label, m.about, &m == current)) continue;
-    Settings changed = now;
-    changed.method = m.method;
-    if (!selects_candidates(m.method) && !changed.teams) changed.teams = placed_teams(ui.state);
-    ui.push(SetSettings{changed});
-  }
-  end_choices(ui);
+  const float width = labelled(ui, "Method", "How the robots' places are chosen");
+  const std::vector<Choice> choices = method_choices();
+  const auto current = static_cast<std::size_t>(&words_of(now.method) - std::begin(methods));
+  const auto chosen = dropdown(ui, "methods", "Method", choices, current, width);
+  if (!chosen || *chosen == current) return;
+  ui.push(SetSettings{with_method(now, methods[*chosen].method, placed_teams(ui.state))});
+}
+
+// Why the minimum load ratio does not count; nothing where it does.
+const char* why_no_ratio(Method method) {
+  if (method == Method::balanced) return "Balanced robots all bear the same: the ratio is always 1";
+  return selects_candidates(method)
+             ? nullptr
+             : "This method places teams by direction, however evenly they share";
 }
 
 void draw_ratio(const Ui& ui) {
   Settings changed = settings(ui.state);
-  const float width = labelled(ui, "Min. load ratio"), number = 44;
-  const SliderResult moved = slider(ui, "ratio", changed.min_ratio, 0, 1, 0.01, width - number);
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  if (ImGui::IsItemHovered())
-    tip(ui, "How evenly the two robots of a team must share; 1 is perfectly even");
-  const std::string value = fixed(moved.value, 2);
-  const ImVec2 text = text_size(Face::strong, value);
-  draw_text(*ImGui::GetWindowDrawList(), Face::strong,
-            ImVec2(low.x + width - text.x, (low.y + high.y - text.y) / 2),
-            selects_candidates(changed.method) ? ui.theme.text : ui.theme.quiet, value);
+  constexpr const char* about =
+      "How evenly the two robots of a team must share; 1 is perfectly even";
+  const char* why_not = why_no_ratio(changed.method);
+  const float width = labelled(ui, "Min. load ratio", why_not ? why_not : about), number = 44;
+  const SliderResult moved = slider(ui, "ratio", "Minimum load ratio, as a slider",
+                                    changed.min_ratio, 0, 1, 0.01, width - number, !why_not);
+  if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about);
+  ImGui::SameLine(0, 0);
+  number_field(ui, "min ratio", "Minimum load ratio", "min_ratio", fixed(moved.value, 2), number,
+               why_not ? ui.theme.quiet : ui.theme.text);
   if (moved.changed) {
     changed.min_ratio = moved.value;
     ui.push(SetSettings{changed, true});
@@ -58,9 +54,12 @@ void draw_ratio(const Ui& ui) {
 
 void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
-  const float width = labelled(ui, "Weight");
-  const int by = stepper(ui, "weight", plain(changed.weight) + "\u00A0kg", changed.weight > 1e-3,
-                         changed.weight < 1e9, width);
+  const float width = labelled(ui, "Weight", "Of the whole object");
+  const int by = stepper(ui, "weight", plain(changed.weight) + "\u00A0kg", width,
+                         {.can_lower = changed.weight > 1e-3,
+                          .can_raise = changed.weight < 1e9,
+                          .label = "Weight in kg",
+                          .setting = "weight"});
   if (by == 0) return;
   changed.weight = stepped(changed.weight, by);
   ui.push(SetSettings{changed});
@@ -69,68 +68,109 @@ void draw_weight(const Ui& ui) {
 void draw_seed(const Ui& ui) {
   Settings changed = settings(ui.state);
   if (changed.method != Method::random) return;
-  const float width = labelled(ui, "Seed");
-  const int by = stepper(ui, "seed", std::to_string(changed.seed), changed.seed > 0,
-                         changed.seed < UINT64_MAX, width);
+  const float width = labelled(ui, "Seed", "Another seed places other teams at random");
+  const int by = stepper(ui, "seed", std::to_string(changed.seed), width,
+                         {.can_lower = changed.seed > 0,
+                          .can_raise = changed.seed < UINT64_MAX,
+                          .label = "Seed",
+                          .setting = "seed"});
   if (by == 0) return;
   changed.seed += by > 0 ? 1u : UINT64_MAX;  // unsigned: adds -1
   ui.push(SetSettings{changed});
 }
 
 void draw_centre(const Ui& ui) {
-  const float width = labelled(ui, "Centre of mass");
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width =
+      labelled(ui, "Centre of mass",
+               "Drag it in the drawing, or type x and y; if nothing is set, it is the centroid");
   const bool own = ui.state.document.centre_of_mass.has_value();
   const float reset = own ? ui.control() : 0;
   const std::string value = own ? point_in_words(centre_of_mass(ui.state),
                                                  coordinate_decimals(ui.state.document.vertices))
                                 : "centroid";
-  const ImVec2 text = text_size(Face::text, value);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.PushClipRect(at, ImVec2(at.x + width - reset, at.y + ui.control()), true);
-  draw_text(list, Face::text, ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.text,
-            value);
-  list.PopClipRect();
-  ImGui::Dummy(ImVec2(width - reset, ui.control()));
+  text_field(ui, "com", "Centre of mass, x and y", "com", value, width - reset);
   if (!own) return;
   ImGui::SameLine(0, 0);
   if (icon_button(ui, "centroid", Icon::close, true, "Back to the centroid", ui.control()))
     ui.push(ReleaseCentre{});
 }
 
+void draw_robots_stepper(const Ui& ui) {
+  Settings changed = settings(ui.state);
+  const float width =
+      labelled(ui, "Robots", "Any number, odd ones included; all of them bear the same");
+  const float reset = ui.state.by_hand ? 64.0f : 0.0f;
+  const int by =
+      stepper(ui, "robots", std::to_string(changed.robots), width - reset - (reset > 0 ? 8 : 0),
+              {.can_lower = changed.robots > fewest_robots(changed),
+               .can_raise = changed.robots < most_robots,
+               .label = "Robots",
+               .setting = "robots"});
+  if (reset > 0) {
+    ImGui::SameLine(0, 8);
+    if (flat_button(ui, "reset robots", "Reset", reset)) ui.push(ResetRobots{});
+    if (ImGui::IsItemHovered()) tip(ui, "Back to the places that were found");
+  }
+  if (by == 0) return;
+  changed.robots = by > 0 ? changed.robots + 1 : changed.robots - 1;
+  ui.push(SetSettings{changed});
+}
+
+// What balanced robots are for, and how firm a hold is firm.
+void draw_goal(const Ui& ui) {
+  Settings changed = settings(ui.state);
+  if (changed.method != Method::balanced) return;
+  constexpr Choice goals[] = {{"Cover", "most of the object safe to push on"},
+                              {"Hold", "first of all a firm hold"}};
+  const Goal now = goal_of(changed);
+  const float width = labelled(ui, "Goal", "What decides first between two sets of robots");
+  const auto chosen = dropdown(ui, "goals", "Goal", goals, static_cast<std::size_t>(now), width);
+  if (chosen && *chosen != static_cast<std::size_t>(now)) {
+    changed.goal.reset();  // the usual goal needs not be kept
+    const auto wanted = static_cast<Goal>(*chosen);
+    if (goal_of(changed) != wanted) changed.goal = wanted;
+    ui.push(SetSettings{changed});
+  }
+  if (now != Goal::hold) return;
+  const float beside = labelled(ui, "Min. margin", "A hold with this margin is firm enough");
+  const int by = stepper(ui, "min margin", plain(changed.min_margin), beside,
+                         {.can_lower = changed.min_margin > 0,
+                          .can_raise = changed.min_margin < 1,
+                          .label = "Minimum margin",
+                          .setting = "min_margin"});
+  if (by == 0) return;
+  changed.min_margin = std::clamp(std::round(changed.min_margin * 100 + by) / 100, 0.0, 1.0);
+  ui.push(SetSettings{changed});
+}
+
 }  // namespace
 
 void draw_teams_stepper(const Ui& ui) {
+  if (settings(ui.state).method == Method::balanced) return draw_robots_stepper(ui);
   Settings changed = settings(ui.state);
   const bool all = !changed.teams, can_have_all = selects_candidates(changed.method);
-  const float width = labelled(ui, "Teams"), for_all = 52;
+  const float width = labelled(
+                  ui, "Teams",
+                  "Two robots each, at the two ends of a chord through the centre of mass"),
+              for_all = 52;
   const std::uint32_t shown = all ? placed_teams(ui.state) : *changed.teams;
   const float stepper_width = can_have_all ? width - for_all - 8 : width;
-  const int by = stepper(ui, "teams", std::to_string(shown), shown > 1, shown < max_teams && !all,
-                         stepper_width);
+  const int by = stepper(ui, "teams", std::to_string(shown), stepper_width,
+                         {.can_lower = shown > 1,
+                          .can_raise = shown < max_teams && !all,
+                          .label = "Teams",
+                          .setting = "teams"});
   if (by != 0) {
     changed.teams = by > 0 ? shown + 1 : shown - 1;
     ui.push(SetSettings{changed});
   }
   if (!can_have_all) return;
   ImGui::SameLine(0, 8);
-  if (tapped(ui, ImGui::InvisibleButton("all", ImVec2(for_all, ui.control())))) {
+  if (toggle_button(ui, "all", "All", "A team on every candidate chord", for_all, all)) {
     changed = settings(ui.state);
     changed.teams = all ? std::optional<std::uint32_t>(placed_teams(ui.state)) : std::nullopt;
     ui.push(SetSettings{changed});
   }
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  const bool hovered = ImGui::IsItemHovered();
-  if (hovered) {
-    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    tip(ui, "A team on every candidate chord");
-  }
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Colour ground = all ? ui.theme.accent : hovered ? ui.theme.panel_line : ui.theme.well;
-  list.AddRectFilled(low, high, ground.packed(), 7);
-  const ImVec2 text = text_size(Face::text, "All");
-  draw_text(list, Face::text, ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2),
-            all ? ui.theme.on_accent : ui.theme.text, "All");
 }
 
 void draw_settings(const Ui& ui) {
@@ -141,7 +181,9 @@ void draw_settings(const Ui& ui) {
   draw_weight(ui);
   draw_capacity(ui);
   draw_seed(ui);
+  draw_goal(ui);
   draw_centre(ui);
+  if (!walkthrough_is_open(ui.state)) draw_compare(ui);
 }
 
 }  // namespace evenlift::view

@@ -56,15 +56,24 @@ void draw_bar(const Ui& ui, const Columns& c, float y, double share, int side,
             load);
 }
 
+// The disc with which a row begins.
+void draw_number(const Ui& ui, const Columns& c, float y, const std::string& number) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircleFilled(ImVec2(c.left + 11, y), 10, ui.theme.robot.packed(), 24);
+  list.AddCircle(ImVec2(c.left + 11, y), 10, ui.theme.robot_ring.packed(), 24, 1);
+  const ImVec2 size = text_size(Face::tiny, number);
+  draw_text(list, Face::tiny, ImVec2(c.left + 11 - size.x / 2, y - size.y / 2), ui.theme.robot_text,
+            number);
+}
+
 bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   const Placement& placement = *ui.state.placement;
   const Team& team = placement.teams[index];
   const float height = std::max(28.0f, ui.control() - 8);
-  ImGui::PushID(static_cast<int>(index));
-  ImGui::InvisibleButton("team", ImVec2(c.ratio - c.left, height));
-  ImGui::PopID();
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  const bool hovered = ImGui::IsItemHovered();
+  const std::string name = "Team " + std::to_string(index + 1);
+  const auto [low, high, pressed, hovered] =
+      pressable_row(ui, name.c_str(), name + ": why here?", c.ratio - c.left, height);
+  if (pressed) ui.push(Explain{Pick{Pick::Kind::chord, index, 0, team.robots[0].point.position}});
   const bool named =
       (ui.state.hover.kind == Pick::Kind::chord || ui.state.hover.kind == Pick::Kind::robot) &&
       ui.state.hover.index == index;
@@ -74,21 +83,15 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
                        7);
   }
   const float y = (low.y + high.y) / 2;
-  list.AddCircleFilled(ImVec2(c.left + 11, y), 10, ui.theme.robot.packed(), 24);
-  list.AddCircle(ImVec2(c.left + 11, y), 10, ui.theme.robot_ring.packed(), 24, 1);
-  const std::string number = std::to_string(index + 1);
-  const ImVec2 size = text_size(Face::tiny, number);
-  draw_text(list, Face::tiny, ImVec2(c.left + 11 - size.x / 2, y - size.y / 2), ui.theme.robot_text,
-            number);
+  draw_number(ui, c, y, std::to_string(index + 1));
   for (int end = 0; end < 2; ++end) {
-    const double load = team.loads[static_cast<std::size_t>(end)];
+    const double load = team.robots[static_cast<std::size_t>(end)].load;
     draw_bar(ui, c, y, load / placement.loads->max, end == 0 ? -1 : 1,
              amount(load, placement.loads->max), ui.state.capacity && load > *ui.state.capacity);
   }
-  const double span = team.chord.arm1 + team.chord.arm2;
+  const double span = team.robots[0].arm + team.robots[1].arm;
   right_aligned(list, Face::label, c.span, y, ui.theme.text, amount(span, span));
-  right_aligned(list, Face::strong_label, c.ratio, y, ui.theme.text,
-                ratio_in_words(team.chord.ratio));
+  right_aligned(list, Face::strong_label, c.ratio, y, ui.theme.text, ratio_in_words(team.ratio));
   return hovered;
 }
 
@@ -106,16 +109,56 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
 }
 
+// A balanced robot: its number, its place and its load.
+void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const TeamInWords& words) {
+  const Placement& placement = *ui.state.placement;
+  const Robot& robot = placement.teams[0].robots[index];
+  const Pick pick{Pick::Kind::robot, 0, static_cast<int>(index), robot.point.position};
+  const std::string number = std::to_string(index + 1), name = "Robot " + number;
+  const auto [low, high, pressed, hovered] = pressable_row(
+      ui, name.c_str(), name + ": why here?", c.ratio - c.left, std::max(28.0f, ui.control() - 8));
+  if (pressed) ui.push(Explain{pick});
+  const Pick& over = ui.state.hover;
+  const bool named = over.kind == pick.kind && over.end == pick.end && !over.second;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (hovered || named)
+    list.AddRectFilled(ImVec2(low.x - 6, low.y), ImVec2(high.x + 6, high.y), ui.theme.well.packed(),
+                       7);
+  const float y = (low.y + high.y) / 2;
+  draw_number(ui, c, y, number);
+  const ImVec2 size = text_size(Face::label, words.at[index]);
+  draw_text(list, Face::label, ImVec2(c.left + 32, y - size.y / 2), ui.theme.text, words.at[index]);
+  const bool over_capacity = ui.state.capacity && robot.load > *ui.state.capacity;
+  right_aligned(list, Face::strong_label, c.ratio, y,
+                over_capacity ? ui.theme.amber : ui.theme.text, words.loads[index]);
+  if (hovered) ui.push(SetHover{pick});
+}
+
+void draw_robots(const Ui& ui, const Columns& c) {
+  const Placement& placement = *ui.state.placement;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text(list, Face::label, at, ui.theme.second_text, "Robot");
+  right_aligned(list, Face::label, c.ratio, at.y + 8, ui.theme.second_text, "Load in kg");
+  ImGui::Dummy(ImVec2(1, 18));
+  const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
+  for (std::size_t i = 0; i < words.at.size(); ++i) draw_robot_row(ui, c, i, words);
+}
+
 }  // namespace
 
 void draw_teams(const Ui& ui) {
   if (!ui.state.placement || ui.state.placement->teams.empty()) {
-    text_line(Face::label, ui.theme.second_text, "No teams to list.");
+    text_line(Face::label, ui.theme.second_text, "No robots to list.");
     return;
   }
   const std::size_t count = ui.state.placement->teams.size();
   const Columns c = columns(ImGui::GetCursorScreenPos().x, ImGui::GetContentRegionAvail().x);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 2));
+  if (ui.state.placement->settings.method == Method::balanced) {
+    draw_robots(ui, c);
+    return ImGui::PopStyleVar();
+  }
   draw_heading(ui, c);
   const float top = ImGui::GetCursorScreenPos().y;
   for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {

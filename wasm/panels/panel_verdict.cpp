@@ -1,4 +1,8 @@
 // The verdict: a large sentence, and an icon that says the same without words.
+#include <string>
+#include <vector>
+
+#include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "ui/widgets.h"
@@ -26,24 +30,57 @@ Sign sign_of(const Theme& theme, Mood mood) {
   return {Icon::draw, theme.accent};
 }
 
+// A text in the larger face if it fits into so many of its lines, else in the smaller one.
+void draw_fitting(Colour colour, const std::string& text, float width, Face large, Face small,
+                  std::size_t lines) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = line_height(large) * static_cast<float>(lines);
+  if (broken_lines(large, text, width).size() <= lines)
+    text_block_of(large, colour, text, width, lines);
+  else
+    text_block_of(small, colour, text, width,
+                  static_cast<std::size_t>(height / line_height(small)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
+}
+
+// Where no chord is even enough: a way to the best that there is, in the room that the verdict leaves.
+void draw_lower_ratio(const Ui& ui, double best) {
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const std::string label = "Lower the ratio to " + fixed(best, 2);
+  ImGui::SetCursorScreenPos(ImVec2(below.x, below.y - ui.control()));
+  if (flat_button(ui, "lower ratio", label.c_str(), ImGui::GetContentRegionAvail().x)) {
+    Settings changed = settings(ui.state);
+    changed.min_ratio = best;
+    ui.push(SetSettings{changed});
+  }
+  ImGui::SetCursorScreenPos(below);
+}
+
 }  // namespace
 
+// Always as high, so that the controls below stay where they are when the result changes.
 void draw_verdict(const Ui& ui) {
   const Verdict v = verdict(ui.state);
   const Sign sign = sign_of(ui.theme, v.mood);
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(ImVec2(at.x + 11, at.y + 14), 11, sign.disc.packed(), 32);
+  if (v.searching)
+    list.AddCircle(ImVec2(at.x + 11, at.y + 14), 14, ui.theme.accent.packed(), 32, 1.5f);
   draw_icon(list, sign.icon, ImVec2(at.x + 11, at.y + 14), 15, ui.theme.panel);
 
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y));
-  ImGui::BeginGroup();
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
-  // The fold button stands to the right of the first lines.
-  text_block(Face::verdict, ui.theme.text, v.headline, ui.layout.wide ? ui.control() - 8 : 0);
-  if (!v.detail.empty()) text_block(Face::text, ui.theme.second_text, v.detail);
+  // The fold button stands to the right of the headline.
+  const float free = width - 32 - (ui.layout.wide ? ui.control() - 8 : 0);
+  draw_fitting(ui.theme.text, v.headline, free, Face::verdict, Face::strong, 2);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + 4));
+  draw_fitting(ui.theme.second_text, v.detail, width, Face::text, Face::label,
+               ui.layout.wide ? 4 : 3);
+  ImGui::Dummy(ImVec2(width, 0));
+  if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
   ImGui::PopStyleVar();
-  ImGui::EndGroup();
 }
 
 }  // namespace evenlift::view

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "actions/actions.h"
 #include "evenlift/output/words.h"
@@ -26,13 +27,22 @@ void space(float height) { ImGui::Dummy(ImVec2(0, height)); }
 // A text on a background of its own.
 void draw_box(Colour ground, Colour colour, Face face, const std::string& text) {
   const float pad = 10, width = full_width();
-  const ImVec2 size = text_size(face, text, width - 2 * pad), at = ImGui::GetCursorScreenPos();
-  const ImVec2 high(at.x + width, at.y + size.y + 2 * pad);
+  const std::vector<std::string_view> lines = broken_lines(face, text, width - 2 * pad);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 high(at.x + width, at.y + height_of(face, lines) + 2 * pad);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, high, ground.packed(), 8);
-  draw_text(list, face, ImVec2(at.x + pad, at.y + pad), colour, text, width - 2 * pad);
-  ImGui::Dummy(ImVec2(width, size.y + 2 * pad));
+  draw_lines(list, face, ImVec2(at.x + pad, at.y + pad), colour, lines);
+  ImGui::Dummy(ImVec2(width, high.y - at.y));
 }
+
+// The faces in which a step is told: larger before a room.
+struct Faces {
+  Face words, second, strong, formula, label;
+};
+constexpr Faces in_panel{Face::text, Face::text, Face::strong, Face::text, Face::label};
+constexpr Faces in_a_row{Face::text, Face::label, Face::strong, Face::label, Face::label};
+constexpr Faces for_a_room{Face::large, Face::verdict, Face::large, Face::verdict, Face::text};
 
 std::string choice_name(const Ask& ask, std::uint32_t choice) {
   if (ask.question.kind == QuestionKind::winning_chord)
@@ -40,53 +50,84 @@ std::string choice_name(const Ask& ask, std::uint32_t choice) {
   return choice == 0 ? "The first end" : "The second end";
 }
 
-void draw_question(const Ui& ui) {
-  const Walkthrough& walk = ui.state.walkthrough;
-  if (!walk.ask) return;
-  const Ask& ask = *walk.ask;
-  space(4);
-  text_block(Face::strong, ui.theme.accent, ask.text);
-  text_block(Face::label, ui.theme.second_text,
-             "Press it in the drawing, or choose here. Next shows the answer.");
-  const float width = full_width();
+// The buttons stand beside each other where height is precious.
+void draw_choices(const Ui& ui, const Ask& ask, bool beside) {
+  const float width = full_width(), gap = 6;
   if (ask.choices.size() <= 3) {
-    for (const std::uint32_t choice : ask.choices) {
-      const std::string name = choice_name(ask, choice);
-      if (flat_button(ui, name.c_str(), name.c_str(), width)) ui.push(Guess{choice});
+    const auto n = static_cast<float>(ask.choices.size());
+    for (std::size_t i = 0; i < ask.choices.size(); ++i) {
+      if (beside && i > 0) ImGui::SameLine(0, gap);
+      const std::string name = choice_name(ask, ask.choices[i]);
+      if (flat_button(ui, name.c_str(), name.c_str(), beside ? (width - (n - 1) * gap) / n : width))
+        ui.push(Guess{ask.choices[i]});
     }
     return;
   }
   const auto n = static_cast<int>(ask.choices.size());
   const auto pointed = static_cast<int>(ask.pointed);
+  const float taking = beside ? text_size(Face::text, "This one").x + 32 : width;
   const int by =
-      stepper(ui, "choice", choice_name(ask, ask.choices[ask.pointed]), true, true, width);
+      stepper(ui, "choice", choice_name(ask, ask.choices[ask.pointed]),
+              beside ? std::min(width - taking - gap, 320.0f) : width, {.label = "Choice"});
   if (by != 0) ui.push(PointAtChoice{static_cast<std::size_t>((pointed + by + n) % n)});
-  if (flat_button(ui, "take", "This one", width, true, true))
+  if (beside) ImGui::SameLine(0, gap);
+  if (flat_button(ui, "take", "This one", taking, true, true))
     ui.push(Guess{ask.choices[ask.pointed]});
 }
 
-void draw_answers(const Ui& ui) {
+void draw_question(const Ui& ui, const Faces& faces, bool beside) {
+  const Walkthrough& walk = ui.state.walkthrough;
+  if (!walk.ask) return;
+  text_block(faces.strong, ui.theme.accent, walk.ask->text);
+  if (!beside)
+    text_block(faces.label, ui.theme.second_text,
+               "Press it in the drawing, or choose here. Next shows the answer.");
+  draw_choices(ui, *walk.ask, beside);
+}
+
+void draw_answers(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.walkthrough;
   if (!walk.verdict.empty()) {
     const Colour colour = walk.was_right ? ui.theme.hull_text : ui.theme.amber;
-    draw_box(ui.theme.well, colour, Face::strong, walk.verdict);
+    draw_box(ui.theme.well, colour, faces.strong, walk.verdict);
   }
   if (!walk.why.empty()) {
-    text_line(Face::strong_label, ui.theme.second_text, "Why not this one?");
-    draw_box(ui.theme.well, ui.theme.text, Face::text, walk.why);
+    text_line(Face::strong_label, ui.theme.second_text,
+              walk.why_taken ? "Why this one?" : "Why not this one?");
+    draw_box(ui.theme.well, ui.theme.text, faces.words, walk.why);
   }
 }
 
-void draw_words(const Ui& ui) {
+void draw_words(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.walkthrough;
   if (const std::string words = words_of_stop(ui.state); !words.empty())
-    text_block(Face::text, ui.theme.text, words);
-  text_block(Face::text, walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
+    text_block(faces.words, ui.theme.text, words);
+  text_block(walk.script ? faces.second : faces.words,
+             walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
 }
 
-std::string place_in_words(const AppState& state) {
-  const Timeline now = timeline(state);
-  return std::to_string(now.at + 1) + " of " + std::to_string(now.count);
+// The formula, and what its letters stand for.
+void draw_formula(const Ui& ui, const Faces& faces) {
+  const Walkthrough& walk = ui.state.walkthrough;
+  if (walk.formula.empty()) return;
+  draw_box(ui.theme.well, ui.theme.text, faces.formula, walk.formula);
+  if (const std::string_view letters = formula_letters(*walk.trace, walk.detail); !letters.empty())
+    text_block(faces.label, ui.theme.second_text, std::string(letters));
+}
+
+void draw_left_out(const Ui& ui, const Faces& faces) {
+  if (const std::string more = left_out_in_words(ui.state); !more.empty())
+    text_block(faces.label, ui.theme.second_text, more);
+}
+
+// Whether another step, or a question, is told than in the last frame.
+bool moment_moved(const Walkthrough& walk) {
+  ImGuiStorage& seen = *ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID("moment");
+  const int now = static_cast<int>(2 * walk.at + (walk.ask ? 1 : 0));
+  const bool moved = seen.GetInt(id, -1) != now;
+  seen.SetInt(id, now);
+  return moved;
 }
 
 }  // namespace
@@ -100,22 +141,34 @@ void draw_walkthrough_step(const Ui& ui) {
   text_block(Face::verdict, ui.theme.text, std::string(title(walk.detail.step.chapter)),
              walk.script ? 0 : button);
   text_line(Face::label, ui.theme.second_text, "Step " + place_in_words(ui.state));
-  draw_words(ui);
-  if (!walk.formula.empty()) draw_box(ui.theme.well, ui.theme.text, Face::label, walk.formula);
-  draw_answers(ui);
-  draw_question(ui);
+  draw_words(ui, in_panel);
+  draw_formula(ui, in_panel);
+  draw_left_out(ui, in_panel);
+  draw_answers(ui, in_panel);
+  if (walk.ask) space(4);
+  draw_question(ui, in_panel, false);
   ImGui::PopStyleVar();
 }
 
-// The same in less room: in a closed sheet or an <iframe>.
-void draw_walkthrough_briefly(const Ui& ui) {
+// The same in a box of constant height, in which what is longer scrolls: in a closed sheet, an <iframe>, or before a room. A
+// question takes the place of the words, so that its buttons are seen.
+void draw_walkthrough_briefly(const Ui& ui, float height) {
+  const Walkthrough& walk = ui.state.walkthrough;
+  const Faces& faces = ui.state.presenting ? for_a_room : in_a_row;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
-  text_line(Face::strong_label, ui.theme.second_text,
-            std::string(title(ui.state.walkthrough.detail.step.chapter)) + " · step " +
-                place_in_words(ui.state));
-  draw_words(ui);
-  draw_answers(ui);
-  draw_question(ui);
+  begin_scrolling_box(ui, "told", height);
+  if (moment_moved(walk)) ImGui::SetScrollY(0);
+  text_line(ui.state.presenting ? Face::strong : Face::strong_label, ui.theme.second_text,
+            std::string(title(walk.detail.step.chapter)) + " · step " + place_in_words(ui.state));
+  if (walk.ask) {
+    draw_question(ui, faces, true);
+  } else {
+    draw_answers(ui, faces);
+    draw_words(ui, faces);
+    draw_formula(ui, faces);
+    draw_left_out(ui, faces);
+  }
+  ImGui::EndChild();
   ImGui::PopStyleVar();
 }
 
@@ -139,13 +192,12 @@ void draw_ranked(const Ui& ui, const TeamScores& scores, std::size_t place, doub
   const bool first = place == 0;
   const float width = full_width(), height = ui.control() > 40 ? 36.0f : 24.0f;
   ImGui::PushID(static_cast<int>(c));
-  const ImVec2 at = ImGui::GetCursorScreenPos(), high(at.x + width, at.y + height);
-  const bool pressed = ImGui::InvisibleButton("ranked", ImVec2(width, height));
-  if (pressed || (ImGui::IsItemHovered() && measured != c)) ui.push(Measure{c});
+  const std::string name = std::to_string(place + 1) + ".  Candidate " + std::to_string(c + 1);
+  const auto [at, high, pressed, hovered] = pressable_row(ui, name.c_str(), name, width, height);
+  if (pressed || (hovered && measured != c)) ui.push(Measure{c});
   ImGui::PopID();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (measured == c) list.AddRectFilled(at, high, ui.theme.well.packed(), 6);
-  const std::string name = std::to_string(place + 1) + ".  Candidate " + std::to_string(c + 1);
   const std::string value = (score.exact ? "" : "≤ ") + amount(score.value, best);
   const float middle = (at.y + high.y) / 2, top = middle - text_size(Face::label, name).y / 2;
   const float from = at.x + width * 0.46f;
@@ -171,16 +223,18 @@ void draw_code_line(const Ui& ui, std::string_view line, bool current) {
     indent += 14;
   }
   const float width = full_width(), room = width - indent - 6;
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size = text_size(Face::label, line, room);
+  const std::vector<std::string_view> lines = broken_lines(Face::label, line, room);
+  const float height = height_of(Face::label, lines) + 6;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (current) {
-    const ImVec2 high(at.x + width, at.y + size.y + 6);
+    const ImVec2 high(at.x + width, at.y + height);
     list.AddRectFilled(at, high, ui.theme.accent.at(0.16f).packed(), 6);
     list.AddRectFilled(at, ImVec2(at.x + 3, high.y), ui.theme.accent.packed(), 2);
   }
-  draw_text(list, Face::label, ImVec2(at.x + indent, at.y + 3),
-            current ? ui.theme.text : ui.theme.second_text, line, room);
-  ImGui::Dummy(ImVec2(width, size.y + 6));
+  draw_lines(list, Face::label, ImVec2(at.x + indent, at.y + 3),
+             current ? ui.theme.text : ui.theme.second_text, lines);
+  ImGui::Dummy(ImVec2(width, height));
 }
 
 // Whether the current line is another one than in the last frame.
@@ -216,8 +270,7 @@ void draw_walkthrough_code(const Ui& ui) {
   const std::uint32_t current = pseudo_line(*walk.trace, walk.detail);
   text_line(Face::strong_label, ui.theme.second_text, "The algorithm");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  ImGui::BeginChild("lines", ImVec2(full_width(), code_height));
-  scroll_by_finger(ui);
+  begin_scrolling_box(ui, "lines", code_height);
   const bool moved = line_moved(current);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
     draw_code_line(ui, lines[i], i == current);
@@ -237,15 +290,16 @@ void draw_walkthrough_history(const Ui& ui) {
   const std::size_t from = visited.size() - 1;
   for (std::size_t i = from; i-- > 0 && from - i <= most_shown;) {
     const Visited& v = visited[i];
-    const std::string text = std::to_string(v.step + 1) + "  " + v.caption;
-    const ImVec2 at = ImGui::GetCursorScreenPos(), size = text_size(Face::label, text, width);
-    ImGui::PushID(static_cast<int>(i));
-    const bool pressed = tapped(ui, ImGui::InvisibleButton("visited", ImVec2(width, size.y + 4)));
-    ImGui::PopID();
-    const bool hovered = ImGui::IsItemHovered();
-    if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + 2),
-              hovered ? ui.theme.text : ui.theme.second_text, text, width);
+    // Numbered as on the timeline; a step that it does not have stands without a number.
+    const auto position = position_of(ui.state, v.step);
+    const std::string number = position ? std::to_string(*position + 1) : std::string("–");
+    const std::string text = number + "  " + v.caption;
+    const std::vector<std::string_view> lines = broken_lines(Face::label, text, width);
+    const std::string name = "Visited " + std::to_string(i);
+    const auto [at, high, pressed, hovered] =
+        pressable_row(ui, name.c_str(), "Step " + text, width, height_of(Face::label, lines) + 4);
+    draw_lines(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + 2),
+               hovered ? ui.theme.text : ui.theme.second_text, lines);
     if (pressed) ui.push(GoToStep{v.step});
   }
 }

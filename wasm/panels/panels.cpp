@@ -5,17 +5,21 @@
 #include <span>
 
 #include "actions/actions.h"
+#include "panels/summary.h"
+#include "state/browser.h"
 #include "ui/widgets.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 namespace {
 
-// Top to bottom.
+bool compares(const AppState& s) { return s.second.has_value() && s.second_method.has_value(); }
+
+// Top to bottom. What is set stands above what results, so that no control moves when a result changes.
 constexpr Panel side_panel[] = {
     {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
-    {"overlays", draw_overlays, false}, {"teams", draw_teams, true},
-    {"numbers", draw_numbers, true},    {"compare", draw_compare, true},
+    {"overlays", draw_overlays, false}, {"comparison", draw_comparison, true, compares},
+    {"numbers", draw_numbers, true},    {"teams", draw_teams, true},
 };
 bool ranks(const AppState& s) {
   const auto& scores = s.walkthrough.detail.scores;
@@ -47,11 +51,13 @@ void draw_sections(const Ui& ui, std::size_t first) {
   const std::span<const Panel> panels = sections(ui.state);
   for (std::size_t i = first; i < panels.size(); ++i) {
     if (panels[i].shown && !panels[i].shown(ui.state)) continue;
+    // Beside a shape that is being drawn, the results of the former one would be taken for its own.
+    if (panels[i].of_result && ui.state.tool == Tool::draw) continue;
     if (i > first) rule(ui);
     ImGui::PushID(panels[i].name);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     panels[i].draw(ui);
-    if (panels[i].of_result && (ui.state.refusal || ui.state.tool == Tool::draw)) dim(ui, from);
+    if (panels[i].of_result && ui.state.refusal) dim(ui, from);
     ImGui::PopID();
   }
 }
@@ -86,9 +92,9 @@ void draw_side_panel(const Ui& ui) {
 
 void draw_rail(const Ui& ui) {
   const Rect place{ui.layout.panel.left, ui.layout.panel.top, ui.layout.panel.right,
-                   ui.layout.panel.top + 48};
-  begin_card(ui, "rail", place, {.fixed_height = true, .padding = 8});
-  if (icon_button(ui, "unfold", Icon::unfold, true, "Show the panel (P)", 32))
+                   ui.layout.panel.top + ui.layout.control + 16};
+  begin_card(ui, "rail", place, {.fixed_height = true, .padding = 8, .scrolls = false});
+  if (icon_button(ui, "unfold", Icon::unfold, true, "Show the panel (P)", ui.control()))
     ui.push(SetPanelOpen{true});
   end_card(ui);
 }
@@ -97,8 +103,8 @@ void draw_rail(const Ui& ui) {
 // down.
 void draw_handle(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool pressed = ImGui::InvisibleButton("handle", ImVec2(width, 24));
-  const ImVec2 low = ImGui::GetItemRectMin();
+  const auto [low, high, pressed, hovered] =
+      pressable_row(ui, "handle", "Open the sheet further", width, 24);
   const float x = low.x + width / 2, y = low.y + 8;
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 20, y - 2), ImVec2(x + 20, y + 2),
                                             ui.theme.quiet.packed(), 2);
@@ -114,27 +120,43 @@ void draw_handle(const Ui& ui) {
   }
 }
 
+// What the step says, in what room there is, and below it one row of buttons.
+void draw_step_and_row(const Ui& ui) {
+  constexpr float gap = 4;
+  draw_walkthrough_briefly(ui, ImGui::GetContentRegionAvail().y - ui.control() - gap);
+  ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y - ui.control());
+  draw_player_row(ui);
+}
+
+// While one draws the next edge stands where the teams will be: over the drawing it would cover it, and there are no teams yet.
+void draw_row_below_verdict(const Ui& ui) {
+  if (ui.state.tool != Tool::draw || ui.state.drawing.points.empty()) return draw_teams_stepper(ui);
+  const float labels = text_size(Face::label, "Length").x + text_size(Face::label, "Angle").x;
+  const float width = (ImGui::GetContentRegionAvail().x - labels - 20) / 2;
+  draw_edge_fields(ui, width, width);
+}
+
 void draw_sheet(const Ui& ui) {
   begin_card(ui, "sheet", ui.layout.panel,
              {.fixed_height = true, .padding = 16, .scrolls = ui.state.sheet != Sheet::closed});
   ImGui::SetCursorPosY(4);
   draw_handle(ui);
   ImGui::PushID("closed");
-  if (walkthrough_is_open(ui.state)) {
-    draw_player(ui);
-    if (ui.state.sheet == Sheet::closed)
-      draw_walkthrough_briefly(ui);
-    else
-      draw_walkthrough_step(ui);
+  if (walkthrough_is_open(ui.state) && ui.state.sheet == Sheet::closed) {
+    draw_step_and_row(ui);
+  } else if (walkthrough_is_open(ui.state)) {
+    draw_player_row(ui);
+    draw_walkthrough_step(ui);
   } else {
     draw_verdict(ui);
-    draw_teams_stepper(ui);
+    draw_row_below_verdict(ui);
   }
   ImGui::PopID();
   const double closed = static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y +
                                             ImGui::GetScrollY()) +
                         16;
-  if (std::abs(closed - ui.state.closed_sheet_height) > 0.5) ui.push(MeasureSheet{closed});
+  if (!walkthrough_is_open(ui.state) && std::abs(closed - ui.state.closed_sheet_height) > 0.5)
+    ui.push(MeasureSheet{closed});
   if (ui.state.sheet != Sheet::closed) {
     rule(ui);
     draw_sections(ui, 1);
@@ -142,22 +164,46 @@ void draw_sheet(const Ui& ui) {
   end_card(ui);
 }
 
-// The player at the foot of the drawing; in an <iframe> it also says what the step shows.
+// The player at the foot of the drawing; in an <iframe> and before a room it also says what the step shows.
 void draw_floating_player(const Ui& ui) {
-  begin_card(ui, "player", ui.layout.player,
-             {.fixed_height = true, .padding = 12, .scrolls = ui.state.screen.embed});
-  draw_player(ui);
-  if (ui.state.screen.embed) draw_walkthrough_briefly(ui);
+  const bool tells = ui.state.screen.embed || ui.state.presenting;
+  begin_card(
+      ui, "player", ui.layout.player,
+      {.fixed_height = true, .padding = ui.state.screen.embed ? 8.0f : 12.0f, .scrolls = false});
+  if (tells)
+    draw_step_and_row(ui);
+  else
+    draw_player(ui);
+  end_card(ui);
+}
+
+// In an <iframe> without a lesson: the result in one line, and the way to the page.
+void draw_embedded_verdict(const Ui& ui) {
+  const float padding = static_cast<float>(ui.layout.bar_padding), size = ui.control();
+  begin_card(ui, "bar", ui.layout.player,
+             {.fixed_height = true, .padding = padding, .scrolls = false});
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool named = ui.layout.wide;
+  const float button = named ? text_button_width("Open in evenlift") : size;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + 8, at.y + (size - line_height(Face::text)) / 2));
+  text_block_of(Face::text, ui.theme.text, verdict(ui.state).headline, width - button - 16, 1);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + width - button, at.y));
+  const bool pressed =
+      named ? text_button(ui, "out", Icon::open_out, "Open in evenlift", nullptr, size)
+            : icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size);
+  if (pressed) browser::open_page();
   end_card(ui);
 }
 
 }  // namespace
 
 void draw_panels(const AppState& state, Commands& commands) {
+  begin_controls();
   const Layout places = layout(state);
   apply_style(state, places.control);
   const Ui ui{state, theme(state), places, commands};
-  if (!state.screen.embed) {
+  if (!state.screen.embed && !state.presenting) {
     if (!places.wide)
       draw_sheet(ui);
     else if (state.panel_open)
@@ -165,11 +211,17 @@ void draw_panels(const AppState& state, Commands& commands) {
     else
       draw_rail(ui);
     draw_view_tools(ui);
-    draw_help(ui);
   }
-  if (walkthrough_is_open(state) && (places.wide || state.screen.embed)) draw_floating_player(ui);
-  draw_toolbar(ui);
-  draw_tool_bar(ui);
+  if (walkthrough_is_open(state) && (places.wide || state.screen.embed || state.presenting))
+    draw_floating_player(ui);
+  else if (state.screen.embed)
+    draw_embedded_verdict(ui);
+  if (!state.screen.embed && !state.presenting) {
+    draw_toolbar(ui);
+    draw_tool_bar(ui);
+  }
+  draw_way_back(ui);
+  draw_why_card(ui);
   draw_notice(ui);
   const bool list_open =
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);

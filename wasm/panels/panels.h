@@ -21,6 +21,7 @@ void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);
 void draw_compare(const Ui& ui);
+void draw_comparison(const Ui& ui);  // with a second method
 void draw_overlays(const Ui& ui);
 void draw_teams(const Ui& ui);
 void draw_numbers(const Ui& ui);
@@ -30,17 +31,21 @@ double stepped(double value, int by);
 
 // Those of the lesson.
 void draw_walkthrough_step(const Ui& ui);
-void draw_walkthrough_briefly(const Ui& ui);
+void draw_walkthrough_briefly(const Ui& ui, float height);
 void draw_walkthrough_ranking(const Ui& ui);
 void draw_walkthrough_code(const Ui& ui);
 void draw_walkthrough_history(const Ui& ui);
 void draw_player(const Ui& ui);
+void draw_player_row(const Ui& ui);
 
 // What floats by itself.
 void draw_toolbar(const Ui& ui);
 void draw_tool_bar(const Ui& ui);
+// The next edge's length and angle, to be typed; while at least one vertex is drawn.
+void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
 void draw_view_tools(const Ui& ui);
+void draw_way_back(const Ui& ui);
 void draw_notice(const Ui& ui);
-void draw_help(const Ui& ui);
+void draw_why_card(const Ui& ui);
 
 }  // namespace evenlift::view

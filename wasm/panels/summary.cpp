@@ -1,8 +1,10 @@
 #include "panels/summary.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "evenlift/output/words.h"
+#include "tools/drawing.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
@@ -12,8 +14,8 @@ Verdict of_placement(const Placement& placement, const std::optional<double>& ca
   const bool as_asked =
       !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
   const bool overloaded = capacity && placement.loads && placement.loads->max > *capacity;
-  // A coverage below one half is no good result.
-  const bool good = as_asked && placement.coverage >= 0.5 && !overloaded;
+  const bool good =
+      as_asked && placement.coverage >= good_coverage && is_held(placement) && !overloaded;
   return {good ? Mood::good : Mood::not_quite, loads_in_words(placement),
           detail_in_words(placement)};
 }
@@ -24,6 +26,37 @@ Verdict of_drawing(const AppState& state) {
   if (n == 0) return {Mood::drawing, "Draw a shape.", press + " where its first vertex is."};
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
           n < 3 ? "A shape needs at least three." : press + " the first one to close the shape."};
+}
+
+// Where each of the balanced robots stands.
+std::string balanced_in_words(const Placement& placement) {
+  std::string text = " " + count_of(count_robots(placement.teams), "robot", "robots") + " of " +
+                     std::to_string(placement.settings.robots) +
+                     " asked for, method balanced, goal " +
+                     std::string(name(goal_of(placement.settings))) + ".";
+  if (placement.teams.empty()) return text;
+  const TeamInWords team = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
+  for (std::size_t i = 0; i < team.at.size(); ++i)
+    text += " Robot " + std::to_string(i + 1) + " at " + team.at[i] + ".";
+  return text;
+}
+
+// The last vertex, and the cursor if keys move it.
+std::string news_of_drawing(const AppState& state) {
+  const Drawing& drawing = state.drawing;
+  std::string lines;
+  if (!drawing.points.empty())
+    lines += "Vertex " + std::to_string(drawing.points.size()) + " at " +
+             given_point(drawing.points.back()) + ".\n";
+  if (!drawing.by_keys || !drawing.cursor) return lines;
+  if (closes(state, state.camera.to_screen(*drawing.cursor)))
+    return lines + (drawing.refusal
+                        ? "The shape cannot be closed: " + sentence(*drawing.refusal) + ".\n"
+                        : "On the first vertex: Enter closes the shape.\n");
+  lines += "Cursor at " + given_point(*drawing.cursor);
+  if (!drawing.points.empty())
+    lines += ", the edge " + edge_in_words(state, drawing.points.back(), *drawing.cursor);
+  return lines + ".\n";
 }
 
 }  // namespace
@@ -40,7 +73,12 @@ Verdict verdict(const AppState& state) {
             state.placement ? "The last result is shown dimmed." : ""};
   }
   if (!state.placement) return {Mood::refused, "Nothing is open.", ""};
-  return of_placement(*state.placement, state.capacity);
+  Verdict v = of_placement(*state.placement, state.capacity);
+  v.searching = state.search.under_way && !state.placement->search_ended;
+  if (v.searching)
+    v.detail += state.placement->teams.empty() ? "They are being looked for."
+                                               : " Better places are being looked for.";
+  return v;
 }
 
 std::string summary(const AppState& state) {
@@ -52,19 +90,57 @@ std::string summary(const AppState& state) {
   if (state.refusal || !state.placement) return text;
   const Placement& placement = *state.placement;
   const Settings& settings = placement.settings;
+  if (settings.method == Method::balanced) return text + balanced_in_words(placement);
   text += " " + count_of(placement.teams.size(), "team", "teams") + " of " +
           std::to_string(placement.requested_teams) + " asked for, method " +
           std::string(name(settings.method)) + ", minimum load ratio " + plain(settings.min_ratio) +
           ".";
   // A list of a hundred teams is no use when it is read out; the JSON has them all.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);
-  const int decimals = coordinate_decimals(placement.vertices);
+  const int decimals = coordinate_decimals(placement.vertices());
   for (std::size_t i = 0; i < named; ++i) {
     const TeamInWords team = team_in_words(placement, i, decimals);
     text += " Team " + std::to_string(i + 1) + " at " + team.at[0] + " and " + team.at[1] + ": " +
             team.loads[0] + " and " + team.loads[1] + "\u00A0kg, load ratio " + team.ratio + ".";
   }
   return text;
+}
+
+std::string link_lacks_in_words(const AppState& state) {
+  if (state.tool == Tool::draw && !state.drawing.points.empty())
+    return "The shape that you are drawing is not closed yet: the link holds the one before.";
+  if (state.refusal)
+    return "The shape on the screen is refused: the link holds the last one that was not.";
+  std::string lacking;
+  for (const auto& [lacks, what] : {std::pair(state.capacity.has_value(), "what a robot carries"),
+                                    {state.second_method.has_value(), "the comparison"},
+                                    {state.by_hand, "where robots were moved by hand"}})
+    if (lacks) lacking += (lacking.empty() ? "It does not hold " : ", nor ") + std::string(what);
+  return lacking.empty() ? lacking : lacking + ".";
+}
+
+std::string news(const AppState& state) {
+  std::string lines;
+  const Points& vertices = state.document.vertices;
+  if (state.selected && *state.selected < vertices.size())
+    lines += "Vertex " + std::to_string(*state.selected + 1) + " of " +
+             std::to_string(vertices.size()) + ", " +
+             point_in_words(vertices[*state.selected], coordinate_decimals(vertices)) + ".\n";
+  if (state.tool == Tool::transform)
+    lines += "The whole shape is in hand: arrow keys move it, [ and ] turn it, { and } scale it.\n";
+  if (state.tool == Tool::draw) lines += news_of_drawing(state);
+  if (state.snap.grid) lines += "Points snap to the grid.\n";
+  if (state.snap.axis) lines += "Points snap to the axis.\n";
+  for (const auto& [shown, name] : {std::pair(&Overlays::lifting_base, "the lifting base"),
+                                    {&Overlays::chords, "chords"},
+                                    {&Overlays::candidates, "candidates"},
+                                    {&Overlays::clockwise, "free clockwise turns"},
+                                    {&Overlays::counterclockwise, "free counter-clockwise turns"},
+                                    {&Overlays::tipping, "the force that tips"}})
+    if (settings(state).overlays.*shown) lines += std::string("Shown: ") + name + ".\n";
+  if (state.second_method)
+    lines += "Compared with " + std::string(name(*state.second_method)) + ".\n";
+  return lines;
 }
 
 }  // namespace evenlift::view

@@ -12,8 +12,9 @@ enum class Mood : std::uint8_t { good, not_quite, refused, drawing };
 
 struct Verdict {
   Mood mood = Mood::good;
-  std::string headline;  // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
-  std::string detail;    // "81 % of the object is safe to push on. It can still turn clockwise."
+  std::string headline;    // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
+  std::string detail;      // "81 % of the object is safe to push on. It can still turn clockwise."
+  bool searching = false;  // balanced robots may still change
 };
 
 Verdict verdict(const AppState& state);
@@ -22,7 +23,14 @@ Verdict verdict(const AppState& state);
 // empty.
 std::string need_in_words(const AppState& state);
 
+// What is on the screen but not in the link, in whole sentences; empty if the link holds everything.
+std::string link_lacks_in_words(const AppState& state);
+
 // Verdict, teams and their loads, each a sentence: the text of the page's live region. O(teams).
 std::string summary(const AppState& state);
+
+// What is selected, in hand and shown, each a sentence on a line of its own: besides the summary, for those who cannot see the
+// canvas. O(1).
+std::string news(const AppState& state);
 
 }  // namespace evenlift::view

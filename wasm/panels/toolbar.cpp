@@ -1,13 +1,19 @@
 // The cards over the drawing: the bar at the top, the tools of the view, the notice.
 #include <algorithm>
+#include <iterator>
+#include <string>
 
+#include "evenlift/output/words.h"
 #include "panels/action_button.h"
 #include "panels/panels.h"
 #include "state/browser.h"
+#include "ui/dropdown.h"
 #include "ui/widgets.h"
 
 namespace evenlift::view {
 namespace {
+
+float wordmark_width() { return text_size(Face::strong, "evenlift").x + 38; }
 
 void wordmark(const Ui& ui, float height) {
   const ImVec2 size = text_size(Face::strong, "evenlift"), at = ImGui::GetCursorScreenPos();
@@ -15,83 +21,167 @@ void wordmark(const Ui& ui, float height) {
                    ui.theme.text, ui.theme.panel);
   draw_text(*ImGui::GetWindowDrawList(), Face::strong,
             ImVec2(at.x + 30, at.y + (height - size.y) / 2), ui.theme.text, "evenlift");
-  ImGui::Dummy(ImVec2(size.x + 38, height));
+  ImGui::Dummy(ImVec2(wordmark_width(), height));
 }
 
-// The button of an action, with its name if `named`.
-void tool_button(const Ui& ui, ActionId id, float size, bool named) {
-  if (named)
-    named_action_button(ui, id, size);
-  else
-    action_button(ui, id, size);
+// A button of the toolbar. What does not fit is in its menu, the last ones first.
+struct Part {
+  ActionId id;
+  bool named;         // has its name beside it, if there is room
+  bool begins_group;  // a line parts it from the one before
+};
+constexpr Part parts[] = {
+    {ActionId::samples, true, false},  {ActionId::draw, true, false},
+    {ActionId::undo, false, true},     {ActionId::redo, false, false},
+    {ActionId::copy_link, true, true}, {ActionId::lessons, true, true},
+    {ActionId::open, true, false},     {ActionId::save, true, false},
+};
+
+// How the toolbar is drawn, from the widest to the narrowest.
+struct Look {
+  bool wordmark, names, dividers;
+  std::size_t shown;  // of `parts`
+};
+constexpr Look looks[] = {
+    {true, true, true, 8},    {false, true, true, 8},   {true, false, true, 8},
+    {true, false, false, 8},  {false, false, false, 8}, {false, false, false, 7},
+    {false, false, false, 6}, {false, false, false, 5}, {false, false, false, 4},
+    {false, false, false, 3}, {false, false, false, 2}, {false, false, false, 1},
+};
+
+constexpr float gap = 2, beside_divider = 6;
+
+float divider_width(const Look& look) { return look.dividers ? 2 * beside_divider + 1 : gap; }
+
+float width_of(const Look& look, float height, float padding) {
+  float width = 2 * padding + gap + height;  // with the menu's button
+  if (look.wordmark) width += wordmark_width() + divider_width(look);
+  for (std::size_t i = 0; i < look.shown; ++i) {
+    const Part& part = parts[i];
+    if (i > 0) width += part.begins_group ? divider_width(look) : gap;
+    width += look.names && part.named ? text_button_width(action(part.id).label) : height;
+  }
+  return width;
 }
 
-void divider(const Ui& ui, float height) {
-  if (ui.layout.toolbar.width() < 440) return ImGui::SameLine(0, 0);
-  ImGui::SameLine(0, 6);
+const Look& widest_that_fits(float room, float height, float padding) {
+  const auto* found = std::find_if(std::begin(looks), std::end(looks), [&](const Look& look) {
+    return width_of(look, height, padding) <= room;
+  });
+  return found == std::end(looks) ? std::end(looks)[-1] : *found;
+}
+
+void divider(const Ui& ui, float height, bool drawn) {
+  if (!drawn) return ImGui::SameLine(0, gap);
+  ImGui::SameLine(0, beside_divider);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(
       ImVec2(at.x, at.y + 6), ImVec2(at.x + 1, at.y + height - 6), ui.theme.panel_line.packed());
   ImGui::Dummy(ImVec2(1, height));
-  ImGui::SameLine(0, 6);
+  ImGui::SameLine(0, beside_divider);
 }
 
-void draw_embedded_bar(const Ui& ui) {
-  begin_card(ui, "bar", ui.layout.toolbar, {.fixed_width = false, .padding = 4});
-  if (text_button(ui, "out", Icon::open_out, "Open in evenlift", nullptr, 32)) browser::open_page();
-  end_card(ui);
+std::string percentage_of_fit(const AppState& state) {
+  if (state.camera_follows || state.document.vertices.empty()) return "100\u00A0%";
+  return fixed(100 * state.camera.scale / fitting_camera(state).scale, 0) + "\u00A0%";
+}
+
+bool has_tools(const Ui& ui) { return ui.layout.tools.width() > 0; }
+
+// What has no room elsewhere, and what is asked for seldom.
+void draw_menu(const Ui& ui, const Look& look) {
+  if (!begin_choices(ui, "menu", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), 0)) return;
+  for (std::size_t i = look.shown; i < std::size(parts); ++i) action_row(ui, parts[i].id);
+  if (!has_tools(ui))
+    for (const ActionId id : {ActionId::fit, ActionId::transform, ActionId::table})
+      action_row(ui, id);
+  if (!has_tools(ui) || !ui.layout.wide)
+    for (const ActionId id : {ActionId::zoom_in, ActionId::zoom_out}) action_row(ui, id);
+  if (walkthrough_is_open(ui.state)) action_row(ui, ActionId::present);
+  for (const ActionId id : {ActionId::walkthrough, ActionId::experiment, ActionId::glossary,
+                            ActionId::help, ActionId::about})
+    action_row(ui, id);
+  end_choices(ui);
 }
 
 }  // namespace
 
 void draw_toolbar(const Ui& ui) {
-  if (ui.state.screen.embed) return draw_embedded_bar(ui);
-  // On a phone eight buttons just fit; the list of keys is of no use there.
-  const float all = static_cast<float>(ui.layout.toolbar.width()) - 4;
-  const float height = ui.layout.wide ? ui.control() : std::clamp(all / 8, 40.0f, 44.0f),
-              padding = ui.layout.wide ? 8.0f : 2.0f;
-  begin_card(ui, "toolbar", ui.layout.toolbar, {.fixed_width = false, .padding = padding});
-  if (ui.state.screen.width > 480) {
+  const float height = ui.control(), padding = static_cast<float>(ui.layout.bar_padding);
+  const Look& look =
+      widest_that_fits(static_cast<float>(ui.layout.toolbar.width()), height, padding);
+  begin_card(ui, "toolbar", ui.layout.toolbar,
+             {.fixed_width = false, .padding = padding, .scrolls = false});
+  if (look.wordmark) {
     wordmark(ui, height);
-    divider(ui, height);
+    divider(ui, height, look.dividers);
   }
-  const double width = ui.layout.toolbar.width();
-  const float gap = width < 440 ? 0.0f : 2.0f;
-  for (const ActionId id :
-       {ActionId::samples, ActionId::draw, ActionId::lessons, ActionId::open, ActionId::save}) {
-    tool_button(ui, id, height, width > 700);
-    ImGui::SameLine(0, gap);
+  for (std::size_t i = 0; i < look.shown; ++i) {
+    if (i > 0) divider(ui, height, parts[i].begins_group && look.dividers);
+    if (look.names && parts[i].named)
+      named_action_button(ui, parts[i].id, height);
+    else
+      action_button(ui, parts[i].id, height);
   }
-  divider(ui, height);
-  action_button(ui, ActionId::undo, height);
   ImGui::SameLine(0, gap);
-  action_button(ui, ActionId::redo, height);
-  divider(ui, height);
-  tool_button(ui, ActionId::copy_link, height, width > 560);
-  if (width > 440) {
-    ImGui::SameLine(0, gap);
-    action_button(ui, ActionId::help, height);
-  }
+  if (icon_button(ui, "more", Icon::more, true, "More", height)) ImGui::OpenPopup("menu");
+  draw_menu(ui, look);
   end_card(ui);
 }
 
+// The zoom in per cent of the view that fits; a press goes back to that.
+void draw_zoom(const Ui& ui) {
+  const std::string zoom = percentage_of_fit(ui.state);
+  const auto [low, high, pressed, hovered] = pressable_row(
+      ui, "zoom", zoom + ": show all of the object", static_cast<float>(zoom_width), ui.control());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (hovered) list.AddRectFilled(low, high, ui.theme.panel_line.packed(), 7);
+  const ImVec2 text = text_size(Face::label, zoom);
+  draw_text(list, Face::label, ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2),
+            ui.theme.text, zoom);
+  if (pressed) ui.push(FitView{});
+}
+
 void draw_view_tools(const Ui& ui) {
+  if (!has_tools(ui)) return;
   begin_card(ui, "tools", ui.layout.tools,
-             {.fixed_height = true, .padding = ui.layout.wide ? 8.0f : 2.0f, .scrolls = false});
+             {.fixed_height = true,
+              .padding = static_cast<float>(ui.layout.bar_padding),
+              .scrolls = false});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
   // A narrow screen has no room for these; two fingers do the same.
   if (ui.layout.wide) {
     action_button(ui, ActionId::zoom_out, ui.control());
     ImGui::SameLine(0, 2);
+    draw_zoom(ui);
+    ImGui::SameLine(0, 2);
     action_button(ui, ActionId::zoom_in, ui.control());
     ImGui::SameLine(0, 2);
   }
   action_button(ui, ActionId::fit, ui.control());
-  if (ui.layout.wide) divider(ui, ui.control());
+  if (ui.layout.wide) divider(ui, ui.control(), true);
   action_button(ui, ActionId::transform, ui.control());
   if (ui.layout.wide) ImGui::SameLine(0, 2);
   action_button(ui, ActionId::table, ui.control());
   ImGui::PopStyleVar();
+  end_card(ui);
+}
+
+// The way back to an object that was moved out of the window.
+void draw_way_back(const Ui& ui) {
+  if (ui.state.camera_follows || ui.state.tool == Tool::draw || !ui.state.placement) return;
+  const Box box = bounding_box(ui.state.placement->vertices());
+  const Vec2 low = ui.state.camera.to_screen(box.low), high = ui.state.camera.to_screen(box.high);
+  const Rect& free = ui.layout.free;
+  const bool seen =
+      low.x() < free.right && high.x() > free.left && high.y() < free.bottom && low.y() > free.top;
+  if (seen) return;
+  const float width = text_size(Face::text, "Show the object").x + 28;
+  const double left = free.middle().x() - static_cast<double>(width) / 2 - 8,
+               top = free.middle().y() - ui.layout.control / 2 - 8;
+  begin_card(ui, "way back", {left, top, free.right, free.bottom},
+             {.fixed_width = false, .padding = 8, .scrolls = false});
+  if (flat_button(ui, "show object", "Show the object", width, true, true)) ui.push(FitView{});
   end_card(ui);
 }
 
@@ -103,8 +193,10 @@ void draw_notice(const Ui& ui) {
   const float text =
       std::min(text_size(Face::text, notice.text).x, static_cast<float>(widest) - 84);
   const double width = text + 84, x = ui.layout.free.middle().x() - width / 2;
-  begin_card(ui, "notice", {x, ui.layout.toolbar.bottom + 12, x + width, ui.layout.free.bottom},
-             {.padding = 10});
+  // At the foot, where it covers neither the bar of the tool in hand nor what is being drawn.
+  const double foot = ui.layout.free.bottom - ui.layout.margin;
+  begin_card(ui, "notice", {x, ui.layout.toolbar.bottom + 12, x + width, foot},
+             {.at_bottom = true, .padding = 10});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(ImVec2(at.x + 11, at.y + 12), 11,

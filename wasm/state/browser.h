@@ -11,26 +11,75 @@ namespace evenlift::view::browser {
 // few times a second.
 void document_changed();
 
+// What is selected, in hand or compared changed, and with it only the text for those who cannot see the canvas.
+void summary_changed();
+
 // The preferences changed, which the browser keeps besides the document (page_preferences_text()).
 void preferences_changed();
 
 // Copies the page's address with this link to the clipboard. The page says in a notice whether that
-// worked.
+// worked, and what the link holds.
 void copy_address(std::string_view link);
 
 // The page's own windows. They are HTML, so that text can be typed, files chosen, and lists read
 // out.
-enum class Dialog : std::uint8_t { samples, open, save, table, lessons, experiment, curves };
+enum class Dialog : std::uint8_t {
+  samples,
+  open,
+  save,
+  table,
+  lessons,
+  experiment,
+  curves,
+  keys,
+  about,
+  glossary,
+  welcome
+};
 void open_dialog(Dialog dialog);
+
+// Shows the mouse pointer in another form over the canvas.
+enum class Cursor : std::uint8_t {
+  arrow,
+  press,
+  crosshair,
+  add,
+  grab,
+  grabbing,
+  move,
+  resize_rising,
+  resize_falling
+};
+void show_cursor(Cursor cursor);
+
+// Gives the focus to the field of a control, once it is laid out.
+void type_value(std::string_view control);
 
 // Reads out a text to those who cannot see the canvas.
 void announce(std::string_view text);
 
+// Shows the page in full screen, or in its window again. When the reader leaves full screen, the page says so with
+// page_end_presenting().
+void show_full_screen(bool on);
+
 // Opens the page of an <iframe> in a new tab.
 void open_page();
 
+// Says that these characters cannot be shown.
+void say_absent(std::string_view characters);
+
+// Asks for a call of page_letters() with the larger fonts.
+void fetch_letters();
+
 // Asks for a call of page_resize() with the present size.
 void measure_screen();
+
+// Goes on with the search of this number for balanced robots, beside the page, and ends what was
+// under way; or only ends that. The problem is a polygon in the thesis's format, settings as lines
+// `name=value`, and the robots at the start (robots_text.h). page_take_robots() gets what is found.
+void begin_search(std::uint64_t number, std::string_view polygon, std::string_view settings,
+                  std::string_view robots);
+void end_search();
 
 // Asks for another frame, now or after so many seconds. Only the last request for a later frame
 // counts, and it can be dropped.

@@ -7,6 +7,22 @@
 
 namespace evenlift::view {
 
+std::optional<PartOfSegment> part_within(const Rect& rect, const Vec2& a, const Vec2& b) {
+  PartOfSegment part;
+  const auto bound = [&part](double start, double step, double low, double high) {
+    if (step == 0) return start >= low && start <= high;
+    const double first = (low - start) / step, second = (high - start) / step;
+    part.from = std::max(part.from, std::min(first, second));
+    part.to = std::min(part.to, std::max(first, second));
+    return part.from <= part.to;
+  };
+  const Vec2 along = b - a;
+  if (!bound(a.x(), along.x(), rect.left, rect.right) ||
+      !bound(a.y(), along.y(), rect.top, rect.bottom))
+    return std::nullopt;
+  return part;
+}
+
 Vec2 Camera::to_screen(const Vec2& world) const {
   return {anchor.x() + (world.x() - centre.x()) * scale,
           anchor.y() - (world.y() - centre.y()) * scale};

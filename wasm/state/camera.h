@@ -1,6 +1,8 @@
 // From polygon coordinates to CSS pixels of the canvas (y down there) and back.
 #pragma once
 
+#include <optional>
+
 #include "evenlift/vec.h"
 
 namespace evenlift::view {
@@ -16,6 +18,13 @@ struct Rect {
     return p.x() >= left && p.x() < right && p.y() >= top && p.y() < bottom;
   }
 };
+
+// The part of the segment from a to b in a rectangle, its edge included, as shares of the way from a; nothing if there is
+// none. O(1).
+struct PartOfSegment {
+  double from = 0, to = 1;
+};
+std::optional<PartOfSegment> part_within(const Rect& rect, const Vec2& a, const Vec2& b);
 
 struct Camera {
   Vec2 centre = Vec2::Zero();  // polygon coordinates of the point drawn at `anchor`

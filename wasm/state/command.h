@@ -46,6 +46,14 @@ struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
+// Moves a balanced robot along the outline; its neighbours follow. This changes the placement and not
+// the document, so it is no step of undo.
+struct MoveRobot {
+  std::size_t robot;
+  Vec2 to;  // the robot goes to the nearest point of the outline
+};
+struct ResetRobots {};  // back to where they were found
+
 // The other commands change neither the polygon nor its placement.
 struct Show {
   Overlays overlays;
@@ -60,8 +68,19 @@ struct AddPoint {
 struct TakePointBack {};
 struct PutPointBack {};
 struct FinishDrawing {};  // opens the polygon that was drawn, or says what is wrong with it
+struct MovePoint {        // one that is placed
+  std::size_t point;
+  Vec2 to;
+};
 struct SetDrawCursor {
   std::optional<Vec2> at;
+  std::optional<Vec2> pointer;  // in CSS pixels, if the pointer moved it
+  bool by_keys = false;
+};
+// The next edge's length and its angle in degrees, as typed; what is not given stays. Places its end if asked for.
+struct TypeEdge {
+  std::optional<double> length, degrees;
+  bool place = false;
 };
 struct SetSnap {
   Snap snap;
@@ -101,7 +120,22 @@ struct Measure {
 struct HoverFigure {
   std::optional<std::size_t> figure;
 };
-struct LeaveScript {};  // shows all steps of the trace, beginning with the present one
+// Opens the card that says why a robot stands where it does, or a candidate was not taken; with nothing, closes it.
+struct Explain {
+  std::optional<Pick> of;
+};
+struct ShowInLesson {
+  std::uint32_t step;
+};
+struct LeaveScript {};  // the walkthrough goes on without a lesson's words
+// Shows the walkthrough to a room: the drawing and a large caption, in full screen.
+struct SetPresenting {
+  bool on;
+};
+// Shows all steps of the trace, or only the main ones; a lesson is left.
+struct ShowAllSteps {
+  bool all;
+};
 struct Compare {
   std::optional<Method> method;
 };
@@ -131,9 +165,6 @@ struct ZoomView {
 struct SetPanelOpen {
   bool open;
 };
-struct SetHelpOpen {
-  bool open;
-};
 // The panels report whether a list of choices is open.
 struct ListIsOpen {
   bool open;
@@ -146,6 +177,10 @@ struct MeasureSheet {
   double closed_height;
 };
 struct CopyLink {};
+// Begins to type in the field of a control.
+struct TypeValue {
+  const char* control;
+};
 struct OpenDialog {
   browser::Dialog dialog;
 };
@@ -155,13 +190,14 @@ struct ShowNotice {
 
 using Command =
     std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-                 OpenDocument, SetPolygon, EndEdit, Undo, Redo, Show, SetTool, GripPolygon,
-                 AddPoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, SetSnap,
-                 Compare, SetCapacity, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep,
-                 MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice,
-                 AskWhy, Measure, HoverFigure, LeaveScript, SelectVertex, SetHover, SetHeld,
-                 SetCamera, FitView, ZoomView, SetPanelOpen, SetHelpOpen, ListIsOpen, CloseList,
-                 SetSheet, MeasureSheet, CopyLink, OpenDialog, ShowNotice>;
+                 OpenDocument, SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show,
+                 SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack,
+                 FinishDrawing, SetDrawCursor, TypeEdge, SetSnap, Compare, SetCapacity, SetMotion,
+                 OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying,
+                 SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain,
+                 ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover,
+                 SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen, ListIsOpen, CloseList,
+                 SetSheet, MeasureSheet, CopyLink, TypeValue, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -1,36 +1,100 @@
 #include "state/history.h"
 
+#include <iterator>
 #include <utility>
 
-namespace evenlift::view {
+#include "evenlift/link.h"
 
-History::Entry History::remember(const Document& document) const {
+namespace evenlift::view {
+namespace {
+
+constexpr const char* words[] = {"opened a polygon",
+                                 "drew a polygon",
+                                 "changed settings",
+                                 "changed the number of teams",
+                                 "changed the method",
+                                 "changed the minimum load ratio",
+                                 "changed the weight",
+                                 "changed the seed",
+                                 "moved a vertex",
+                                 "added a vertex",
+                                 "removed a vertex",
+                                 "moved the centre of mass",
+                                 "put the centre of mass back to the centroid",
+                                 "moved, turned or scaled the whole",
+                                 "changed what a robot can carry",
+                                 "changed the comparison",
+                                 "left a lesson",
+                                 "changed the number of robots",
+                                 "changed what balanced robots are for"};
+static_assert(std::size(words) == edit_count);
+
+}  // namespace
+
+const char* in_words(Edit edit) { return words[static_cast<std::size_t>(edit)]; }
+
+History::Entry History::remember(const Document& document, const Beside& beside, Edit edit) const {
   for (const std::vector<Entry>* entries : {&past_, &future_}) {
     if (!entries->empty() && *entries->back().vertices == document.vertices) {
-      return {entries->back().vertices, document.centre_of_mass, document.settings};
+      return {
+          entries->back().vertices, document.centre_of_mass, document.settings, beside, edit, {}};
     }
   }
-  return {std::make_shared<const Points>(document.vertices), document.centre_of_mass,
-          document.settings};
+  return {std::make_shared<const Points>(document.vertices),
+          document.centre_of_mass,
+          document.settings,
+          beside,
+          edit,
+          {}};
 }
 
 Document History::recall(const Entry& entry) {
   return {*entry.vertices, entry.centre_of_mass, entry.settings};
 }
 
-Document History::step(std::vector<Entry>& from, std::vector<Entry>& to, Entry now) {
-  to.push_back(std::move(now));
-  Document document = recall(from.back());
+// The edit leads from one document to the other, so it goes along in both directions.
+History::Recalled History::step(std::vector<Entry>& from, std::vector<Entry>& to,
+                                const Document& now, const Beside& beside) {
+  const Edit edit = from.back().edit;
+  to.push_back(remember(now, beside, edit));
+  Recalled recalled{recall(from.back()), from.back().beside, edit};
   from.pop_back();
-  return document;
+  return recalled;
 }
 
-void History::record(const Document& before) {
-  past_.push_back(remember(before));
+void History::record(const Document& before, const Beside& beside, Edit edit) {
+  past_.push_back(remember(before, beside, edit));
   future_.clear();
 }
 
-Document History::undo(const Document& now) { return step(past_, future_, remember(now)); }
-Document History::redo(const Document& now) { return step(future_, past_, remember(now)); }
+History::Recalled History::undo(const Document& now, const Beside& beside) {
+  return step(past_, future_, now, beside);
+}
+History::Recalled History::redo(const Document& now, const Beside& beside) {
+  return step(future_, past_, now, beside);
+}
+
+std::optional<History::Kept> History::kept(bool redo, std::size_t index) {
+  std::vector<Entry>& entries = redo ? future_ : past_;
+  if (index >= entries.size()) return std::nullopt;
+  Entry& entry = entries[entries.size() - 1 - index];
+  if (entry.link.empty()) {
+    if (Result<std::string> link = encode_link(recall(entry))) entry.link = std::move(link).value();
+  }
+  return Kept{entry.edit, entry.beside, entry.link};
+}
+
+void History::add(bool redo, const Kept& kept) {
+  Result<Document> document = decode_link(kept.link);
+  if (!document) return;
+  Entry entry = remember(*document, kept.beside, kept.edit);
+  entry.link = kept.link;
+  (redo ? future_ : past_).push_back(std::move(entry));
+}
+
+void History::clear() {
+  past_.clear();
+  future_.clear();
+}
 
 }  // namespace evenlift::view

@@ -1,39 +1,103 @@
 // Undo and redo without limit. It keeps whole documents; those that differ only in their settings
-// share their vertices.
+// share their vertices. The page keeps the newest steps in the browser.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "evenlift/document.h"
 
 namespace evenlift::view {
 
+// What an edit did. The browser keeps these numbers, so a new one goes to the end.
+enum class Edit : std::uint8_t {
+  opened,
+  drawn,
+  settings,
+  teams,
+  method,
+  min_ratio,
+  weight,
+  seed,
+  vertex_moved,
+  vertex_added,
+  vertex_removed,
+  centre_moved,
+  centre_released,
+  whole,
+  capacity,
+  comparison,
+  lesson_left,
+  robots,
+  goal
+};
+inline constexpr std::size_t edit_count = 19;
+
+// "moved a vertex". O(1).
+const char* in_words(Edit edit);
+
+// What undo brings back besides the document.
+struct Beside {
+  std::optional<double> capacity;
+  std::optional<Method> second_method;
+  bool operator==(const Beside&) const = default;
+};
+
 class History {
  public:
   // Remembers the document as it was before an edit. Nothing can be redone after that.
-  void record(const Document& before);
+  void record(const Document& before, const Beside& beside = {}, Edit edit = Edit::settings);
 
   // How many edits can be undone.
   std::size_t depth() const { return past_.size(); }
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
 
+  // The edit that undo() (redo()) would take back (do again); call only if can_undo() (can_redo()).
+  Edit undoes() const { return past_.back().edit; }
+  Edit redoes() const { return future_.back().edit; }
+
   // The document before the last edit (after the last undone one), given the one of now; call only
   // if can_undo() (can_redo()).
-  Document undo(const Document& now);
-  Document redo(const Document& now);
+  struct Recalled {
+    Document document;
+    Beside beside;
+    Edit edit;
+  };
+  Recalled undo(const Document& now, const Beside& beside = {});
+  Recalled redo(const Document& now, const Beside& beside = {});
+
+  // A step to be kept outside: the one that so many undos (redos) lead to, from 0; nothing if
+  // there is none. A document that is too large for a link has none. The first time O(n), then O(bytes).
+  struct Kept {
+    Edit edit = Edit::settings;
+    Beside beside;
+    std::string link;
+  };
+  std::optional<Kept> kept(bool redo, std::size_t index);
+
+  // Adds such a step as the newest one to be undone (redone). Does nothing with a link that cannot be
+  // read. O(n).
+  void add(bool redo, const Kept& kept);
+  void clear();
 
  private:
   struct Entry {
     std::shared_ptr<const Points> vertices;
     std::optional<Vec2> centre_of_mass;
     Settings settings;
+    Beside beside;
+    Edit edit = Edit::settings;
+    std::string link;  // once it was written
   };
-  Entry remember(const Document& document) const;
+  Entry remember(const Document& document, const Beside& beside, Edit edit) const;
   static Document recall(const Entry& entry);
-  static Document step(std::vector<Entry>& from, std::vector<Entry>& to, Entry now);
+  Recalled step(std::vector<Entry>& from, std::vector<Entry>& to, const Document& now,
+                const Beside& beside);
 
   std::vector<Entry> past_, future_;
 };

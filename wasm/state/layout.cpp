@@ -5,7 +5,12 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double panel_width = 344, rail_width = 48, toolbar_height = 48;
+constexpr double panel_width = 344, rail_width = 48;
+// Below these heights the tools of the view would cover the object; they are in the toolbar's menu.
+constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
+
+// A bar with one row of controls.
+double bar_height(const Layout& l) { return l.control + 2 * l.bar_padding; }
 
 // Room around the polygon for robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
@@ -26,8 +31,10 @@ void split(Layout& l, bool compared, double beside, double above, double below) 
     l.first.right = l.second.left = l.free.middle().x();
   else
     l.first.bottom = l.second.top = l.free.middle().y();
-  const double caption = l.wide ? 64 : 40;
-  l.room = room_in(l.first, beside * 0.8, above + caption, below * 0.8);
+  l.caption = l.wide ? 64 : 34;
+  Rect below_caption = l.first;
+  below_caption.top += l.caption;
+  l.room = room_in(below_caption, beside * 0.8, above, below * 0.8);
 }
 
 // Puts the player at the foot of the free room, and the tools of the view above it.
@@ -38,32 +45,49 @@ void seat_player(Layout& l, double right, double height) {
   l.free.bottom -= height + l.margin;
 }
 
+// One card at the foot: what the step says and one row of buttons, or else what the result is. Its height is the same at
+// every step.
 Layout embedded(const AppState& state) {
   const Screen& screen = state.screen;
   Layout l;
-  l.margin = 12;
+  l.margin = 8;
   l.control = screen.finger ? 44 : 32;
+  l.bar_padding = 4;
   l.wide = screen.width >= 640;
   l.free = {0, 0, screen.width, screen.height};
-  if (walkthrough_is_open(state))
-    seat_player(l, screen.width - l.margin,
-                std::min(screen.height * 0.5, l.control * 2 + (l.wide ? 128 : 176)));
-  l.toolbar = {l.margin, l.margin, screen.width, l.margin + toolbar_height};
-  split(l, false, 72, 60, 60);
+  const double most = l.control + (l.wide ? 150 : 170);
+  seat_player(l, screen.width - l.margin,
+              walkthrough_is_open(state) ? std::min(screen.height * 0.52, most)
+                                         : l.control + 2 * l.bar_padding);
+  split(l, false, 72, 44, 48);
+  return l;
+}
+
+// Before a room: the drawing, and below it the words in large letters.
+Layout presenting(const AppState& state) {
+  const Screen& screen = state.screen;
+  Layout l;
+  l.control = 44;
+  l.free = {0, 0, screen.width, screen.height};
+  seat_player(l, screen.width - l.margin,
+              std::clamp(screen.height * 0.36, std::min(240.0, screen.height * 0.5), 400.0));
+  split(l, false, 88, 56, 84);
   return l;
 }
 
 Layout wide(const AppState& state) {
   Layout l;
   const Screen& screen = state.screen;
-  const double width = state.panel_open ? panel_width : rail_width;
   l.control = screen.finger ? 44 : 32;
+  if (screen.height < least_height_for_tools) l.margin = 8;
+  const double width = state.panel_open ? panel_width : rail_width + l.control - 32;
   l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin,
              screen.height - l.margin};
-  l.toolbar = {l.margin, l.margin, l.panel.left - l.margin, l.margin + toolbar_height};
-  const double tools_width = 5 * l.control + 8 + 13 + 16, tools_height = l.control + 16;
-  l.tools = {l.margin, screen.height - l.margin - tools_height, l.margin + tools_width,
-             screen.height - l.margin};
+  l.toolbar = {l.margin, l.margin, l.panel.left - l.margin, l.margin + bar_height(l)};
+  const double tools_width = 5 * l.control + zoom_width + 2 + 8 + 13 + 16;
+  const double foot = screen.height - l.margin;
+  l.tools = {l.margin, foot - bar_height(l), l.margin + tools_width, foot};
+  if (screen.height < least_height_for_tools) l.tools = {l.margin, foot, l.margin, foot};
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
   if (walkthrough_is_open(state)) seat_player(l, l.panel.left - l.margin, l.control * 2 + 24);
   if (state.tool == Tool::transform)
@@ -78,11 +102,14 @@ Layout narrow(const AppState& state) {
   l.wide = false;
   l.control = 44;
   l.margin = 8;
+  l.bar_padding = 2;
   double height = std::min(state.closed_sheet_height, screen.height * 0.45);
+  // The same at every step of a lesson, so that the drawing stands still; longer words scroll.
+  if (walkthrough_is_open(state)) height = std::min(296.0, screen.height * 0.45);
   if (state.sheet == Sheet::half) height = screen.height * 0.45;
-  if (state.sheet == Sheet::full) height = screen.height - toolbar_height - 3 * l.margin;
+  if (state.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};
-  l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + toolbar_height};
+  l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + bar_height(l)};
   // A sheet that is pulled up to the top covers the drawing for a moment; the drawing does not
   // move.
   const double below = std::min(height, screen.height * 0.45);
@@ -90,18 +117,56 @@ Layout narrow(const AppState& state) {
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
+  // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots.
+  if (screen.height < least_height_beside_sheet || state.sheet != Sheet::closed ||
+      state.second_method)
+    l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
   split(l, state.second_method.has_value(), 60, 52, 52);
   return l;
+}
+
+Layout without_card(const AppState& state) {
+  const Screen& screen = state.screen;
+  if (state.presenting) return presenting(state);
+  if (screen.embed) return embedded(state);
+  // A phone on its side is wide, too: a sheet would leave nothing of the drawing.
+  const bool side = screen.width >= 900 || (screen.width >= 640 && screen.width > screen.height);
+  return side ? wide(state) : narrow(state);
 }
 
 }  // namespace
 
 Layout layout(const AppState& state) {
-  const Screen& screen = state.screen;
-  if (screen.embed) return embedded(state);
-  // A phone on its side is wide, too: a sheet would leave nothing of the drawing.
-  const bool side = screen.width >= 900 || (screen.width >= 640 && screen.width > screen.height);
-  return side ? wide(state) : narrow(state);
+  Layout l = without_card(state);
+  const double foot = state.screen.foot;
+  for (Rect* rect : {&l.free, &l.first, &l.second, &l.room}) rect->bottom -= foot;
+  const double side = std::clamp(l.room.width() - 120, 0.0, state.screen.side);
+  for (Rect* rect : {&l.free, &l.first, &l.room, &l.tools, &l.player}) rect->left += side;
+  l.tools.right += side;
+  return l;
+}
+
+Camera fitting_camera(const AppState& state) {
+  const Rect room = layout(state).room;
+  if (state.backdrop && state.tool == Tool::draw)
+    return fit({state.backdrop->low, state.backdrop->high}, room);
+  const std::optional<Vec2>& centre = state.document.centre_of_mass;
+  if (!centre) return fit(state.document.vertices, room);
+  Points shown = state.document.vertices;
+  shown.push_back(*centre);
+  return fit(shown, room);
+}
+
+Rect card_seat(const AppState& state) {
+  const Layout l = without_card(state);
+  constexpr double least = 520;  // beside the tools of the view
+  const double right = l.free.right - l.margin;
+  if (state.screen.embed || state.presenting)
+    return {l.margin, l.free.top, right, l.free.bottom - l.margin};
+  if (!l.wide) return {l.margin, l.free.top, l.tools.left - l.margin, l.tools.bottom};
+  if (right - l.tools.right - l.margin >= least)
+    return {l.tools.right + l.margin, l.free.top, right, l.tools.bottom};
+  return {l.margin, l.free.top, right, l.tools.top - l.margin / 2};
 }
 
 }  // namespace evenlift::view

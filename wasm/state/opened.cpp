@@ -17,9 +17,12 @@ Result<Opened> opened(Result<Document> document) {
 
 }  // namespace
 
-Result<Placement> compute_placement(const Document& document) {
+Result<Placement> compute_placement(const Document& document,
+                                    const std::optional<Placement>& before) {
   ++so_far.placements;
-  return place(document);
+  if (before && before->vertices() == document.vertices)
+    return place(before->polygon, document.centre_of_mass, document.settings, Effort::start);
+  return place(document, Effort::start);
 }
 
 Result<Trace> compute_trace(const Placement& placement) {

@@ -10,7 +10,9 @@
 
 #include "evenlift/capacity.h"
 #include "evenlift/placement.h"
+#include "evenlift/plane.h"
 #include "state/camera.h"
+#include "state/explanation.h"
 #include "state/history.h"
 #include "state/walkthrough_state.h"
 
@@ -24,13 +26,14 @@ struct Pick {
     centre,
     robot,
     chord,
+    candidate,
     edge,
     object,
     frame,
     ground
   };
   Kind kind = Kind::none;
-  std::size_t index = 0;   // of the vertex, the edge, or the team; of the frame its grip
+  std::size_t index = 0;   // of the vertex, edge, team or candidate; of the frame its grip
   int end = 0;             // of a robot: 0 for r1, 1 for r2
   Vec2 at = Vec2::Zero();  // in polygon coordinates; on an edge or chord, its nearest point
   bool second = false;     // whether it is in the picture of the second method
@@ -46,6 +49,8 @@ struct Screen {
   bool embed = false;   // the page is in an <iframe>, and shows no panels for editing
   bool finger = false;  // the main pointer is a finger, so controls are larger
   bool touch = false;   // the last pointer was a finger, which hovers over nothing
+  double foot = 0;      // covered by the page at the foot of the drawing, in CSS pixels
+  double side = 0;      // and at its left
 };
 
 // How far the sheet of a narrow screen is pulled up.
@@ -58,8 +63,14 @@ enum class Tool : std::uint8_t { parts, draw, transform };
 // The polygon being drawn, vertex by vertex.
 struct Drawing {
   Points points;
-  Points undone;               // redo brings back its last point first
-  std::optional<Vec2> cursor;  // where the next vertex would go
+  Points undone;                    // redo brings back its last point first
+  std::optional<Vec2> cursor;       // where the next vertex would go
+  std::optional<Vec2> last_cursor;  // and where it was last, when the pointer is elsewhere
+  std::optional<Vec2> pointer;      // where the pointer was then, in CSS pixels
+  bool by_keys = false;  // the cursor was moved by keys; it stays until the pointer moves
+  std::optional<double> length, degrees;  // of the next edge, as typed
+  bool checked = false;                   // whether `refusal` is known
+  std::optional<InputError> refusal;      // why the shape cannot be closed as it is
 };
 
 // The polygon as it was when somebody took hold of it to move, turn or scale it.
@@ -72,6 +83,14 @@ struct PolygonGrip {
 struct Snap {
   bool grid = false;  // the dots of the grid
   bool axis = false;  // the horizontal and the vertical through a neighbouring point
+  bool operator==(const Snap&) const = default;
+};
+
+// The search that betters the balanced robots on the screen, and goes on beside the page.
+struct Search {
+  std::uint64_t number = 0;  // of the last one; what an earlier one finds is dropped
+  bool due = false;          // the robots on the screen are the start of one
+  bool under_way = false;
 };
 
 struct Notice {
@@ -97,10 +116,16 @@ struct AppState {
   std::optional<Placement> second;      // its placement, of the same document
   std::optional<double> capacity;       // of one robot, in the unit of the weight
   std::optional<CapacityPlan> plan;     // for that capacity; not renewed during a drag
+  std::optional<double> best_ratio;     // if no chord has the minimum load ratio: the best there is
   bool plan_due = false;                // the plan may have changed
   bool motion = true;                   // changes are animated, except with reduced motion
+  Search search;
+  bool by_hand = false;  // somebody moved the balanced robots from where they were found
 
   Walkthrough walkthrough;
+  std::optional<Explanation> explanation;  // the card that is open beside a robot or chord
+
+  std::optional<Box> backdrop;  // where a picture lies behind the drawing, in polygon coordinates
 
   Camera camera;
   bool camera_follows = true;           // the view fits its window until somebody pans or zooms
@@ -110,8 +135,8 @@ struct AppState {
   Pick hover, held;
 
   Screen screen;
+  bool presenting = false;  // the walkthrough is shown to a room
   bool panel_open = true;
-  bool help_open = false;
   bool list_open = false;   // whether the last frame showed a list of choices
   bool close_list = false;  // the next frame closes it
   Sheet sheet = Sheet::closed;

@@ -5,6 +5,7 @@
 // This is data; walkthrough/walkthrough.h changes it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,6 +30,9 @@ struct Script {
   std::size_t position = 0;  // the stop that is shown, or was shown last
   Points vertices;           // of the polygon that the lesson was written for
   std::size_t depth = 0;     // edits in the history when it was opened; undoing more leaves it
+  Settings own;              // with which it was opened
+  std::optional<Settings> before;  // the settings that it found
+  bool preview = false;            // it is being written
 };
 
 // A question to the learner about a choice that the next step will show.
@@ -46,9 +50,19 @@ struct Visited {
   std::string caption;
 };
 
+// Guesses since the lesson began. Only the first one at each step counts.
+struct Guesses {
+  std::vector<std::uint32_t> steps;
+  std::uint32_t right = 0;
+  std::array<std::vector<std::uint32_t>, 2> asked;  // by QuestionKind: the steps of its questions
+  std::vector<std::uint32_t> told;                  // choices that were shown without a question
+};
+
 struct Walkthrough {
-  std::optional<Trace> trace;  // of the placement, while the walkthrough is open
-  std::uint32_t at = 0;        // the step that is shown; kept when it is closed
+  std::optional<Trace> trace;       // of the placement, while the walkthrough is open
+  std::uint32_t at = 0;             // the step that is shown; kept when it is closed
+  std::vector<std::uint32_t> main;  // evenlift/main_steps.h
+  bool all_steps = false;           // otherwise only the main ones are shown
   StepDetail detail;
   Progress known;
   std::vector<Figure> figures;            // of the step
@@ -66,9 +80,11 @@ struct Walkthrough {
   std::optional<Ask> ask;
   std::string verdict;  // whether the last guess was right
   bool was_right = false;
+  Guesses guesses;
 
   std::optional<Chord> asked;  // "why not this one?"
   std::string why;
+  bool why_taken = false;  // it is a team
 
   std::optional<std::size_t> hovered;  // index of the figure under the pointer
   std::optional<Script> script;

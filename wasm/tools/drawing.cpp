@@ -5,10 +5,13 @@
 
 #include "evenlift/document.h"
 #include "evenlift/numbers.h"
+#include "evenlift/output/words.h"
 #include "evenlift/predicates.h"
 
 namespace evenlift::view {
 namespace {
+
+constexpr double pi = 3.14159265358979323846, half_turn = 180;
 
 int sign(double value) { return (value > 0) - (value < 0); }
 
@@ -44,6 +47,61 @@ bool closes(const AppState& state, const Vec2& screen) {
          length(state.camera.to_screen(points.front()) - screen) <= closing_reach;
 }
 
+std::optional<std::size_t> placed_at(const AppState& state, const Vec2& screen) {
+  double reach = state.screen.touch ? 22.0 : 10.0;
+  std::optional<std::size_t> nearest;
+  const Points& points = state.drawing.points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double away = length(state.camera.to_screen(points[i]) - screen);
+    if (away > reach) continue;
+    reach = away;
+    nearest = i;
+  }
+  return nearest;
+}
+
+Edge edge_between(const Vec2& from, const Vec2& to) {
+  const Vec2 along = to - from;
+  return {length(along), std::atan2(along.y(), along.x()) * half_turn / pi};
+}
+
+std::string length_in_words(const AppState& state, double length) {
+  const double step = grid_step(state.camera);
+  return fixed(length, std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 0, 6));
+}
+
+std::string edge_in_words(const AppState& state, const Vec2& from, const Vec2& to) {
+  const Edge edge = edge_between(from, to);
+  return length_in_words(state, edge.length) + " long · " + fixed(edge.degrees, 1) + "°";
+}
+
+Vec2 typed_end(const Drawing& drawing, const Vec2& wanted) {
+  const Vec2& from = drawing.points.back();
+  const Edge edge = edge_between(from, wanted);
+  const double size = drawing.length.value_or(edge.length),
+               angle = drawing.degrees.value_or(edge.degrees) * pi / half_turn;
+  const double power = std::pow(10.0, 6 - std::ceil(std::log10(std::max(size, 1e-300))));
+  const auto rounded = [&](double value) {
+    const double nearest = std::round(value * power) / power;
+    return nearest == 0 || !std::isfinite(nearest) ? 0.0 : nearest;
+  };
+  return {rounded(from.x() + size * std::cos(angle)), rounded(from.y() + size * std::sin(angle))};
+}
+
+std::optional<Vec2> centroid_of(const Points& chain) {
+  if (chain.size() < 3) return std::nullopt;
+  Vec2 sum = Vec2::Zero();
+  double twice = 0;
+  const Vec2& origin = chain.front();
+  for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+    const Vec2 a = chain[i] - origin, b = chain[i + 1] - origin;
+    twice += cross(a, b);
+    sum += (a + b) * cross(a, b);
+  }
+  if (twice == 0) return std::nullopt;
+  return origin + sum / (3 * twice);
+}
+
 Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Vec2& after) {
   Vec2 at = state.snap.grid ? nearest_dot(state.camera, to) : rounded_to_pixels(state.camera, to);
   if (state.snap.axis) {
@@ -59,6 +117,8 @@ Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Ve
 
 Vec2 next_point(const AppState& state, const Vec2& world) {
   const Points& points = state.drawing.points;
+  if (!points.empty() && (state.drawing.length || state.drawing.degrees))
+    return typed_end(state.drawing, world);
   if (!points.empty()) return snapped(state, world, points.back(), points.front());
   return state.snap.grid ? nearest_dot(state.camera, world)
                          : rounded_to_pixels(state.camera, world);

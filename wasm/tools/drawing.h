@@ -18,6 +18,27 @@ inline constexpr double closing_reach = 14;
 // Whether a press at `screen` would close the polygon. O(1).
 bool closes(const AppState& state, const Vec2& screen);
 
+// The placed vertex at `screen` that a press takes hold of. O(n).
+std::optional<std::size_t> placed_at(const AppState& state, const Vec2& screen);
+
+// Where a vertex begins the next edge, if any is placed.
+struct Edge {
+  double length = 0;
+  double degrees = 0;  // counter-clockwise from the x axis, in (-180, 180]
+};
+Edge edge_between(const Vec2& from, const Vec2& to);
+
+// "120 long · 45.0°", with as many decimals as the view shows. O(1).
+std::string edge_in_words(const AppState& state, const Vec2& from, const Vec2& to);
+std::string length_in_words(const AppState& state, double length);
+
+// The end of the next edge towards `wanted`, with the length and the angle that were typed. At least one vertex is placed.
+// It is rounded to a millionth of the edge. O(1).
+Vec2 typed_end(const Drawing& drawing, const Vec2& wanted);
+
+// The centroid of the area that a chain encloses when it is closed; nothing if that is no area. O(n).
+std::optional<Vec2> centroid_of(const Points& chain);
+
 // Where the next vertex goes when the pointer is at `world`: snapped as asked for. O(1).
 Vec2 next_point(const AppState& state, const Vec2& world);
 

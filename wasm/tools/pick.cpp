@@ -1,5 +1,6 @@
 #include "tools/pick.h"
 
+#include "evenlift/output/picture.h"
 #include "evenlift/plane.h"
 
 namespace evenlift::view {
@@ -36,10 +37,11 @@ Pick robot_at(const AppState& state, const Placement& placement, const Vec2& scr
   Nearest nearest{14};
   const std::vector<Team>& teams = placement.teams;
   for (std::size_t i = 0; i < teams.size(); ++i) {
-    const Vec2 ends[2] = {teams[i].chord.r1.position, teams[i].chord.r2.position};
-    for (int end = 0; end < 2; ++end) {
-      nearest.offer(distance(state.camera.to_screen(ends[end]), screen),
-                    {Pick::Kind::robot, i, end, ends[end]});
+    const std::vector<Robot>& robots = teams[i].robots;
+    for (std::size_t k = 0; k < robots.size(); ++k) {
+      const Vec2& at = robots[k].point.position;
+      nearest.offer(distance(state.camera.to_screen(at), screen),
+                    {Pick::Kind::robot, i, static_cast<int>(k), at});
     }
   }
   return nearest.pick;
@@ -58,13 +60,28 @@ Pick edge_at(const AppState& state, const Vec2& screen) {
 }
 
 Pick chord_at(const AppState& state, const Placement& placement, const Vec2& screen) {
+  if (placement.settings.method == Method::balanced) return {};  // they have none
   Nearest nearest{6};
   const std::vector<Team>& teams = placement.teams;
   const Vec2 world = state.camera.to_world(screen);
   for (std::size_t i = 0; i < teams.size(); ++i) {
-    const Vec2 at =
-        nearest_on_segment(teams[i].chord.r1.position, teams[i].chord.r2.position, world);
-    nearest.offer(distance(state.camera.to_screen(at), screen), {Pick::Kind::chord, i, 0, at});
+    for (const Segment& line : joining_lines(teams[i], placement.centre_of_mass)) {
+      const Vec2 at = nearest_on_segment(line.from, line.to, world);
+      nearest.offer(distance(state.camera.to_screen(at), screen), {Pick::Kind::chord, i, 0, at});
+    }
+  }
+  return nearest.pick;
+}
+
+Pick candidate_at(const AppState& state, const Placement& placement, const Vec2& screen) {
+  if (!settings(state).overlays.candidates || placement.settings.method == Method::balanced)
+    return {};
+  Nearest nearest{state.screen.touch ? 12.0 : 6.0};
+  const Vec2 world = state.camera.to_world(screen);
+  for (std::size_t i = 0; i < placement.candidates.size(); ++i) {
+    const Chord& chord = placement.candidates[i].chord;
+    const Vec2 at = nearest_on_segment(chord.r1.position, chord.r2.position, world);
+    nearest.offer(distance(state.camera.to_screen(at), screen), {Pick::Kind::candidate, i, 0, at});
   }
   return nearest.pick;
 }
@@ -85,13 +102,45 @@ const Placement* current_placement(const AppState& state, bool second) {
 Pick pick(const AppState& state, const Vec2& screen, bool second) {
   Pick found = part_at(state, screen);
   const Placement* placement = current_placement(state, second);
-  if (found.kind == Pick::Kind::none && placement) found = robot_at(state, *placement, screen);
+  if (placement) {
+    const Pick robot = robot_at(state, *placement, screen);
+    const auto away = [&](const Pick& p) { return distance(state.camera.to_screen(p.at), screen); };
+    if (robot.kind != Pick::Kind::none &&
+        (found.kind == Pick::Kind::none || away(robot) < away(found)))
+      found = robot;
+  }
   if (found.kind == Pick::Kind::none) found = edge_at(state, screen);
   if (found.kind == Pick::Kind::none && placement) found = chord_at(state, *placement, screen);
+  if (found.kind == Pick::Kind::none && placement) found = candidate_at(state, *placement, screen);
   if (found.kind == Pick::Kind::none && placement) {
     const Vec2 world = state.camera.to_world(screen);
-    if (inside(placement->vertices, world)) found = {Pick::Kind::object, 0, 0, world};
+    if (inside(placement->vertices(), world)) found = {Pick::Kind::object, 0, 0, world};
   }
+  found.second = second;
+  return found;
+}
+
+bool can_take_robot(const AppState& state, const Pick& pick) {
+  if (pick.kind != Pick::Kind::robot || pick.second || state.screen.embed) return false;
+  const Placement* placement = current_placement(state, false);
+  return placement && placement->settings.method == Method::balanced &&
+         count_robots(placement->teams) >= 3;
+}
+
+Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second) {
+  const Pick nearest = pick(state, screen, second);
+  if (can_take_robot(state, nearest)) return nearest;
+  Pick found = part_at(state, screen);
+  found.second = second;
+  return found.kind == Pick::Kind::none ? nearest : found;
+}
+
+Pick pick_explained(const AppState& state, const Vec2& screen, bool second) {
+  const Placement* placement = current_placement(state, second);
+  if (!placement) return {};
+  Pick found = robot_at(state, *placement, screen);
+  if (found.kind == Pick::Kind::none) found = chord_at(state, *placement, screen);
+  if (found.kind == Pick::Kind::none) found = candidate_at(state, *placement, screen);
   found.second = second;
   return found;
 }

@@ -5,10 +5,21 @@
 
 namespace evenlift::view {
 
-// What is at `screen`, in CSS pixels. The nearest vertex or centre of mass comes first; then
-// robots, edges, chords, and last the object. In the picture of the second method robots and chords
+// What is at `screen`, in CSS pixels. The nearest vertex, centre of mass or robot comes first; then
+// edges, chords, candidates that are shown, and last the object. In the picture of the second method robots and chords
 // are that method's. O(vertices + teams).
 Pick pick(const AppState& state, const Vec2& screen, bool second = false);
+
+// Whether what was picked is a balanced robot that can be moved by hand: two others can follow it.
+bool can_take_robot(const AppState& state, const Pick& pick);
+
+// The same for a press that may drag: a vertex or the centre of mass within reach comes before a robot, unless that can be
+// moved. O(vertices + teams).
+Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second = false);
+
+// The robot, team's chord or candidate at `screen`, whatever else is there; the kind is none if there is none. Candidates
+// count while they are shown. O(teams + candidates).
+Pick pick_explained(const AppState& state, const Vec2& screen, bool second = false);
 
 // The document's centre of mass; if it has none, that of the last good placement.
 Vec2 centre_of_mass(const AppState& state);

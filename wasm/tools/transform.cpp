@@ -4,23 +4,16 @@
 #include <cmath>
 
 #include "evenlift/plane.h"
+#include "state/layout.h"
+#include "tools/drawing.h"
 
 namespace evenlift::view {
 namespace {
 
 // The polygon turns about its centroid, which stays in its place however often it turns.
 Vec2 pivot(const Points& polygon) {
-  Vec2 sum = Vec2::Zero();
-  double twice = 0;
-  const Vec2 origin = polygon.front();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 a = polygon[i] - origin, b = polygon[i + 1 == polygon.size() ? 0 : i + 1] - origin;
-    twice += cross(a, b);
-    sum += (a + b) * cross(a, b);
-  }
-  const Box box = bounding_box(polygon);
-  if (twice == 0) return box.middle();
-  return origin + sum / (3 * twice);
+  const std::optional<Vec2> centroid = centroid_of(polygon);
+  return centroid ? *centroid : bounding_box(polygon).middle();
 }
 
 // The polygon as it was when it was taken hold of, with every point mapped.
@@ -54,6 +47,18 @@ SetPolygon scaled(const AppState& state, const PolygonGrip& grip, const Vec2& ab
   });
 }
 
+constexpr double beyond = 30;  // CSS pixels from the polygon to its frame
+
+Vec2 knob_place(const AppState& state, const Rect& frame) {
+  constexpr double stalk = 28;
+  const Layout places = layout(state);
+  // The tool's bar ends here; layout() keeps its room free on a wide screen.
+  const double top = places.free.top + (places.wide ? -28 : 130), x = frame.middle().x();
+  if (frame.top - stalk >= top) return {x, frame.top - stalk};
+  if (frame.bottom + stalk <= places.free.bottom) return {x, frame.bottom + stalk};
+  return {x, top + stalk};
+}
+
 PolygonGrip now(const AppState& state) {
   return {state.document.vertices, state.document.centre_of_mass};
 }
@@ -69,11 +74,39 @@ Vec2 opposite_corner(const Box& box, FrameGrip grip) {
 Rect transform_frame(const AppState& state) {
   const Box box = bounding_box(state.document.vertices);
   const Vec2 a = state.camera.to_screen(box.low), b = state.camera.to_screen(box.high);
-  constexpr double beyond = 30;
   return {a.x() - beyond, b.y() - beyond, b.x() + beyond, a.y() + beyond};
 }
 
-Vec2 grip_place(const Rect& frame, FrameGrip grip) {
+Transformed since_grip(const AppState& state) {
+  const Points &before = state.grip.vertices, &after = state.document.vertices;
+  if (before.empty() || before.size() != after.size()) return {};
+  const Vec2 a = pivot(before), b = pivot(after);
+  std::size_t farthest = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (length(before[i] - a) > length(before[farthest] - a)) farthest = i;
+  const Vec2 from = before[farthest] - a, to = after[farthest] - b;
+  const Edge turn = edge_between({0, 0}, {dot(from, to), cross(from, to)});
+  return {turn.degrees, length(to) / std::max(length(from), 1e-300)};
+}
+
+Points turned_frame(const AppState& state) {
+  const Box box = bounding_box(state.grip.vertices);
+  const Vec2 about = state.camera.to_screen(pivot(state.grip.vertices)),
+             low = state.camera.to_screen(box.low), high = state.camera.to_screen(box.high);
+  const double angle = since_grip(state).degrees * 3.14159265358979 / 180, c = std::cos(angle),
+               s = std::sin(angle);
+  Points corners{{low.x() - beyond, high.y() - beyond},
+                 {high.x() + beyond, high.y() - beyond},
+                 {high.x() + beyond, low.y() + beyond},
+                 {low.x() - beyond, low.y() + beyond}};
+  for (Vec2& corner : corners) {
+    const Vec2 d = corner - about;  // y points down, so the sense is reversed
+    corner = about + Vec2(d.x() * c + d.y() * s, d.y() * c - d.x() * s);
+  }
+  return corners;
+}
+
+Vec2 grip_place(const AppState& state, const Rect& frame, FrameGrip grip) {
   switch (grip) {
     case FrameGrip::low_left:
       return {frame.left, frame.bottom};
@@ -84,7 +117,7 @@ Vec2 grip_place(const Rect& frame, FrameGrip grip) {
     case FrameGrip::high_right:
       return {frame.right, frame.top};
     case FrameGrip::turn:
-      return {frame.middle().x(), frame.top - 28};
+      return knob_place(state, frame);
     case FrameGrip::inside:
       break;
   }
@@ -97,7 +130,7 @@ std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen) {
   std::optional<FrameGrip> nearest;
   for (const FrameGrip grip : {FrameGrip::low_left, FrameGrip::low_right, FrameGrip::high_left,
                                FrameGrip::high_right, FrameGrip::turn}) {
-    const double away = length(grip_place(frame, grip) - screen);
+    const double away = length(grip_place(state, frame, grip) - screen);
     if (away > reach) continue;
     reach = away;
     nearest = grip;

@@ -1,5 +1,7 @@
-// The page's two fonts: assets/fonts, made part of the program by cmake/Embed.cmake.
+// The page's two fonts: assets/fonts, made part of the program by cmake/Embed.cmake; or larger ones that the page fetched.
 #pragma once
+
+#include <vector>
 
 namespace evenlift::view {
 
@@ -10,5 +12,8 @@ struct FontData {
 
 FontData regular_font();
 FontData semibold_font();
+
+// From now on these are the two fonts; see letters.h.
+void give_fonts(std::vector<unsigned char> regular, std::vector<unsigned char> semibold);
 
 }  // namespace evenlift::view

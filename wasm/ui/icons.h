@@ -24,6 +24,7 @@ enum class Icon : std::uint8_t {
   down,
   up,
   help,
+  more,
   close,
   check,
   warning,
@@ -46,7 +47,7 @@ enum class Icon : std::uint8_t {
   last,
   first
 };
-inline constexpr std::size_t icon_count = 32;  // without `none`
+inline constexpr std::size_t icon_count = 33;  // without `none`
 
 // Within a square of `size` CSS pixels about `middle`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour colour);

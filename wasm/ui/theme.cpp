@@ -4,6 +4,7 @@
 
 #include "state/heat_levels.h"
 #include "ui/fonts.h"
+#include "ui/letters.h"
 
 namespace evenlift::view {
 namespace {
@@ -33,11 +34,13 @@ constexpr Theme light = {
     .robot_track = {0xFFFFFF},
     .robot_text = {0xFFFFFF},
     .chord = {0x55616D},
-    .candidate = {0xA5B0BB},
+    .candidate = {0x66727E},
     .accent = {0x5B4BDB},
     .on_accent = {0xFFFFFF},
     .amber = {0x9A5B00},
     .amber_ground = {0xFFF4E0},
+    .accent_on_object = {0x5B4BDB},
+    .amber_on_object = {0x8F5400},
     .shadow = {0x1B232B, 0.10f},
 };
 
@@ -53,23 +56,25 @@ constexpr Theme dark = {
     .second_text = {0x9AA7B4},
     .quiet = {0x6B7885},
     .hull = {0x3BBF80, 0.30f},
-    .hull_outline = {0x1F9A60},
+    .hull_outline = {0x1C8A56},
     .hull_text = {0x0E5433},
     .heat = {{0xB0480A}, {0xCC6A24}, {0xDF8C48}, {0xEBAE78}, {0xF1CBA6}, {0xF3E0CD}, {0xBFE3D0}},
     .clockwise = {0xF0697B, 0.20f},
-    .clockwise_line = {0xF0697B},
+    .clockwise_line = {0xD1495B},
     .counter = {0x5B93FF, 0.20f},
-    .counter_line = {0x5B93FF},
+    .counter_line = {0x2D6CDF},
     .robot = {0x0B0E11},
     .robot_ring = {0xFFFFFF},
     .robot_track = {0x0B0E11},
     .robot_text = {0xFFFFFF},
     .chord = {0x6A7683},
-    .candidate = {0x8794A1},
+    .candidate = {0x66727E},
     .accent = {0x9C90FF},
     .on_accent = {0x14181D},
     .amber = {0xF2B04A},
     .amber_ground = {0x33291A},
+    .accent_on_object = {0x5B4BDB},
+    .amber_on_object = {0x8F5400},
     .shadow = {0x000000, 0.35f},
 };
 
@@ -77,15 +82,12 @@ struct FaceSpec {
   bool semibold;
   float size;
 };
-constexpr FaceSpec faces[face_count] = {{true, 12},  {false, 13}, {true, 13},
-                                        {false, 15}, {true, 15},  {true, 20}};
+constexpr FaceSpec faces[face_count] = {{true, 12}, {false, 13}, {true, 13}, {false, 15},
+                                        {true, 15}, {true, 20},  {false, 28}};
 
 ImFont* loaded[face_count];
 
 const FaceSpec& spec(Face face) { return faces[static_cast<int>(face)]; }
-
-// At least the characters of assets/fonts/subset.py; characters that a font lacks take no room.
-constexpr ImWchar characters[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2212, 0x2265, 0};
 
 }  // namespace
 
@@ -109,25 +111,33 @@ Colour heat_colour(const Theme& theme, double share) {
 
 const Theme& theme(const AppState& state) { return state.screen.dark ? dark : light; }
 
-void load_fonts(double ratio) {
+void load_fonts(double ratio, bool with_large) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
 #if IMGUI_VERSION_NUM >= 19200
   // Since this version Dear ImGui itself rasterises characters, for the scale of the framebuffer.
   static_cast<void>(ratio);
+  static_cast<void>(with_large);
   if (!atlas.Fonts.empty()) return;
   const float density = 1;
 #else
   const float density = static_cast<float>(ratio);
 #endif
   atlas.Clear();
+  const ImWchar* ranges = letter_ranges();
   for (int i = 0; i < face_count; ++i) {
+#if IMGUI_VERSION_NUM < 19200
+    if (i == static_cast<int>(Face::large) && !with_large) {
+      loaded[i] = loaded[static_cast<int>(Face::verdict)];
+      continue;
+    }
+#endif
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = density > 1.5f ? 1 : 2;
     const FontData data = faces[i].semibold ? semibold_font() : regular_font();
     // The atlas only reads what it does not own.
     loaded[i] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(data.bytes), data.size,
-                                           faces[i].size * density, &config, characters);
+                                           faces[i].size * density, &config, ranges);
 #if IMGUI_VERSION_NUM < 19200
     loaded[i]->Scale = 1 / density;
 #endif
@@ -154,6 +164,7 @@ ImVec2 text_size(Face face, std::string_view text, float wrap_width) {
 
 void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
                float wrap_width) {
+  note_letters(*font(face), text);
   list.AddText(font(face), size(face), at, colour.packed(), text.data(), text.data() + text.size(),
                wrap_width);
 }

@@ -18,37 +18,67 @@ ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<floa
 // A pressable area at the cursor.
 struct Area {
   ImVec2 low, high;
-  bool pressed, hovered, active, focused;
+  bool pressed, hovered, active;
+  Asked asked;
   ImVec2 middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 };
 
-struct Sought {
-  std::string name;  // empty: nothing is sought
-  std::optional<Rect> found;
-};
-Sought sought;
-
-void offer_control(std::string_view group, std::string_view id) {
-  if (sought.name.empty() || sought.found) return;
-  const std::string name =
-      group.empty() ? std::string(id) : std::string(group) + ' ' + std::string(id);
-  if (name != sought.name) return;
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  sought.found = Rect{low.x, low.y, high.x, high.y};
-}
-
-Area area(const Ui& ui, const char* id, ImVec2 size, bool enabled = true,
-          std::string_view group = {}) {
+// Lays out the control that `control` describes.
+Area area(const Ui& ui, ImVec2 size, Control control) {
   Area a;
-  a.pressed = tapped(ui, ImGui::InvisibleButton(id, size)) && enabled;
+  const bool enabled = control.enabled;
+  a.pressed = tapped(ui, ImGui::InvisibleButton(control.name.c_str(), size)) && enabled;
   a.low = ImGui::GetItemRectMin();
   a.high = ImGui::GetItemRectMax();
   a.hovered = ImGui::IsItemHovered() && enabled;
   a.active = ImGui::IsItemActive() && enabled;
-  a.focused = ImGui::IsItemFocused();
-  offer_control(group, id);
+  a.asked = list_control(std::move(control));
+  a.pressed |= a.asked.pressed;
   if (a.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   return a;
+}
+
+Control button_control(const char* id, const char* label, bool enabled = true) {
+  Control control;
+  control.name = id;
+  control.label = label;
+  control.enabled = enabled;
+  return control;
+}
+
+Control toggle_control(const char* id, const char* label, bool on) {
+  Control control = button_control(id, label);
+  control.kind = ControlKind::toggle;
+  control.on = on;
+  return control;
+}
+
+// A button, or a toggle where it can be on.
+Control pressed_control(const char* id, const char* label, bool enabled, Pressed on) {
+  if (!on) return button_control(id, label, enabled);
+  Control control = toggle_control(id, label, *on);
+  control.enabled = enabled;
+  return control;
+}
+
+Control number_control(const char* id, const char* label, const char* setting,
+                       const std::string& value) {
+  Control control = button_control(id, label);
+  control.kind = ControlKind::number;
+  control.setting = setting;
+  control.value = value;
+  return control;
+}
+
+Control slider_control(const char* id, const char* label, double at, double low, double high,
+                       double step) {
+  Control control = button_control(id, label);
+  control.kind = ControlKind::slider;
+  control.at = at;
+  control.low = low;
+  control.high = high;
+  control.step = step;
+  return control;
 }
 
 // Draws the background of a button, which shows whether the pointer is over it.
@@ -122,16 +152,9 @@ void draw_swatch(const Ui& ui, Swatch swatch, ImVec2 low, bool on) {
 
 }  // namespace
 
-void seek_control(std::string name) { sought = {std::move(name), std::nullopt}; }
-
-std::optional<Rect> found_control() {
-  const std::optional<Rect> found = sought.found;
-  sought = {};
-  return found;
-}
-
 void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options) {
-  ImGui::SetNextWindowPos(vec(place.left, place.top));
+  ImGui::SetNextWindowPos(vec(place.left, options.at_bottom ? place.bottom : place.top),
+                          ImGuiCond_Always, ImVec2(0, options.at_bottom ? 1.0f : 0.0f));
   if (options.fixed_height) {
     ImGui::SetNextWindowSize(vec(place.width(), place.height()));
   } else {
@@ -142,10 +165,13 @@ void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptio
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10.0f);
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                            ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
-                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs;
+                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs |
+                           ImGuiWindowFlags_NoScrollbar;
   if (!options.fixed_height) flags |= ImGuiWindowFlags_AlwaysAutoResize;
-  if (!options.scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  if (!options.scrolls) flags |= ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::Begin(id, nullptr, flags);
+  ImGui::GetStateStorage()->SetBool(ImGui::GetID("scrolls"), options.scrolls);
+  enter_card(id);
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   sharpen(*ImGui::GetWindowDrawList(), ui.state);
   soft_shadow(ui, low, ImVec2(low.x + size.x, low.y + size.y));
@@ -172,46 +198,85 @@ void scroll_by_finger(const Ui& ui) {
     ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
 }
 
+void begin_scrolling_box(const Ui& ui, const char* id, float height) {
+  constexpr float bar = 6;
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, bar);
+  ImGui::SetNextWindowContentSize(ImVec2(width, 0));
+  ImGui::BeginChild(id, ImVec2(width + bar, height));
+  ImGui::PopStyleVar();
+  scroll_by_finger(ui);
+}
+
 bool tapped(const Ui& ui, bool pressed) {
   return pressed &&
          !(ui.state.screen.touch && ImGui::GetIO().MouseDragMaxDistanceSqr[0] > shake * shake);
 }
 
+// The scroll bar lies in the padding of the card, so that its content is as wide with it as without it. It stays between the
+// first and the last line of the content, which it must not lengthen.
+void draw_scroll_bar(const Ui& ui) {
+  const float most = ImGui::GetScrollMaxY(), padding = ImGui::GetStyle().WindowPadding.y;
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const float right = low.x + size.x - 4, top = low.y + padding, track = size.y - 2 * padding,
+              height = std::max(24.0f, track * track / (track + most));
+  if (!(track > height)) return;
+  const ImVec2 cursor = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(right - 10, top));
+  ImGui::InvisibleButton("scroll bar", ImVec2(10, track));
+  ImGui::SetCursorScreenPos(cursor);
+  const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  if (held && ImGui::GetIO().MouseDelta.y != 0)
+    ImGui::SetScrollY(ImGui::GetScrollY() + ImGui::GetIO().MouseDelta.y * most / (track - height));
+  const float at = top + (track - height) * ImGui::GetScrollY() / most;
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      ImVec2(right - 6, at), ImVec2(right, at + height),
+      (held || hovered ? ui.theme.second_text : ui.theme.quiet).packed(), 3);
+}
+
 void end_card(const Ui& ui) {
+  const bool scrolls = ImGui::GetStateStorage()->GetBool(ImGui::GetID("scrolls"));
+  if (scrolls && ImGui::GetScrollMaxY() > 0) draw_scroll_bar(ui);
   scroll_by_finger(ui);
   ImGui::End();
   ImGui::PopStyleVar(2);
 }
 
 bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* about,
-                 float size) {
-  const Area a = area(ui, id, ImVec2(size, size), enabled);
-  ground(ui, a, 7, ui.theme.panel.at(0));
-  const Colour colour = enabled ? ui.theme.text : ui.theme.quiet.at(0.6f);
+                 float size, Pressed on) {
+  const Area a = area(ui, ImVec2(size, size), pressed_control(id, about ? about : id, enabled, on));
+  ground(ui, a, 7, on == true ? ui.theme.accent.at(0.18f) : ui.theme.panel.at(0));
+  const Colour colour = on == true ? ui.theme.accent
+                        : enabled  ? ui.theme.text
+                                   : ui.theme.quiet.at(0.6f);
   draw_icon(*ImGui::GetWindowDrawList(), icon, a.middle(), 18, colour);
   if (ImGui::IsItemHovered()) tip(ui, about);
   return a.pressed;
 }
 
 bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* about,
-                 float height, Icon after) {
+                 float height, Icon after, Pressed on) {
   const ImVec2 text = text_size(Face::text, label);
   const float before = icon == Icon::none ? 12.0f : 38.0f,
               behind = after == Icon::none ? 12.0f : 30.0f;
-  const Area a = area(ui, id, ImVec2(before + text.x + behind, height));
-  ground(ui, a, 7, ui.theme.panel.at(0));
+  const Area a =
+      area(ui, ImVec2(before + text.x + behind, height), pressed_control(id, label, true, on));
+  ground(ui, a, 7, on == true ? ui.theme.accent.at(0.18f) : ui.theme.panel.at(0));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = a.middle().y;
-  draw_icon(list, icon, ImVec2(a.low.x + 20, y), 18, ui.theme.text);
-  draw_text(list, Face::text, ImVec2(a.low.x + before, y - text.y / 2), ui.theme.text, label);
+  const Colour ink = on == true ? ui.theme.accent : ui.theme.text;
+  draw_icon(list, icon, ImVec2(a.low.x + 20, y), 18, ink);
+  draw_text(list, Face::text, ImVec2(a.low.x + before, y - text.y / 2), ink, label);
   draw_icon(list, after, ImVec2(a.high.x - 18, y), 12, ui.theme.second_text);
   if (a.hovered && about) tip(ui, about);
   return a.pressed;
 }
 
+float text_button_width(const char* label) { return 38 + text_size(Face::text, label).x + 12; }
+
 bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled,
                  bool strong) {
-  const Area a = area(ui, id, ImVec2(width, ui.control()), enabled);
+  const Area a = area(ui, ImVec2(width, ui.control()), button_control(id, label, enabled));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Colour still = strong && enabled ? ui.theme.accent : ui.theme.well;
   const Colour hovered = strong ? ui.theme.accent.at(0.88f) : ui.theme.panel_line;
@@ -223,15 +288,17 @@ bool flat_button(const Ui& ui, const char* id, const char* label, float width, b
   return a.pressed;
 }
 
+float switch_chip_width(const char* label) { return text_size(Face::label, label).x + 46; }
+
 bool switch_chip(const Ui& ui, const char* label, bool on) {
   const ImVec2 text = text_size(Face::label, label);
   const float height = ui.control();
-  const Area a = area(ui, label, ImVec2(text.x + 46, height));
+  const Area a =
+      area(ui, ImVec2(switch_chip_width(label), height), toggle_control(label, label, on));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(a.low, a.high, (a.hovered ? ui.theme.panel_line : ui.theme.panel).packed(),
                      height / 2);
-  list.AddRect(a.low, a.high, (on ? ui.theme.accent : ui.theme.panel_line).packed(), height / 2, 0,
-               1);
+  list.AddRect(a.low, a.high, (on ? ui.theme.accent : ui.theme.quiet).packed(), height / 2, 0, 1);
   const float y = a.middle().y;
   const ImVec2 low(a.low.x + 8, y - 7), high(a.low.x + 32, y + 7);
   list.AddRectFilled(low, high, (on ? ui.theme.accent : ui.theme.quiet).packed(), 7);
@@ -240,23 +307,43 @@ bool switch_chip(const Ui& ui, const char* label, bool on) {
   return a.pressed;
 }
 
-int stepper(const Ui& ui, const char* id, const std::string& value, bool can_lower, bool can_raise,
-            float width) {
+bool toggle_button(const Ui& ui, const char* id, const char* label, const char* about, float width,
+                   bool on) {
+  const Area a = area(ui, ImVec2(width, ui.control()), toggle_control(id, about, on));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Colour ground = on ? ui.theme.accent : a.hovered ? ui.theme.panel_line : ui.theme.well;
+  list.AddRectFilled(a.low, a.high, ground.packed(), 7);
+  const ImVec2 text = text_size(Face::text, label);
+  draw_text(list, Face::text, ImVec2(a.middle().x - text.x / 2, a.middle().y - text.y / 2),
+            on ? ui.theme.on_accent : ui.theme.text, label);
+  if (a.hovered) tip(ui, about);
+  return a.pressed;
+}
+
+int stepper(const Ui& ui, const char* id, const std::string& value, float width,
+            const StepperOptions& options) {
   const float height = ui.control(), side = height + 4;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushID(id);
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
   list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
   int change = 0;
-  const auto end = [&](const char* name, Icon icon, bool enabled, int by) {
-    const Area a = area(ui, name, ImVec2(side, height), enabled, id);
+  const auto end = [&](const char* sign, const char* word, Icon icon, bool enabled, int by) {
+    const std::string name = std::string(id) + ' ' + sign,
+                      label = std::string(options.label) + ": " + word;
+    const Area a =
+        area(ui, ImVec2(side, height), button_control(name.c_str(), label.c_str(), enabled));
     if (a.hovered || a.active) list.AddRectFilled(a.low, a.high, ui.theme.panel_line.packed(), 7);
     draw_icon(list, icon, a.middle(), 16, enabled ? ui.theme.text : ui.theme.quiet.at(0.6f));
-    if (enabled && repeats(a)) change = by;
+    if (enabled && (a.asked.pressed || repeats(a))) change = by;
   };
-  end("-", Icon::minus, can_lower, -1);
-  ImGui::SameLine(0, width - 2 * side);
-  end("+", Icon::plus, can_raise, 1);
+  end("-", "less", Icon::minus, options.can_lower, -1);
+  ImGui::SameLine(0, 0);
+  const float middle = width - 2 * side;
+  ImGui::Dummy(ImVec2(middle, height));
+  if (*options.setting) list_control(number_control(id, options.label, options.setting, value));
+  ImGui::SameLine(0, 0);
+  end("+", "more", Icon::plus, options.can_raise, 1);
   const ImVec2 text = text_size(Face::strong, value);
   draw_text(list, Face::strong,
             ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2), ui.theme.text,
@@ -265,11 +352,63 @@ int stepper(const Ui& ui, const char* id, const std::string& value, bool can_low
   return change;
 }
 
-SliderResult slider(const Ui& ui, const char* id, double value, double low, double high,
-                    double step, float width) {
-  const float height = ui.control(), knob = ui.control() > 40 ? 11.0f : 8.0f;
-  const Area a = area(ui, id, ImVec2(width, height));
+void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
+                const std::string& value, float width) {
+  ImGui::Dummy(ImVec2(width, ui.control()));
+  list_control(number_control(id, label, setting, value));
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(low, high, true);
+  draw_text(list, Face::text, ImVec2(low.x, (low.y + high.y - text_size(Face::text, value).y) / 2),
+            ui.theme.text, value);
+  list.PopClipRect();
+}
+
+void number_field(const Ui& ui, const char* id, const char* label, const char* setting,
+                  const std::string& value, float width, Colour colour) {
+  ImGui::Dummy(ImVec2(width, ui.control()));
+  list_control(number_control(id, label, setting, value));
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 text = text_size(Face::strong, value);
+  draw_text(*ImGui::GetWindowDrawList(), Face::strong,
+            ImVec2(high.x - text.x, (low.y + high.y - text.y) / 2), colour, value);
+}
+
+Asked typed_field(const Ui& ui, const char* id, const char* label, const std::string& value,
+                  float width) {
+  const ImVec2 name = text_size(Face::label, label), from = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, Face::label, ImVec2(from.x, from.y + (ui.control() - name.y) / 2),
+            ui.theme.second_text, label);
+  ImGui::SetCursorScreenPos(ImVec2(from.x + name.x + 6, from.y));
+  ImGui::Dummy(ImVec2(width, ui.control()));
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
+               text = text_size(Face::strong, value);
+  list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
+  list.AddRect(low, high, ui.theme.quiet.packed(), 7, 0, 1);
+  draw_text(list, Face::strong,
+            ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2), ui.theme.text,
+            value);
+  return list_control(number_control(id, label, "", value));
+}
+
+float knob_radius(const Ui& ui) { return ui.control() > 40 ? 11.0f : 8.0f; }
+
+SliderResult slider(const Ui& ui, const char* id, const char* label, double value, double low,
+                    double high, double step, float width, bool counts) {
+  const Track even{[=](double at) { return (at - low) / (high - low); },
+                   [=](double share) { return low + share * (high - low); }};
+  return slider(ui, id, label, value, low, high, step, width, even, counts);
+}
+
+SliderResult slider(const Ui& ui, const char* id, const char* label, double value, double low,
+                    double high, double step, float width, const Track& track, bool counts) {
+  const Colour ink = counts ? ui.theme.accent : ui.theme.quiet;
+  const float height = ui.control(), knob = knob_radius(ui);
+  const Area a = area(ui, ImVec2(width, height), slider_control(id, label, value, low, high, step));
   SliderResult result{false, ImGui::IsItemDeactivated(), value};
+  if (a.asked.moved && *a.asked.moved >= low && *a.asked.moved <= high)
+    result = {*a.asked.moved != value, true, *a.asked.moved};
   if (ImGui::IsItemActivated()) slider_held = true;
   if (result.released) slider_held = false;
   const float from = a.low.x + knob, to = a.high.x - knob;
@@ -278,45 +417,57 @@ SliderResult slider(const Ui& ui, const char* id, double value, double low, doub
         std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - from) / (to - from)), 0.0, 1.0);
     // Steps are decimals: dividing two integers gives the double nearest to the one shown.
     const double steps = std::round(1 / step);
-    const double wanted = std::round((low + share * (high - low)) * steps) / steps;
+    const double wanted = std::round(track.value(share) * steps) / steps;
     result.changed = wanted != value;
     result.value = wanted;
   }
-  const float x = from + (to - from) * static_cast<float>((result.value - low) / (high - low)),
+  const float x = from + (to - from) * static_cast<float>(track.share(result.value)),
               y = a.middle().y;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(ImVec2(a.low.x, y - 3), ImVec2(a.high.x, y + 3), ui.theme.panel_line.packed(),
-                     3);
-  list.AddRectFilled(ImVec2(a.low.x, y - 3), ImVec2(x, y + 3), ui.theme.accent.packed(), 3);
+  list.AddRectFilled(ImVec2(a.low.x, y - 3), ImVec2(a.high.x, y + 3), ui.theme.quiet.packed(), 3);
+  list.AddRectFilled(ImVec2(a.low.x, y - 3), ImVec2(x, y + 3), ink.packed(), 3);
   if (a.hovered || a.active)
     list.AddCircleFilled(ImVec2(x, y), knob + 5, ui.theme.accent.at(0.16f).packed(), 32);
   list.AddCircleFilled(ImVec2(x, y), knob, ui.theme.panel.packed(), 32);
-  list.AddCircle(ImVec2(x, y), knob, ui.theme.accent.packed(), 32, 2);
+  list.AddCircle(ImVec2(x, y), knob, ink.packed(), 32, 2);
   return result;
 }
 
-bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on) {
+bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on, bool enabled) {
   const ImVec2 text = text_size(Face::label, label);
   const float height = ui.control() - 2;
-  const Area a = area(ui, id, ImVec2(16 + 9 + 6 + text.x + 11, height));
+  const Area a =
+      area(ui, ImVec2(16 + 9 + 6 + text.x + 11, height), pressed_control(id, label, enabled, on));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Colour fill = a.hovered ? ui.theme.panel_line : on ? ui.theme.well : ui.theme.panel;
   list.AddRectFilled(a.low, a.high, fill.packed(), height / 2);
-  list.AddRect(a.low, a.high, (on ? ui.theme.quiet : ui.theme.panel_line).packed(), height / 2, 0,
-               1);
+  list.AddRect(a.low, a.high, (on ? ui.theme.text : ui.theme.quiet).packed(), height / 2, 0, 1);
   const float y = a.middle().y;
   draw_swatch(ui, swatch, ImVec2(a.low.x + 9, y - 8), on);
   draw_text(list, Face::label, ImVec2(a.low.x + 31, y - text.y / 2),
-            on ? ui.theme.text : ui.theme.second_text, label);
+            !enabled ? ui.theme.quiet
+            : on     ? ui.theme.text
+                     : ui.theme.second_text,
+            label);
   return a.pressed;
 }
 
-float labelled(const Ui& ui, const char* label, float label_width) {
+PressableRow pressable_row(const Ui& ui, const char* id, const std::string& label, float width,
+                           float height, bool enabled) {
+  const Area a = area(ui, ImVec2(width, height), button_control(id, label.c_str(), enabled));
+  return {a.low, a.high, a.pressed, a.hovered};
+}
+
+float labelled(const Ui& ui, const char* label, const char* about) {
+  constexpr float label_width = 120;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float left = ImGui::GetContentRegionAvail().x;
   const ImVec2 text = text_size(Face::label, label);
   draw_text(*ImGui::GetWindowDrawList(), Face::label,
             ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, label);
+  if (ImGui::IsWindowHovered() &&
+      ImGui::IsMouseHoveringRect(at, ImVec2(at.x + label_width - 8, at.y + ui.control())))
+    tip(ui, about);
   ImGui::SetCursorScreenPos(ImVec2(at.x + label_width, at.y));
   return left - label_width;
 }
@@ -347,26 +498,55 @@ void text_line(Face face, Colour colour, const std::string& text) {
   pop_face();
 }
 
+float line_height(Face face) { return std::round(size(face) * 1.4f); }
+
 // Dear ImGui's own wrapped text breaks lines after a decimal point, too, and has no line height.
-void text_block(Face face, Colour colour, const std::string& text, float kept_free) {
-  const float wrap = ImGui::GetContentRegionAvail().x - kept_free,
-              line = std::round(size(face) * 1.4f);
-  const ImVec2 start = ImGui::GetCursorScreenPos();
-  ImVec2 at = start;
-  const std::string_view all = text;
+std::vector<std::string_view> broken_lines(Face face, std::string_view text, float width) {
+  std::vector<std::string_view> lines;
   std::size_t from = 0;
-  while (from < all.size()) {
-    std::size_t to = std::min(all.find(' ', from), all.size());
-    while (to < all.size()) {
-      const std::size_t next = std::min(all.find(' ', to + 1), all.size());
-      if (text_size(face, all.substr(from, next - from)).x > wrap) break;
+  while (from < text.size()) {
+    std::size_t to = std::min(text.find(' ', from), text.size());
+    while (to < text.size()) {
+      const std::size_t next = std::min(text.find(' ', to + 1), text.size());
+      if (text_size(face, text.substr(from, next - from)).x > width) break;
       to = next;
     }
-    draw_text(*ImGui::GetWindowDrawList(), face, at, colour, all.substr(from, to - from));
+    lines.push_back(text.substr(from, to - from));
     from = to + 1;
-    at.y += line;
   }
-  ImGui::Dummy(ImVec2(wrap, at.y - start.y));
+  return lines;
+}
+
+void draw_lines(ImDrawList& list, Face face, ImVec2 at, Colour colour,
+                const std::vector<std::string_view>& lines) {
+  for (const std::string_view line : lines) {
+    draw_text(list, face, at, colour, line);
+    at.y += line_height(face);
+  }
+}
+
+float height_of(Face face, const std::vector<std::string_view>& lines) {
+  return line_height(face) * static_cast<float>(lines.size());
+}
+
+void text_block(Face face, Colour colour, const std::string& text, float kept_free) {
+  const float wrap = ImGui::GetContentRegionAvail().x - kept_free;
+  const std::vector<std::string_view> lines = broken_lines(face, text, wrap);
+  text_block_of(face, colour, text, wrap, lines.size());
+}
+
+void text_block_of(Face face, Colour colour, const std::string& text, float width,
+                   std::size_t lines) {
+  const std::vector<std::string_view> broken = broken_lines(face, text, width);
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  ImVec2 at = start;
+  for (std::size_t i = 0; i < std::min(lines, broken.size()); ++i) {
+    const bool cut = i + 1 == lines && broken.size() > lines;
+    const std::string line = std::string(broken[i]) + (cut ? " …" : "");
+    draw_text(*ImGui::GetWindowDrawList(), face, at, colour, line);
+    at.y += line_height(face);
+  }
+  ImGui::Dummy(ImVec2(width, line_height(face) * static_cast<float>(lines)));
 }
 
 }  // namespace evenlift::view

@@ -1,8 +1,10 @@
 #include "walkthrough/walkthrough.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
 #include "state/browser.h"
@@ -18,6 +20,7 @@ void forget_step(Walkthrough& walk) {
   walk.verdict.clear();
   walk.asked.reset();
   walk.why.clear();
+  walk.why_taken = false;
   walk.hovered.reset();
   walk.measured.reset();
   walk.gained.clear();
@@ -83,11 +86,26 @@ void settle_position(Walkthrough& walk) {
       exact != script.stops.end() ? index : std::max<std::ptrdiff_t>(index - 1, 0));
 }
 
+bool is_main(const Walkthrough& walk, std::uint32_t step) {
+  return std::binary_search(walk.main.begin(), walk.main.end(), step);
+}
+
+// The last main step that is not after this one.
+std::uint32_t main_step_before(const Walkthrough& walk, std::uint32_t step) {
+  return *(std::upper_bound(walk.main.begin() + 1, walk.main.end(), step) - 1);
+}
+
+// The step itself if it is shown, or else the main step before it.
+std::uint32_t shown_step(const Walkthrough& walk, std::uint32_t step) {
+  return walk.all_steps || walk.script ? step : main_step_before(walk, step);
+}
+
 void enter(AppState& state, std::uint32_t step) {
   Walkthrough& walk = state.walkthrough;
   forget_step(walk);
   walk.at = std::min(step, walk.trace->size() - 1);
   settle_position(walk);
+  if (!walk.script && !is_main(walk, walk.at)) walk.all_steps = true;
   look(walk);
   remember(walk);
   publish(state, walk.at);
@@ -103,6 +121,7 @@ bool trace_it(AppState& state, std::optional<Trace> made = std::nullopt) {
     return false;
   }
   state.walkthrough.trace = std::move(trace).value();
+  state.walkthrough.main = main_steps(*state.walkthrough.trace);
   find_stops(state.walkthrough);
   return true;
 }
@@ -112,6 +131,44 @@ std::optional<std::uint32_t> next_step(const AppState& state, int by) {
   const auto wanted = static_cast<std::int64_t>(now.at) + by;
   if (wanted < 0 || wanted >= now.count) return std::nullopt;
   return step_of(state, static_cast<std::uint32_t>(wanted));
+}
+
+// Enters the step at a position; a script may have several stops at one step.
+void enter_position(AppState& state, std::uint32_t position) {
+  if (state.walkthrough.script) state.walkthrough.script->position = position;
+  enter(state, step_of(state, position));
+}
+
+// Whether there is nothing to guess: one candidate only, or two ends that are as even as each other.
+bool is_trivial(const Ask& asked) {
+  if (asked.question.kind == QuestionKind::winning_chord) return asked.choices.size() < 2;
+  const auto& ends = asked.detail.pair->ends;
+  return ratio_in_words(ends[0].ratio) == ratio_in_words(ends[1].ratio);
+}
+
+// Whether the question is one of the few of its kind; if not, the choice is told.
+bool may_ask(Walkthrough& walk, const Ask& asked) {
+  std::vector<std::uint32_t>& steps =
+      walk.guesses.asked[asked.question.kind == QuestionKind::winning_chord];
+  const auto has = [&](const std::vector<std::uint32_t>& some) {
+    return std::find(some.begin(), some.end(), asked.step) != some.end();
+  };
+  if (has(steps)) return true;
+  if (steps.size() < most_questions) {
+    steps.push_back(asked.step);
+    return true;
+  }
+  if (!has(walk.guesses.told)) walk.guesses.told.push_back(asked.step);
+  return false;
+}
+
+// Any choice but the answer: what is offered first must not give it away.
+std::size_t first_offered(const Ask& asked) {
+  const std::size_t n = asked.choices.size();
+  const auto answer = static_cast<std::size_t>(
+      std::find(asked.choices.begin(), asked.choices.end(), asked.question.answer) -
+      asked.choices.begin());
+  return n < 2 ? 0 : (answer + 1 + asked.step % (n - 1)) % n;
 }
 
 void ask(Walkthrough& walk, std::uint32_t step) {
@@ -129,6 +186,8 @@ void ask(Walkthrough& walk, std::uint32_t step) {
     asked.choices = asked.detail.scores->ranking;
   // In the order of the candidates, as the ranking would give the answer away.
   std::sort(asked.choices.begin(), asked.choices.end());
+  if (is_trivial(asked) || !may_ask(walk, asked)) return;
+  asked.pointed = first_offered(asked);
   walk.ask = std::move(asked);
   walk.playing = false;
   browser::announce(walk.ask->text);
@@ -157,7 +216,7 @@ void follow_placement(AppState& state, std::optional<Trace> made) {
       moved ? std::nullopt : std::optional<Step>(walk.trace->step(walk.at));
   if (!trace_it(state, std::move(made))) return;
   if (before) {
-    enter(state, nearest_step(*walk.trace, *before));
+    enter(state, shown_step(walk, nearest_step(*walk.trace, *before)));
     return;
   }
   const std::uint32_t last = walk.trace->size() - 1;
@@ -169,13 +228,14 @@ void follow_placement(AppState& state, std::optional<Trace> made) {
   browser::announce(state.notice.text);
 }
 
-void open_walkthrough(AppState& state) {
+void open_walkthrough(AppState& state, std::optional<std::uint32_t> at) {
   if (walkthrough_is_open(state) || !state.placement || state.refusal) return;
   state.second_method.reset();
   state.second.reset();
   state.selected.reset();
   state.tool = Tool::parts;
-  if (trace_it(state)) enter(state, state.walkthrough.at);
+  Walkthrough& walk = state.walkthrough;
+  if (trace_it(state)) enter(state, at ? *at : shown_step(walk, walk.at));
 }
 
 void close_walkthrough(AppState& state) {
@@ -188,6 +248,7 @@ void close_walkthrough(AppState& state) {
   walk.figures.clear();
   walk.visited.clear();
   publish(state, std::nullopt);
+  if (std::exchange(state.presenting, false)) browser::show_full_screen(false);
   ++state.revision;
 }
 
@@ -208,29 +269,35 @@ void move_steps(AppState& state, int by) {
     ask(walk, *next);
     if (walk.ask) return;
   }
-  if (walk.script) walk.script->position = timeline(state).at + static_cast<std::size_t>(by);
-  enter(state, *next);
+  enter_position(state, timeline(state).at + static_cast<std::uint32_t>(by));
 }
 
 void move_chapters(AppState& state, int by) {
   Walkthrough& walk = state.walkthrough;
   if (!walkthrough_is_open(state)) return;
-  const Trace& trace = *walk.trace;
-  const auto here = static_cast<int>(trace.step(walk.at).chapter);
-  const auto begin = trace.chapter_begin(static_cast<Chapter>(here));
-  // From inside a chapter, back means to its beginning.
-  if (by < 0 && begin && *begin < walk.at) return enter(state, *begin);
-  for (int c = here + by; c >= 0 && c < static_cast<int>(chapter_count); c += by) {
-    if (const auto at = trace.chapter_begin(static_cast<Chapter>(c))) return enter(state, *at);
+  const Timeline now = timeline(state);
+  const auto chapter = [&](std::uint32_t position) {
+    return walk.trace->step(step_of(state, position)).chapter;
+  };
+  const auto begin = [&](std::uint32_t position) {
+    while (position > 0 && chapter(position - 1) == chapter(position)) --position;
+    return position;
+  };
+  if (by < 0) {
+    // From inside a chapter, back means to its beginning.
+    const std::uint32_t own = begin(now.at);
+    return enter_position(state, own < now.at || own == 0 ? own : begin(own - 1));
   }
-  enter(state, by > 0 ? trace.size() - 1 : 0);
+  std::uint32_t to = now.at;
+  while (to + 1 < now.count && chapter(to) == chapter(now.at)) ++to;
+  enter_position(state, to);
 }
 
 void set_playing(AppState& state, bool playing) {
   Walkthrough& walk = state.walkthrough;
   if (!walkthrough_is_open(state)) return;
   // At the end, playing begins again.
-  if (playing && !next_step(state, 1)) enter(state, step_of(state, 0));
+  if (playing && !next_step(state, 1)) enter_position(state, 0);
   walk.playing = playing;
   walk.turn_at.reset();
   if (!playing) browser::drop_frame_after();
@@ -242,6 +309,7 @@ void set_speed(AppState& state, double speed) {
 }
 
 void set_predict(AppState& state, bool on) {
+  if (on && !state.walkthrough.predict) state.walkthrough.guesses = {};
   state.walkthrough.predict = on;
   if (!on) state.walkthrough.ask.reset();
 }
@@ -251,6 +319,11 @@ void guess(AppState& state, std::uint32_t answer) {
   if (!walkthrough_is_open(state) || !walk.ask) return;
   const Ask asked = *walk.ask;
   const bool right = answer == asked.question.answer;
+  std::vector<std::uint32_t>& guessed = walk.guesses.steps;
+  if (std::find(guessed.begin(), guessed.end(), asked.step) == guessed.end()) {
+    guessed.push_back(asked.step);
+    walk.guesses.right += right ? 1 : 0;
+  }
   std::string verdict = right ? "Right." : "Not this time.";
   if (!right && asked.question.kind == QuestionKind::winning_chord)
     verdict += " " + why_not_text(*walk.trace, why_not(*walk.trace, asked.step, answer));
@@ -289,6 +362,7 @@ void ask_why(AppState& state, const Vec2& at) {
     walk.asked = chord;
   }
   walk.why = why_not_text(trace, answer);
+  walk.why_taken = answer.why == Why::taken;
   browser::announce(walk.why);
 }
 
@@ -302,7 +376,17 @@ void measure(AppState& state, std::uint32_t candidate) {
 void leave_script(AppState& state) {
   if (!state.walkthrough.script) return;
   state.walkthrough.script.reset();
+  // The step may be no main step; then all are shown around it.
+  if (walkthrough_is_open(state)) enter(state, state.walkthrough.at);
   browser::document_changed();  // the address names the lesson no more
+}
+
+void show_all_steps(AppState& state, bool all) {
+  Walkthrough& walk = state.walkthrough;
+  walk.script.reset();
+  walk.all_steps = all;
+  if (walkthrough_is_open(state)) enter(state, shown_step(walk, walk.at));
+  browser::document_changed();
 }
 
 bool turn_over(AppState& state, double now) {
@@ -327,6 +411,8 @@ bool turn_over(AppState& state, double now) {
 void begin_script(AppState& state, Script script) {
   Walkthrough& walk = state.walkthrough;
   walk.predict = script.lesson.predict;
+  walk.guesses = {};
+  walk.all_steps = false;
   walk.script = std::move(script);
   walk.script->depth = state.history.depth();
   find_stops(walk);
@@ -342,6 +428,18 @@ std::optional<InputError> join_script(AppState& state, Script script) {
   begin_script(state, std::move(script));
   if (begins) enter(state, step_of(state, 0));
   return std::nullopt;
+}
+
+bool same_settings(Settings a, const Settings& b) {
+  a.overlays = b.overlays;
+  a.step = b.step;
+  return a == b;
+}
+
+std::optional<Settings> settings_before_script(const AppState& state) {
+  const std::optional<Script>& script = state.walkthrough.script;
+  if (!script || !same_settings(script->own, settings(state))) return std::nullopt;
+  return script->before;
 }
 
 bool script_is_true(const AppState& state) {
@@ -401,13 +499,89 @@ Timeline timeline(const AppState& state) {
   if (walk.script)
     return {static_cast<std::uint32_t>(walk.script->position),
             static_cast<std::uint32_t>(walk.script->stops.size())};
-  return {walk.at, walk.trace->size()};
+  if (walk.all_steps) return {walk.at, walk.trace->size()};
+  const auto at = std::lower_bound(walk.main.begin(), walk.main.end(), walk.at);
+  return {static_cast<std::uint32_t>(at - walk.main.begin()),
+          static_cast<std::uint32_t>(walk.main.size())};
+}
+
+std::string place_in_words(const AppState& state) {
+  const Timeline now = timeline(state);
+  return std::to_string(now.at + 1) + " of " + std::to_string(now.count);
 }
 
 std::uint32_t step_of(const AppState& state, std::uint32_t position) {
   const Walkthrough& walk = state.walkthrough;
-  if (!walk.script) return position;
+  if (!walk.script && walk.all_steps) return position;
+  if (!walk.script) return walk.main[std::min<std::size_t>(position, walk.main.size() - 1)];
   return walk.script->stops[std::min<std::size_t>(position, walk.script->stops.size() - 1)].step;
+}
+
+std::optional<std::uint32_t> position_of(const AppState& state, std::uint32_t step) {
+  const Walkthrough& walk = state.walkthrough;
+  if (!walk.script && walk.all_steps) return step;
+  const Timeline now = timeline(state);
+  if (step_of(state, now.at) == step) return now.at;
+  for (std::uint32_t position = 0; position < now.count; ++position)
+    if (step_of(state, position) == step) return position;
+  return std::nullopt;
+}
+
+std::vector<ChapterPart> chapter_parts(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  const Timeline now = timeline(state);
+  if (!walk.trace || walk.script) return {{0, now.count}};
+  std::vector<ChapterPart> parts;
+  for (std::uint32_t c = 0; c < chapter_count; ++c) {
+    const auto begin = walk.trace->chapter_begin(static_cast<Chapter>(c));
+    if (!begin) continue;
+    std::uint32_t first = *begin;
+    if (!walk.all_steps)
+      first = static_cast<std::uint32_t>(
+          std::lower_bound(walk.main.begin(), walk.main.end(), *begin) - walk.main.begin());
+    if (!parts.empty()) parts.back().count = first - parts.back().first;
+    if (!parts.empty() && parts.back().count == 0) parts.pop_back();
+    parts.push_back({first, now.count - first});
+  }
+  return parts;
+}
+
+double share_of(const std::vector<ChapterPart>& parts, std::uint32_t position) {
+  std::size_t i = parts.size() - 1;
+  while (i > 0 && parts[i].first > position) --i;
+  const bool last = i + 1 == parts.size();
+  const double within = position - parts[i].first;
+  // The last step is at the end of the timeline.
+  const double inside = !last                ? within / parts[i].count
+                        : parts[i].count > 1 ? within / (parts[i].count - 1)
+                        : parts.size() > 1   ? 1.0
+                                             : 0.0;
+  return (static_cast<double>(i) + inside) / static_cast<double>(parts.size());
+}
+
+std::uint32_t position_at(const std::vector<ChapterPart>& parts, double share) {
+  const double scaled = std::clamp(share, 0.0, 1.0) * static_cast<double>(parts.size());
+  const std::size_t i = std::min(static_cast<std::size_t>(scaled), parts.size() - 1);
+  const bool last = i + 1 == parts.size();
+  const double steps = parts[i].count - (last ? 1.0 : 0.0);
+  return parts[i].first +
+         static_cast<std::uint32_t>(std::lround((scaled - static_cast<double>(i)) * steps));
+}
+
+std::string left_out_in_words(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  if (!walk.trace || walk.script || walk.all_steps) return {};
+  const Step& step = walk.detail.step;
+  const std::uint32_t more = further_like(*walk.trace, step);
+  if (more == 0) return {};
+  const std::string number = std::to_string(more);
+  if (step.kind == StepKind::team)
+    return number + (more == 1 ? " more team is" : " more teams are") +
+           " chosen like this before the last: “All steps” shows them.";
+  return std::string("There ") + (more == 1 ? "is " : "are ") + number + " more " +
+         (step.kind == StepKind::ray ? (more == 1 ? "ray" : "rays")
+                                     : (more == 1 ? "pair" : "pairs")) +
+         " like it: “All steps” shows " + (more == 1 ? "it." : "them.");
 }
 
 std::string words_of_stop(const AppState& state) {
@@ -420,13 +594,13 @@ std::string words_of_stop(const AppState& state) {
 std::string walkthrough_in_words(const AppState& state) {
   const Walkthrough& walk = state.walkthrough;
   if (!walk.trace) return {};
-  const Timeline now = timeline(state);
-  std::string text = "Step " + std::to_string(now.at + 1) + " of " + std::to_string(now.count) +
-                     ", " + std::string(title(walk.detail.step.chapter)) + ". ";
+  std::string text =
+      "Step " + place_in_words(state) + ", " + std::string(title(walk.detail.step.chapter)) + ". ";
   if (!walk.verdict.empty()) text += walk.verdict + " ";
   if (const std::string words = words_of_stop(state); !words.empty()) text += words + " ";
   text += walk.caption;
   if (!walk.formula.empty()) text += " " + walk.formula + ".";
+  if (const std::string more = left_out_in_words(state); !more.empty()) text += " " + more;
   if (walk.ask) text += " " + walk.ask->text;
   return text;
 }

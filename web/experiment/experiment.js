@@ -52,7 +52,7 @@ class ExperimentWindow {
   }
 
   #makeForm() {
-    this.file = el("input", { type: "file", multiple: true, class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,.wkt,.json,.geojson,.svg,text/plain,application/geo+json,image/svg+xml" });
+    this.file = el("input", { type: "file", multiple: true, class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,.csv,.tsv,.svg,.dxf,.json,.geojson,.wkt,text/plain,text/csv,image/svg+xml,image/vnd.dxf,application/json,application/geo+json" });
     this.file.addEventListener("change", () => {
       this.#take([...this.file.files]);
       this.file.value = "";  // the same files may be chosen again

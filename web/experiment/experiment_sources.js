@@ -1,7 +1,6 @@
 // The polygons on which the methods can be compared: the open one, the sets of the project, and files. Each source returns
 // tasks for the workers (worker_pool.js).
 import { fetchJson } from "../kit/fetched.js";
-import { svgToText } from "../kit/svg_import.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
 const methods = ["area", "circle", "distance", "distributed", "random"];
@@ -14,7 +13,7 @@ async function textOf(file) {
     throw new Error("it cannot be read");
   });
   if (text.includes("\0")) throw new Error("it is not a text");
-  return /^\s*</.test(text) ? svgToText(text) : text;
+  return text;
 }
 
 const cannotBeFetched = (what) => (error) => {

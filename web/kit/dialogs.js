@@ -38,6 +38,35 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   return root;
 }
 
+export function closeWindows() {
+  for (const root of document.querySelectorAll("dialog:modal")) root.close();
+}
+
+// A button that closes the window in which it stands, and then opens another with `show`.
+export function buttonTo(name, page, show) {
+  return button(name, { onclick: ({ currentTarget }) => {
+    currentTarget.closest("dialog").close();
+    show(page);
+  } });
+}
+
+// The drawing makes room for a window beside or below it, as long as the window is open. Returns what ends that.
+export function makeRoom(program, root) {
+  const tell = () => {
+    const { left, right, top, height, width } = root.getBoundingClientRect();
+    const whole = width >= innerWidth && height >= innerHeight;
+    if (whole) program.call("page_cover", 0, 0);
+    else if (width >= innerWidth) program.call("page_cover", 0, top);
+    else program.call("page_cover", left < innerWidth / 2 ? right : 0, 0);
+  };
+  const follow = new ResizeObserver(tell);
+  follow.observe(root);
+  return () => {
+    follow.disconnect();
+    program.call("page_cover", 0, 0);
+  };
+}
+
 // A press and release beside the window closes it. Selecting text beyond its edge does not.
 function closeOutside(root) {
   let pressed = false;

@@ -58,6 +58,11 @@ export async function rasterise(svg, scale) {
 
 export const number = (value) => value.toLocaleString("en");
 
+// What somebody typed, in which a decimal comma is one, too; NaN if it is no number.
+export function typedNumber(text) {
+  return text.trim() ? Number(text.trim().replace(",", ".")) : NaN;
+}
+
 export function lowered(sentence) {
   return sentence.charAt(0).toLowerCase() + sentence.slice(1);
 }

@@ -28,6 +28,7 @@ export const ofCanvas = {
   down: "M5 7.8L10 12.8L15 7.8",
   up: "M5 12.2L10 7.2L15 12.2",
   help: "M6 6.5A4 4 0 1 1 13.06 9.07L10 11.8V13.6M10 17.5Z",
+  more: "M4 10ZM10 10ZM16 10Z",
   warning: "M10 4V11.5M10 15.5Z",
   stop: "M5 10H15",
   shapes: "M2 9L7.5 2L13 9ZM12.22 9.57A4.5 4.5 0 1 1 8.57 14.78",

@@ -1,11 +1,12 @@
 // Keys, and those habits of browsers that the program's own event handling does not cover.
 export function connectInput(program, { embed }) {
   const canvas = document.getElementById("canvas");
+  const root = document.documentElement;
+  // Before connectKeys(), which keeps keys from those that listen later.
+  addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
   connectKeys(program, canvas);
   connectPresses(program);
 
-  const root = document.documentElement;
-  addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
   canvas.addEventListener("pointerdown", (event) => {
     root.classList.remove("by-key");
     // Preventing mousedown's default, as SDL does, also prevents the focus; and without capture a drag ends at the
@@ -37,7 +38,9 @@ function connectPresses(program) {
 }
 
 function connectKeys(program, canvas) {
-  const ours = (event) => (event.target === canvas || event.target === document.body) && !document.querySelector("dialog:modal");
+  // A button of the mirror leaves all keys but those of buttons to the page.
+  const ofButton = (event) => event.target.matches?.("#mirror button") && !["Enter", " ", "Escape", "Tab"].includes(event.key);
+  const ours = (event) => (event.target === canvas || event.target === document.body || ofButton(event)) && !document.querySelector("dialog:modal");
   addEventListener("keydown", (event) => {
     if (!ours(event)) return;
     // SDL would keep every key from the browser, so it does not get them.

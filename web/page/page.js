@@ -7,6 +7,8 @@ import { Program } from "./program.js";
 import { Publisher } from "./publisher.js";
 import { beginStart, prepareRestart, whyStartedAnew, workGoesOn } from "./recovery.js";
 import { connectScreen } from "./screen.js";
+import { lasting, read } from "./storage.js";
+import { underWay } from "./under_way.js";
 
 const cover = document.getElementById("cover");
 const { embed } = readAddress();
@@ -44,13 +46,14 @@ function followAddress(program, bindings) {
     const link = location.hash.slice(1);
     if (!link) return;
     const problem = program.text("page_open_link", link);
-    if (problem) program.call("page_notice", `This link cannot be opened: ${lowered(problem)}. Nothing was changed.`, 1);
+    if (problem) program.call("page_notice", `${refused(problem)} Nothing was changed.`, 1);
     else bindings.beginLesson(true);
   });
 }
 
-function lowered(sentence) {
-  return sentence.charAt(0).toLowerCase() + sentence.slice(1);
+// The reason names its place, which is the link.
+function refused(problem) {
+  return `This link cannot be opened: ${problem.replace(/^link: /i, "")}.`;
 }
 
 // Loads the module.
@@ -61,12 +64,22 @@ async function load(bindings) {
   return program;
 }
 
+// The controls in HTML come after the first picture, which does not need them. Returns what is to be called after each picture.
+async function loadMirror(program, publisher) {
+  const style = Object.assign(document.createElement("link"), { rel: "stylesheet", href: "mirror.css" });
+  const styled = new Promise((done, fail) => Object.assign(style, { onload: done, onerror: fail }));
+  document.head.append(style);
+  const [{ createMirror }] = await Promise.all([import("./mirror.js"), styled]);
+  return createMirror(program, (text, problem) => publisher.notice(text, problem));
+}
+
 let started;  // the result of beginStart()
 
 async function start() {
   const reason = missing();
   if (reason) throw new Error(reason);
   const publisher = new Publisher({ embed });
+  let mirror;
   let pictureIsThere;
   const firstPicture = new Promise((done) => {
     pictureIsThere = done;
@@ -74,6 +87,8 @@ async function start() {
   const bindings = createBindings(publisher, () => {
     pictureIsThere();
     publisher.drawn();
+    program.onPicture();
+    mirror?.();
     opening = "";
   });
   let opening = "";
@@ -98,10 +113,14 @@ async function start() {
   followAddress(program, bindings);
   // If the document of the address is open, the lesson that it names goes on at the link's step.
   await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
-  const say = started.problem || (problem && `This link cannot be opened: ${lowered(problem)}.`) || (embed ? "" : whyStartedAnew());
+  const say = started.problem || (problem && refused(problem)) || (embed ? "" : whyStartedAnew());
   if (say) program.call("page_notice", say, 1);
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
+  underWay(loadMirror(program, publisher)).then((drawn) => {
+    mirror = drawn;
+    mirror();
+  }, (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error));
   program.onOpening = (text) => {
     publisher.flush({ drawn: true });
     opening = text;
@@ -111,6 +130,9 @@ async function start() {
   // Exceptions in SDL's own event handlers, which call the program.
   addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && program.stop(error));
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
+  if (embed) return;
+  underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));  // undo begins here then
+  if (!fragment && !kept.work && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
 }
 
 // The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded again with the document that

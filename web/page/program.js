@@ -1,4 +1,4 @@
-// Calls into the program: text in and out, numbers in and out.
+// Calls into the program: texts, bytes and numbers in, texts and numbers out.
 
 // The functions that open a text.
 const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_lesson"];
@@ -6,15 +6,16 @@ const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_l
 export class Program {
   #module;
   #stopped = false;
-  // These are called when the program stops, and before a text is opened.
+  // These are called when the program stops, before a text is opened, and after each picture.
   onStop = () => {};
   onOpening = () => {};
+  onPicture = () => {};
 
   constructor(module) {
     this.#module = module;
   }
 
-  // Calls a function with texts and numbers, and returns its result. Before that the program handles all earlier clicks and
+  // Calls a function with texts, numbers and bytes, which become an address and a number, and returns its result. Before that the program handles all earlier clicks and
   // keys, so that everything takes effect in the order in which it was done.
   call(name, ...args) {
     if (this.#stopped) throw new Error("The page stopped, and starts anew");
@@ -22,7 +23,14 @@ export class Program {
     return this.#guarded((module) => {
       if (name !== "page_frame") module._page_catch_up?.();  // a frame handles them itself
       const texts = [];
-      const passed = args.map((arg) => {
+      const passed = args.flatMap((arg) => {
+        if (arg instanceof Uint8Array) {
+          const at = module._malloc(arg.length);
+          if (!at) throw new Error("There is not enough memory");
+          module.HEAPU8.set(arg, at);
+          texts.push(at);
+          return [at, arg.length];
+        }
         if (typeof arg !== "string") return arg;
         const bytes = module.lengthBytesUTF8(arg) + 1;
         const at = module._malloc(bytes);
@@ -43,6 +51,10 @@ export class Program {
 
   text(name, ...args) {
     return this.#module.UTF8ToString(this.call(name, ...args));
+  }
+
+  get stopped() {
+    return this.#stopped;
   }
 
   // Tells the program about a press before the event itself reaches it.

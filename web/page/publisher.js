@@ -10,9 +10,22 @@ const workKey = "evenlift.work";
 const draftKey = "evenlift.draft";
 const drawingKey = "evenlift.drawing";
 const preferencesKey = "evenlift.preferences";
+const historyKey = "evenlift.history";  // kept_history.js
 const addressKey = "evenlift.address";
 
 const mostKept = 400000;  // vertices; no browser keeps a longer text
+
+// Each sentence is an element of its own, so that only those that changed are read out; the list of teams or robots, which is long, is
+// there to be read but not read out.
+function showSentences(root, sentences) {
+  while (root.children.length > sentences.length) root.lastChild.remove();
+  sentences.forEach((text, i) => {
+    const element = root.children[i] ?? root.appendChild(document.createElement("span"));
+    if (element.textContent === text) return;
+    element.ariaLive = /^ (Team|Robot) \d+ at /.test(text) ? "off" : "polite";
+    element.textContent = text;
+  });
+}
 
 export class Publisher {
   #program = null;
@@ -52,7 +65,7 @@ export class Publisher {
 
   // Removes what is kept, so that it is not opened again.
   forget() {
-    for (const key of [workKey, draftKey, drawingKey]) write(lasting, key, "");
+    for (const key of [workKey, draftKey, drawingKey, historyKey]) write(lasting, key, "");
   }
 
   // The program stopped: nothing from it is kept from now on. Returns what is kept.
@@ -77,6 +90,12 @@ export class Publisher {
       begin();
       this.#writeSoon();
     }
+    this.speakSoon();
+  }
+
+  // The text for those who cannot see the canvas changed, and perhaps nothing else.
+  speakSoon() {
+    if (!this.#program) return;
     if (!this.#speakTimer) begin();
     this.#speakSoon();
   }
@@ -165,12 +184,16 @@ export class Publisher {
   #keep(link) {
     if (this.#embed) return;
     const large = !link && this.#program.number("page_vertex_count") > mostKept;
-    if (!large) write(lasting, workKey, link || this.#program.text("page_text"));
+    const work = large || link || this.#program.text("page_text");
+    // The work is worth more than what led to it.
+    if (!large && !write(lasting, workKey, work) && write(lasting, historyKey, "")) write(lasting, workKey, work);
     write(lasting, draftKey, this.#program.text("page_draft"));
     write(lasting, drawingKey, this.#program.text("page_drawing"));
   }
 
   #speak() {
-    document.getElementById("summary").textContent = this.#program.text("page_summary");
+    const sentences = this.#program.text("page_summary").split(/(?<=[.!?]) (?=[A-Z\d])/);
+    showSentences(document.getElementById("summary"), sentences.map((text, i) => (i ? ` ${text}` : text)));
+    showSentences(document.getElementById("news"), this.#program.text("page_news").split("\n").filter(Boolean));
   }
 }

@@ -45,6 +45,7 @@ function motions() {
 export async function idle() {
   ++awaiting;
   for (const hurry of hurries) hurry();
+  document.dispatchEvent(new Event("evenlift-hurry"));
   do {
     await nextPicture();
     while (open > 0) await new Promise((done) => waiting.push(done));

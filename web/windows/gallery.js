@@ -1,21 +1,19 @@
 // The gallery of samples.
-import { openWindow, problemLine } from "../kit/dialogs.js";
+import { buttonTo, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, svgEl } from "../kit/elements.js";
 import { show as showExperiment } from "../experiment/experiment.js";
 import { fetchJson } from "../kit/fetched.js";
+import { fitted } from "../kit/fit.js";
+import { isSame, ownOutline } from "./document_name.js";
 
 const width = 96;
 const height = 64;
-const round = (value) => Math.round(value * 10) / 10;
 
 // The polygon of a text with its centre of mass, as the program reads them.
 function thumbnail(program, text) {
   const all = program.text("page_outline", text).trimEnd().split("\n").map((line) => line.split(" ").map(Number));
   const [centre, ...points] = all;
-  const low = [0, 1].map((axis) => Math.min(...all.map((p) => p[axis])));
-  const high = [0, 1].map((axis) => Math.max(...all.map((p) => p[axis])));
-  const scale = Math.min((width - 8) / (high[0] - low[0]), (height - 8) / (high[1] - low[1]));
-  const place = ([x, y]) => [round(width / 2 + (x - (low[0] + high[0]) / 2) * scale), round(height / 2 - (y - (low[1] + high[1]) / 2) * scale)];
+  const place = fitted(all, width, height, 4);
   const [cx, cy] = place(centre);
   return svgEl("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
     svgEl("polygon", { points: points.map(place).join(" ") }), svgEl("circle", { cx, cy, r: 3 }));
@@ -27,10 +25,7 @@ export async function show(page) {
   const count = el("p", { class: "for-readers", role: "status" });
   // On a phone, a keyboard that opens by itself would hide half of the gallery.
   const typing = matchMedia("(pointer: fine)").matches;
-  const footer = el("footer", {}, button("Compare methods over many polygons …", { onclick: () => {
-    root.close();
-    showExperiment(page, { source: "samples" });
-  } }));
+  const footer = el("footer", {}, buttonTo("Compare methods over many polygons …", page, () => showExperiment(page, { source: "samples" })));
   const root = await openWindow({ name: "samples", title: "Samples", tools: [filter], body: [list, count, footer], focus: typing ? filter : undefined });
   if (!root) return;
 
@@ -63,9 +58,11 @@ function fill(program, list, samples, choose) {
     if (!groups.has(group)) groups.set(group, []);
     groups.get(group).push(sample);
   }
+  const outline = ownOutline(program);
+  const isOpen = (text) => (isSame(program, text, outline) ? "true" : undefined);
   list.replaceChildren(...[...groups].map(([group, members]) => el("section", {}, el("h3", {}, group),
     el("ul", {}, ...members.map(({ title, text }) => el("li", { "data-words": `${title} ${group}`.toLowerCase() },
-      el("button", { type: "button", class: "sample", tabindex: "-1", onclick: () => choose(text) }, thumbnail(program, text), el("span", {}, title))))))),
+      el("button", { type: "button", class: "sample", tabindex: "-1", "aria-current": isOpen(text), onclick: () => choose(text) }, thumbnail(program, text), el("span", {}, title))))))),
     el("p", { class: "second nothing", hidden: true }, "No sample has that name."));
 }
 

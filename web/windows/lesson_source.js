@@ -3,9 +3,15 @@
 import { lowered } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
 import { unreadable } from "../page/lesson_text.js";
+import { watch } from "./lesson_watch.js";
 
 const mostBytes = 65536;  // core/include/evenlift/lesson.h
 const patience = 15000;  // ms
+
+// The title in the text of a lesson; "" if it has none.
+export function titleOf(text) {
+  return /^title[ \t]*:(.*)$/m.exec(text)?.[1].trim() ?? "";
+}
 
 // Opens a ready-made lesson, of lessons.json.
 export function openReadyMade(page, { name, text, polygon }, join = false) {
@@ -24,14 +30,35 @@ export async function openLessonText(page, text, name = "", join = false) {
   } catch (error) {
     return `Its polygon cannot be fetched: ${error.message}`;
   }
-  if (!Object.hasOwn(samples, sample)) return `It is about the sample “${sample}”, and there is none of that name`;
+  if (!Object.hasOwn(samples, sample)) return noSample(sample, Object.keys(samples));
   return open(page, name, text, samples[sample], join);
 }
 
 function open(page, name, text, polygon, join) {
   const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0);
-  if (!problem) page.nameLesson(name);
+  if (!problem) {
+    page.nameLesson(name);
+    watch(page, { name, text });
+  }
   return problem;
+}
+
+// The sentence about a sample that there is not, with those whose names are nearest.
+export function noSample(sample, names) {
+  const near = names.map((name) => [distance(sample.toLowerCase(), name), name]).sort(([a, x], [b, y]) => a - b || (x < y ? -1 : 1))
+    .slice(0, 3).map(([, name]) => `“${name}”`);
+  return `It is about the sample “${sample}”, and there is none of that name; near it are ${near.slice(0, -1).join(", ")} and ${near.at(-1)}`;
+}
+
+// How many letters must be changed, added or removed; less where one contains the other.
+function distance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, i) => i);
+  for (let i = 1; i <= a.length; ++i) {
+    const next = [i];
+    for (let j = 1; j <= b.length; ++j) next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1));
+    row = next;
+  }
+  return row[b.length] - (a && (b.includes(a) || a.includes(b)) ? Math.min(a.length, b.length) : 0);
 }
 
 // What `?lesson=` names: a ready-made lesson, or a text file in the page's folder or below. No other addresses: whoever
@@ -78,4 +105,5 @@ export async function beginFromAddress(page, { lesson, challenge, join }) {
   if (!challenge) return;
   if (page.program.number("page_walkthrough_is_open")) page.program.call("page_predict");
   else page.program.call("page_begin_walkthrough", 1);
+  if (!lesson) watch(page);
 }

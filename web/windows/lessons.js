@@ -1,8 +1,12 @@
 // The window of lessons: a walkthrough of the polygon that is open, the ready-made lessons, and one from a file.
-import { openWindow, problemLine } from "../kit/dialogs.js";
-import { button, el, lowered } from "../kit/elements.js";
+import { buttonTo, openWindow, problemLine } from "../kit/dialogs.js";
+import { button, el, icon, lowered } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
+import { show as showGlossary } from "./glossary.js";
+import { show as showHandout } from "./handout.js";
+import { show as showEditor } from "./lesson_editor.js";
 import { openLessonText, openReadyMade } from "./lesson_source.js";
+import { openLessonOf, seenLessons, watch } from "./lesson_watch.js";
 import { underWay } from "../page/under_way.js";
 
 export async function show(page) {
@@ -21,7 +25,8 @@ export async function show(page) {
     name: "lessons",
     title: "Lessons",
     body: [el("div", { class: "scroll" }, ofThisPolygon(page, () => root.close()), list), problem,
-      el("footer", {}, file, button("Open a lesson file …", { onclick: () => file.click() }, "file"))],
+      el("footer", {}, file, buttonTo("Glossary", page, showGlossary), buttonTo("Handout …", page, showHandout), buttonTo("Write a lesson …", page, showEditor),
+        button("Open a lesson file …", { onclick: () => file.click() }, "file"))],
   });
   if (!root) return;
   const choose = (lesson) => {
@@ -30,7 +35,7 @@ export async function show(page) {
     else root.close();
   };
   root.querySelector(".choice:enabled")?.focus();
-  await load(list, choose);
+  await load(page, list, choose);
   if (!root.contains(document.activeElement)) root.querySelector(".choice:enabled")?.focus();
 }
 
@@ -43,14 +48,15 @@ async function openFile(page, file) {
   }
 }
 
-function choice(name, about, onclick, attributes = {}) {
-  return el("button", { type: "button", class: "choice", onclick, ...attributes }, el("span", {}, el("b", {}, name), " ", el("small", {}, about)));
+function choice(name, about, onclick, { mark, ...attributes } = {}) {
+  return el("button", { type: "button", class: "choice", onclick, ...attributes }, el("span", {}, el("b", {}, name), " ", el("small", {}, about)), ...(mark ? [mark] : []));
 }
 
 function ofThisPolygon(page, close) {
   const begin = (predict) => () => {
     page.nameLesson("");
     page.program.call("page_begin_walkthrough", predict);
+    watch(page);
     close();
   };
   const refused = Boolean(page.program.text("page_refusal"));
@@ -61,17 +67,30 @@ function ofThisPolygon(page, close) {
       choice("As a challenge", "Predict each choice before you see it", begin(1), { disabled: refused })));
 }
 
-async function load(list, choose) {
+// About how long a lesson takes: to read its words, and to look at each step and its caption.
+function minutes({ text, stops }) {
+  const words = text.split("\n").filter((line) => !/^(#|\[|[a-z-]+:)/.test(line)).join(" ").split(/\s+/).length;
+  return Math.max(1, Math.round(words / 150 + stops * 0.25));
+}
+
+async function load(page, list, choose) {
   list.replaceChildren(el("p", { class: "second", role: "status" }, "Loading …"));
   let lessons;
   try {
     lessons = await fetchJson("lessons.json");
   } catch (error) {
     const line = problemLine();
-    list.replaceChildren(line, button("Try again", { onclick: () => load(list, choose) }));
+    list.replaceChildren(line, button("Try again", { onclick: () => load(page, list, choose) }));
     line.say(`The ready-made lessons cannot be fetched: ${error.message}`);
     return;
   }
-  list.replaceChildren(el("h3", {}, "Ready-made"), el("ol", { class: "choices lessons" },
-    ...lessons.map((lesson) => el("li", {}, choice(lesson.title, `${lesson.stops} steps`, () => choose(lesson))))));
+  const seen = seenLessons();
+  const open = openLessonOf(page.program)?.name;
+  const next = lessons.findIndex(({ name }) => !seen.has(name));
+  const about = (lesson, i) => [`about ${minutes(lesson)} min`, lesson.name === open ? "open now" : seen.has(lesson.name) ? "seen" : seen.size > 0 && i === next ? "next" : ""].filter(Boolean).join(" · ");
+  const total = lessons.reduce((sum, lesson) => sum + minutes(lesson), 0);
+  list.replaceChildren(
+    el("h3", {}, `In order, about ${total} minutes in all${seen.size ? `; ${lessons.filter(({ name }) => seen.has(name)).length} of ${lessons.length} seen` : ""}`),
+    el("ol", { class: "choices lessons" }, ...lessons.map((lesson, i) => el("li", {}, choice(`${i + 1}. ${lesson.title}`, about(lesson, i), () => choose(lesson),
+      { "data-name": lesson.name, "aria-current": lesson.name === open ? "true" : undefined, mark: seen.has(lesson.name) ? icon("check") : undefined })))));
 }

@@ -1,46 +1,91 @@
 // Opens texts, files and links from outside. A function that opens something returns why it was refused, or nothing.
-import { openWindow, problemLine } from "../kit/dialogs.js";
+import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered, number } from "../kit/elements.js";
+import { readShapes } from "../kit/import.js";
 import { openLessonText } from "./lesson_source.js";
 import { isLesson } from "../page/lesson_text.js";
-import { svgToText } from "../kit/svg_import.js";
+import { isPhoto, layBehind, photoLine } from "./photo.js";
+import { sentences, showShapes } from "./shapes.js";
 import { underWay } from "../page/under_way.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
 const tooLong = (bytes) => bytes > mostBytes && `It has ${number(Math.ceil(bytes / 1048576))} MiB, more than the 64 that evenlift reads`;
 
-async function openText(page, text, how = "page_load") {
+const undo = "Undo brings back the previous polygon.";
+
+// The last text whose curves were flattened, so that they can be flattened otherwise.
+let curved;
+
+// Opens a text that `what` names. `how` is the program's function for it. It tells of it in a notice; if there are several
+// shapes, a window asks for one.
+async function openText(page, text, what, how = "page_load") {
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
-  if (text.includes("\0")) return "It is not a text";
-  if (how === "page_load" && isLesson(text)) return openLessonText(page, text);
-  if (!/^\s*</.test(text)) return page.program.text(how, text);
-  const svg = svgToText(text);
-  return svg.problem ?? page.program.text(how, svg.text);
+  if (how === "page_load" && isLesson(text)) {
+    const problem = await openLessonText(page, text);
+    if (!problem) done(page, `${what} is opened. ${undo}`);
+    return problem;
+  }
+  // The program knows the simple formats itself.
+  if (!/^\s*<|\0/.test(text) && !page.program.text(how, text)) return done(page, `${what} is opened. ${undo}`);
+  return openShapes(page, { text, what, how });
 }
+
+function done(page, notice) {
+  closeWindows();
+  page.notice(notice);
+}
+
+async function openShapes(page, source) {
+  const found = await readShapes(source.text);
+  if (found.problem) return found.problem;
+  const { unit, notes, shapes } = found;
+  const said = [...(unit ? [`lengths are in ${unit}`] : []), ...notes.slice(0, 2)];
+  if (shapes.length === 1) return openShape(page, source, shapes[0], found, said);
+  closeWindows();
+  await chooseShape(page, source, found);
+}
+
+function chooseShape(page, source, found, tolerance) {
+  return showShapes({ ...source, found, tolerance, choose: (shape, of) => openShape(page, source, shape, of) });
+}
+
+// `said` is what the notice says of the text besides; the window of shapes says it itself.
+function openShape(page, source, shape, { capacity }, said = []) {
+  const { what, how } = source;
+  const problem = page.program.text(how, shape.text(how === "page_load"));
+  if (problem) return problem;
+  if (capacity && how === "page_load") page.program.text("page_set", `capacity=${capacity}`);
+  curved = shape.tolerance ? { ...source, tolerance: shape.tolerance } : undefined;
+  const more = [...said, ...(shape.tolerance ? [`curves were flattened to within ${shape.tolerance}, which “Open” can change`] : [])];
+  done(page, `${what} is opened. ${sentences(more)} ${undo}`.replace("  ", " "));
+}
+
+const picture = "It is a picture of a kind that cannot be laid behind the drawing. A PNG, JPEG or WebP can";
 
 async function openFile(page, file) {
   if (tooLong(file.size)) return tooLong(file.size);
-  let text;
+  let bytes;
   try {
-    text = await file.text();
+    bytes = new Uint8Array(await file.arrayBuffer());
   } catch {
     return "It cannot be read";
   }
-  return openText(page, text);
+  const head = String.fromCharCode(...bytes.subarray(0, 4));
+  if (isPhoto(head, bytes)) return layBehind(page, file);
+  if (/^(\x89PNG|\xff\xd8\xff|GIF8|BM|RIFF|II\*\0|MM\0\*)/.test(head)) return picture;
+  // Spreadsheets write "Unicode text" as UTF-16.
+  const encoding = head.startsWith("\xff\xfe") ? "utf-16le" : head.startsWith("\xfe\xff") ? "utf-16be" : "utf-8";
+  return openText(page, new TextDecoder(encoding).decode(bytes), `“${file.name}”`);
 }
-
-const undo = "Undo brings back the previous polygon.";
 
 // Opens what was dropped or pasted anywhere on the page. If that fails, the window says why, or else a notice.
 export async function take(page, { files, text }, verb) {
   if (files.length > 1) return refuse(page, "Please open one file at a time");
   const [file] = files;
-  const problem = file ? await openFile(page, file) : await openText(page, text);
   const what = file ? `“${file.name}”` : `The ${verb} text`;
-  if (problem) return refuse(page, `${what} cannot be opened: ${lowered(problem)}`);
-  for (const root of document.querySelectorAll("dialog:modal")) root.close();
-  page.notice(`${what} is opened. ${undo}`);
+  const problem = file ? await openFile(page, file) : await openText(page, text, what);
+  if (problem) refuse(page, `${what} cannot be opened: ${lowered(problem)}`);
 }
 
 function refuse(page, sentence) {
@@ -49,7 +94,8 @@ function refuse(page, sentence) {
   else page.notice(`${sentence.replace(/\.$/, "")}.`, true);
 }
 
-const formats = "text (x,y), WKT, GeoJSON, SVG, a share link, or a lesson";
+const formats = "lines (x,y), columns of a table (CSV), SVG, DXF, GeoJSON, WKT, a result (JSON), a share link, or a lesson; a photo or scan (PNG, JPEG, WebP) is laid behind the drawing to be traced";
+const endings = ".png,.jpg,.jpeg,.webp,.txt,.csv,.tsv,.svg,.dxf,.json,.geojson,.wkt,text/plain,text/csv,text/tab-separated-values,image/svg+xml,image/vnd.dxf,application/json,application/geo+json";
 
 // The window. With `edited` it shows the present polygon as text, and applying it keeps the settings.
 export async function show(page, { edited } = {}) {
@@ -57,20 +103,18 @@ export async function show(page, { edited } = {}) {
   const text = el("textarea", { class: "field", rows: "9", spellcheck: "false", autocapitalize: "off", "aria-label": edited ? "The polygon as text" : "Polygon or link",
     "aria-describedby": "open-problem", placeholder: "(0,0)\n(160,0)\n(160,90)\n(0,60)" });
   text.value = edited ?? "";
-  const done = (why, message) => {
+  const refused = (why) => {
     problem.say(why);
-    if (why) return text.focus();
-    root?.close();
-    page.notice(message);
+    if (why) text.focus();
   };
-  const apply = async () => done(await underWay(openText(page, text.value, edited === undefined ? "page_load" : "page_open_sample")), `The text is opened. ${undo}`);
-  const file = el("input", { type: "file", id: "open-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,.wkt,.json,.geojson,.svg,text/plain,application/geo+json,image/svg+xml" });
+  const apply = async () => refused(await underWay(openText(page, text.value, "The text", edited === undefined ? "page_load" : "page_open_sample")));
+  const file = el("input", { type: "file", id: "open-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: endings });
   file.addEventListener("change", async () => {
     const [chosen] = file.files;
     file.value = "";  // the same file may be chosen again
     if (!chosen) return;
     const why = await underWay(openFile(page, chosen));
-    done(why && `“${chosen.name}” cannot be opened: ${lowered(why)}`, `“${chosen.name}” is opened. ${undo}`);
+    refused(why && `“${chosen.name}” cannot be opened: ${lowered(why)}`);
   });
   text.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
@@ -79,11 +123,24 @@ export async function show(page, { edited } = {}) {
   });
   const choose = button("Choose a file …", { onclick: () => file.click() }, "file");
   const help = el("p", { class: "second" }, edited === undefined ? `Drop a file anywhere on the page, or paste here: ${formats}.` : "Settings stay as they are. An optional first line CoM:(x,y) is the centre of mass.");
-  const root = await openWindow({
+  await openWindow({
     name: "open",
     title: edited === undefined ? "Open a polygon" : "Edit as text",
-    body: [el("div", { class: "scroll" }, help, text, problem), el("footer", {}, ...(edited === undefined ? [choose, file] : []),
+    body: [el("div", { class: "scroll" }, help, text, problem, ...(edited === undefined ? [...againCurved(page), ...photoLine(page)] : [])), el("footer", {}, ...(edited === undefined ? [choose, file] : []),
       button(edited === undefined ? "Open" : "Apply", { class: "button primary", title: "Ctrl+Enter", onclick: apply }))],
     focus: matchMedia("(pointer: fine)").matches ? text : choose,
   });
+}
+
+// What was opened last had curves: how they were flattened, and a button that changes it.
+function againCurved(page) {
+  if (!curved) return [];
+  const { what, tolerance } = curved;
+  const change = async () => {
+    const source = curved;
+    const found = await readShapes(source.text, tolerance);
+    closeWindows();
+    await chooseShape(page, source, found, tolerance);
+  };
+  return [el("p", { class: "row second again" }, `${what} was flattened to within ${tolerance}.`, button("Change …", { onclick: () => underWay(change()) }))];
 }

@@ -1,7 +1,10 @@
 // The link as a QR code, large, for a room to read: black on white whatever the theme, with the quiet zone that readers
 // need.
+import { coreModule } from "../kit/core_module.js";
 import { openWindow } from "../kit/dialogs.js";
 import { button, download, el, rasterise } from "../kit/elements.js";
+
+const qrModule = coreModule(() => import("./qr_core.js"));
 
 const quiet = 4;  // modules
 
@@ -14,8 +17,13 @@ function picture(rows) {
 }
 
 // Returns why it cannot be shown, if the address is too long; otherwise nothing.
-export async function showQr(page, address) {
-  const rows = page.program.text("page_qr", address).split("\n").filter(Boolean);
+export async function showQr(address) {
+  let rows;
+  try {
+    rows = (await qrModule()).text("qr_code", address).split("\n").filter(Boolean);
+  } catch (error) {
+    return `The QR code cannot be made: ${error.message}`;
+  }
   if (!rows.length) return "The link is too long for a QR code, which holds 2,953 characters; a saved file holds any polygon";
   const svg = picture(rows);
   const image = el("img", { class: "qr", alt: "QR code of the link", src: URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" })) });

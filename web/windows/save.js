@@ -1,31 +1,34 @@
 // Share and save: the link, its QR code, and files.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, icon, rasterise } from "../kit/elements.js";
+import { documentName } from "./document_name.js";
 import { showQr } from "./qr.js";
 import { forgetAside, textsAside } from "../page/recovery.js";
 
-// A row for each robot; numbers read back to the same double.
+// A row for each robot; numbers read back to the same double. What is 0 but for rounding is written as 0.
 function csv({ teams }) {
-  const exact = (value) => (Object.is(value, -0) ? "-0" : String(value));
+  const least = 1e-13 * Math.max(0, ...teams.flatMap(({ ends }) => ends.flat().map(Math.abs)));
+  const exact = (value) => String(Math.abs(value) < least ? 0 : value);
+  const sum = (numbers) => numbers.reduce((all, each) => all + each, 0);
   const rows = teams.flatMap(({ ends, ratio, loads }, team) => ends.map(([x, y], end) =>
-    [2 * team + end + 1, team + 1, `r${end + 1}`, x, y, loads[end], loads[end] / (loads[0] + loads[1]), ratio].map(exact)));
+    [ends.length * team + end + 1, team + 1, `r${end + 1}`, x, y, loads[end], loads[end] / sum(loads), ratio].map(exact)));
   return [["robot", "team", "end", "x", "y", "load", "share_of_team", "load_ratio"], ...rows].map((row) => `${row.join(",")}\n`).join("");
 }
 
 // The files that can be saved: their names, their purpose, and how they are made.
 const files = [
   ["Polygon", [
-    ["Text", "As in the thesis", "polygon.txt", "text/plain", (p) => p.text("page_text")],
-    ["WKT", "The outline alone", "polygon.wkt", "text/plain", (p) => p.text("page_wkt")],
-    ["GeoJSON", "With centre of mass", "polygon.geojson", "application/geo+json", (p) => p.text("page_geojson")],
+    ["Text", "As in the thesis", ".txt", "text/plain", (p) => p.text("page_text")],
+    ["WKT", "The outline alone", ".wkt", "text/plain", (p) => p.text("page_wkt")],
+    ["GeoJSON", "With centre of mass", ".geojson", "application/geo+json", (p) => p.text("page_geojson")],
   ]],
   ["Picture", [
-    ["SVG", "Sharp at any size", "picture.svg", "image/svg+xml", (p) => p.text("page_svg")],
-    ["PNG", "Twice the pixels", "picture.png", "image/png", (p) => rasterise(p.text("page_svg"), 2)],
+    ["SVG", "Sharp; opens again", ".svg", "image/svg+xml", (p) => p.text("page_svg")],
+    ["PNG", "Twice the pixels", ".png", "image/png", (p) => rasterise(p.text("page_svg"), 2)],
   ]],
   ["Result", [
-    ["JSON", "All that is computed", "result.json", "application/json", (p) => p.text("page_state")],
-    ["CSV", "A row per robot", "robots.csv", "text/csv", (p) => csv(JSON.parse(p.text("page_state")))],
+    ["JSON", "Everything; opens again", "-result.json", "application/json", (p) => p.text("page_state")],
+    ["CSV", "A row per robot", ".csv", "text/csv", (p) => csv(JSON.parse(p.text("page_state")))],
   ]],
 ];
 
@@ -60,7 +63,7 @@ function aside() {
 
 function share(page, address, problem) {
   if (!address) return [];
-  const said = el("p", { class: "second", role: "status" }, page.lengthOf(address));
+  const said = el("p", { class: "second", role: "status" }, page.aboutLink(address));
   const field = el("input", { id: "link", class: "field", readonly: true, value: address, "aria-label": "Link", onfocus: () => field.select() });
   const copy = button("Copy", { class: "button primary" }, "copy");
   copy.addEventListener("click", async () => {
@@ -70,10 +73,10 @@ function share(page, address, problem) {
       return field.focus();
     }
     copy.replaceChildren(icon("check"), "Copied");
-    said.textContent = `The link is copied. ${page.lengthOf(address)}`;
+    said.textContent = `The link is copied. ${page.aboutLink(address)}`;
     setTimeout(() => copy.replaceChildren(icon("copy"), "Copy"), 2500);
   });
-  const qr = button("QR code", { onclick: async () => problem.say(await showQr(page, address)) }, "qr");
+  const qr = button("QR code", { onclick: async () => problem.say(await showQr(address)) }, "qr");
   return [el("h3", {}, "Link"), el("div", { class: "row" }, field, copy, qr), said];
 }
 
@@ -91,7 +94,8 @@ function choices(page, [group, members], problem) {
   return el("section", {}, el("h3", {}, group), el("div", { class: "choices" }, ...members.map(([name, about, file, type, make]) => {
     const save = async () => {
       try {
-        download(new Blob([await make(page.program)], { type }), `evenlift-${file}`);
+        const [content, called] = await Promise.all([make(page.program), documentName(page.program)]);
+        download(new Blob([content], { type }), called + file);
         problem.say("");
       } catch (error) {
         problem.say(`The file cannot be made: ${error.message}`);

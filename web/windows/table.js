@@ -1,5 +1,5 @@
 // The coordinates as a table beside the canvas. Typing in the table changes the drawing, and dragging changes the table.
-import { openWindow, problemLine } from "../kit/dialogs.js";
+import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { show as openText } from "./open.js";
 import { underWay } from "../page/under_way.js";
@@ -46,6 +46,7 @@ class Table {
     const { signal } = this.#leave;
     const soon = () => this.#soon();
     document.addEventListener("evenlift-change", soon, { signal });
+    signal.addEventListener("abort", makeRoom(this.#page.program, root));
     // The selection and the vertex under the pointer are known only after the canvas was drawn.
     const canvas = document.getElementById("canvas");
     for (const type of ["pointermove", "pointerup", "pointerleave", "keyup"]) canvas.addEventListener(type, soon, { signal });
@@ -53,11 +54,17 @@ class Table {
     root.addEventListener("change", (event) => this.#commit(event.target));
     root.addEventListener("focusin", ({ target }) => {
       const vertex = this.#vertexOf(target);
-      if (target.matches("input")) target.select();
+      if (target.matches("input")) {
+        if (target.value === target.dataset.shown) target.value = target.dataset.is;
+        target.select();
+      }
       if (vertex < 0 || vertex === this.#selected) return;
       this.#selected = vertex;
       this.#program.call("page_select_vertex", vertex);
       soon();
+    });
+    root.addEventListener("focusout", ({ target }) => {
+      if (target.matches("input") && target.value === target.dataset.is) target.value = target.dataset.shown;
     });
     this.#selected = this.#program.number("page_selected_vertex");
     if (this.#selected >= 0) this.#from = this.#pageOf(this.#selected);
@@ -181,7 +188,7 @@ class Table {
     if (vertex < -1) return;
     const { inputs } = vertex < 0 ? this.centre : this.#rows[vertex - this.#from];
     const axis = inputs.indexOf(input);
-    if (input.value === input.dataset.is) return this.#accept(input);
+    if (input.value === input.dataset.is || input.value === input.dataset.shown) return this.#accept(input);
     const problem = this.#program.text("page_set_coordinate", vertex, axis, input.value);
     if (problem) {
       input.setAttribute("aria-invalid", "true");
@@ -237,15 +244,22 @@ class Table {
   }
 }
 
+// A field shows at most so many digits, until somebody goes into it; what it stands for stays exact.
+const digits = 9;
+const rounded = (value) => (value.length > digits + 2 ? String(Number(Number(value).toPrecision(digits - 1))) : value);
+
 // Writes `x y` into two fields, except into one in which somebody is typing.
 function write(inputs, line) {
   line.split(" ").forEach((value, axis) => {
     const input = inputs[axis];
     if (input.dataset.is === value) return;
-    if (input.value === (input.dataset.is || input.value)) {
-      input.value = value;
+    const untouched = !input.dataset.is || input.value === input.dataset.is || input.value === input.dataset.shown;
+    input.dataset.shown = rounded(value);
+    if (untouched) {
+      input.value = document.activeElement === input ? value : input.dataset.shown;
       input.removeAttribute("aria-invalid");
     }
+    input.title = input.dataset.shown === value ? "" : value;
     input.dataset.is = value;
   });
 }

@@ -1,9 +1,13 @@
 // The page's own windows, and what opens texts from outside. They are one file, which is loaded when it is first needed.
 export { ensureStyles } from "../kit/dialogs.js";
 export { curves, show as experiment } from "../experiment/experiment.js";
+export { show as about } from "./about.js";
 export { show as samples } from "./gallery.js";
+export { show as glossary } from "./glossary.js";
+export { show as keys } from "./keys.js";
 export { beginFromAddress } from "./lesson_source.js";
 export { show as lessons } from "./lessons.js";
 export { show as open, take } from "./open.js";
 export { show as save } from "./save.js";
 export { show as table } from "./table.js";
+export { firstVisit, welcome } from "./welcome.js";

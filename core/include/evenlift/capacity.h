@@ -12,9 +12,12 @@ namespace evenlift {
 // The greatest number of teams that is tried.
 inline constexpr std::uint32_t most_teams_for_capacity = 512;
 
-// The numbers of the robots that carry more than `capacity`. Robot 2 t + e is at the end e (0: r1,
-// 1: r2) of team t. O(teams).
+// The numbers of the robots that carry more than `capacity`, as find_robot() (loads.h) counts them.
+// O(robots).
 std::vector<std::size_t> overloaded_robots(const Placement& placement, double capacity);
+
+// The same of any loads, in the order of the robots. O(robots).
+std::vector<std::size_t> overloaded_robots(const std::vector<double>& loads, double capacity);
 
 struct CapacityPlan {
   bool possible = false;     // whether some number of teams keeps every robot within the capacity
@@ -22,6 +25,9 @@ struct CapacityPlan {
   double greatest_load = 0;  // if possible, the greatest load of a robot with so many teams
   std::uint32_t tried = 0;   // the most teams that were tried; if not possible and below
                              // most_teams_for_capacity, the method found no place for more
+  std::uint32_t team_size =
+      2;  // robots in a team. Balanced robots are one team: if possible of the
+          // least number of robots, and otherwise most_robots were tried
   bool operator==(const CapacityPlan&) const = default;
 };
 
@@ -31,7 +37,8 @@ struct CapacityPlan {
 // candidates of the placement are reused. The methods area, circle, distance and random choose
 // teams one after another, so the first k teams of a selection are a placement of k teams; they
 // cost as much as selecting the teams that are needed, or 512. The method distributed has different
-// teams for each number. For them only the loads are computed, and a number of teams is rejected
+// teams for each number. Balanced robots bear the same, so their least number follows from the
+// weight; that such a set exists is not tried. For distributed teams only the loads are computed, and a number of teams is rejected
 // as soon as one robot carries too much.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 

@@ -19,16 +19,28 @@ inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a l
 inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
 inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
 inline constexpr std::uint32_t max_teams = 1u << 20;      // asked for by number
+inline constexpr std::uint32_t least_robots = 2;          // balanced
+inline constexpr std::uint32_t most_robots = 64;          // balanced
+inline constexpr std::uint32_t most_survived = 30;        // 2 F + 3 robots survive F failures
 
 // How teams are chosen (algorithm.md, Selection; thesis 3.3 and 5.2).
-enum class Method : std::uint8_t { area, circle, distance, distributed, random };
-inline constexpr Method all_methods[] = {Method::area, Method::circle, Method::distance,
-                                         Method::distributed, Method::random};
+enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced };
+inline constexpr Method all_methods[] = {Method::area,        Method::circle, Method::distance,
+                                         Method::distributed, Method::random, Method::balanced};
+
+// The methods of the thesis, which place teams of two.
+inline constexpr Method pair_methods[] = {Method::area, Method::circle, Method::distance,
+                                          Method::distributed, Method::random};
 
 // Whether the method chooses teams among the candidates. O(1).
 constexpr bool selects_candidates(Method method) {
-  return method != Method::distributed && method != Method::random;
+  return method == Method::area || method == Method::circle || method == Method::distance;
 }
+
+// What the placement is to reach first of all: the widest base, or a firm hold.
+enum class Goal : std::uint8_t { cover, hold };
+std::string_view name(Goal goal);
+std::optional<Goal> goal_from_name(std::string_view text);
 
 // The method's name in JSON and options, such as "area"; and the method of a name, or nothing for
 // an unknown name. O(1).
@@ -56,8 +68,19 @@ struct Settings {
   std::uint64_t seed = 1;  // for Method::random
   Overlays overlays;
   std::optional<std::uint32_t> step;  // of the lesson, if it is open
+  std::uint32_t robots = 6;           // for Method::balanced, least_robots .. most_robots
+  std::optional<Goal> goal;           // none means the usual one of the method, see goal_of()
+  double min_margin = 0.05;           // a hold with this margin is firm, 0 .. 1
+  std::optional<double> apart;  // robots should not be nearer to each other, >= 0, in units of
+                                // length; none means 0.12 R
+  std::uint32_t survive = 0;    // failures of balanced robots that should leave the object
+                                // steady; they take at least 2 survive + 3 robots
   bool operator==(const Settings&) const = default;
 };
+
+// The goal of a placement: the one given, or the usual one, which is to hold with balanced robots,
+// unless they are two or three, where holding would cost too much base, and else to cover. O(1).
+Goal goal_of(const Settings& settings);
 
 struct Document {
   Points vertices;                     // in the order given, either orientation

@@ -1,7 +1,7 @@
 // The load that each robot bears (algorithm.md, Loads; thesis 5.3).
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -9,23 +9,51 @@
 
 namespace evenlift {
 
-struct Team {
-  Chord chord;
-  std::array<double, 2> loads{};  // of r1 and r2, in the unit of the weight; their sum is the
-                                  // weight divided by the number of teams
+// A robot of a team: where it lifts, and what it bears.
+struct Robot {
+  LiftingPoint point;
+  double arm = 0;   // |C p|, more precise than the rounded position would give
+  double load = 0;  // in the unit of the weight
 };
+
+// At least two robots that bear a part of the weight together. All teams of a placement have
+// equally many robots. The methods of the thesis make teams of two, at the ends of a chord.
+struct Team {
+  std::vector<Robot> robots;  // r1 before r2 of a chord
+  double ratio = 1;           // the least load divided by the greatest, in (0, 1]
+};
+
+// The chord of a team of two. O(1).
+Chord chord_of(const Team& team);
+
+// The robots of all teams in one row, team after team: their number, and the place of one of them.
+// O(1).
+struct RobotOfTeam {
+  std::size_t team = 0, robot = 0;
+};
+std::size_t count_robots(const std::vector<Team>& teams);
+RobotOfTeam find_robot(const std::vector<Team>& teams, std::size_t number);
+
+// The points at which the robots of all teams lift, in the same row. O(robots).
+std::vector<LiftingPoint> lifting_points(const std::vector<Team>& teams);
+
+// What the robots of all teams bear, in the same row. O(robots).
+std::vector<double> planned_loads(const std::vector<Team>& teams);
 
 struct LoadSummary {
   double min = 0, mean = 0, max = 0;  // over all robots
   double spread = 0;                  // max - min (figure 5.3)
-  double max_share = 0.5;             // greatest share of its team's load, in [0.5, 1) (figure 5.5)
+  double max_share = 0;               // greatest share of its team's load (figure 5.5)
 };
 
 // The teams with their loads; `weight` > 0. Each team bears an equal part of the weight, and by the
 // law of the lever r1 bears the fraction |C r2| / |r1 r2| of its team's part. O(teams).
 std::vector<Team> distribute_weight(const std::vector<Chord>& chords, double weight);
 
-// Summarizes the loads of all robots; nothing if there are no teams. O(teams).
+// One team of robots whose centroid is C, which bear the same. O(robots).
+Team share_evenly(const std::vector<LiftingPoint>& robots, const Vec2& centre, double weight);
+
+// Summarizes the loads of all robots; nothing if there are no teams. O(robots).
 std::optional<LoadSummary> summarize_loads(const std::vector<Team>& teams);
 
 }  // namespace evenlift

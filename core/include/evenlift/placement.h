@@ -3,39 +3,63 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "evenlift/candidates.h"
 #include "evenlift/closure.h"
 #include "evenlift/document.h"
 #include "evenlift/loads.h"
+#include "evenlift/polygon.h"
 #include "evenlift/result.h"
 #include "evenlift/stability.h"
 
 namespace evenlift {
 
 struct Placement {
-  Points vertices;                     // as given
+  explicit Placement(Polygon placed) : polygon(std::move(placed)) {}
+  const Points& vertices() const { return polygon.vertices(); }  // as given
+
+  Polygon polygon;
   Vec2 centre_of_mass = Vec2::Zero();  // as given, or the centroid
   Settings settings;                   // as given
   std::vector<Candidate> candidates;   // in candidate order; found with every method
   std::uint32_t requested_teams = 0;   // as given; for "max" the number of candidates
-  std::vector<Team> teams;             // in the order of choice; perhaps fewer than requested
+  std::vector<Team> teams;             // in the order of choice; perhaps fewer than requested.
+                                       // Balanced robots are one team
   std::vector<std::uint32_t> team_candidates;  // the index of each team's candidate; empty if the
                                                // method does not choose among candidates
   Points lifting_base;               // corners of H, counter-clockwise; none without teams
   double coverage = 0;               // see stability.h
   std::optional<LoadSummary> loads;  // none without teams
   Closure closure;
+  bool goal_reached = false;  // robots are placed, and with the goal to hold in form closure
+  bool search_ended = true;   // false for balanced robots that a search may still find or better
 };
 
-// Checks that settings are in their ranges (settings_text.h) and that "max" is used only with a
-// method that chooses among candidates. The error's place names the setting. O(1).
+// How far the search for balanced robots goes: to its end, or only to its start if that is quick
+// (balanced.h); otherwise there are no teams, and search_ended is false. Other methods always go to
+// their end.
+enum class Effort : std::uint8_t { whole, start };
+
+// Checks that settings are in their ranges (settings_text.h) and go together: "max" needs a method
+// that chooses among candidates, the goal to hold balanced robots, and these are enough for the
+// failures that they are to survive. The error's place names the setting. O(1).
 std::optional<InputError> check_settings(const Settings& settings);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. O(n log n + K log K) for K edge-pairs, besides the cost of the
-// selection (selection.h).
-Result<Placement> place(const Document& document);
+// selection (selection.h) or the search for balanced robots (balanced.h).
+Result<Placement> place(const Document& document, Effort effort = Effort::whole);
+
+// The same for a polygon that is checked already: who moves its centre of mass or changes settings
+// need not pay for the check, which takes two thirds of the time for a coast of 20,000 vertices.
+Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
+                        const Settings& settings, Effort effort = Effort::whole);
+
+// The placement with other balanced robots, which a search found or somebody placed. Their centroid
+// must be C. O(n log n).
+Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
+                      bool search_ended);
 
 }  // namespace evenlift

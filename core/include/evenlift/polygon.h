@@ -60,6 +60,9 @@ class Polygon {
   bool convex_ = false;
 };
 
+// Whether the vertices of a valid polygon go round counter-clockwise; exact. O(n).
+bool is_counter_clockwise(const Points& vertices);
+
 // The centre of mass to use: the given one, or else the polygon's centroid. It is an error if it is
 // not finite, exceeds max_coordinate, or is not strictly inside the polygon's convex hull, which is
 // decided exactly. O(h) for h corners of the hull.

@@ -19,7 +19,14 @@ enum class Setting : std::uint8_t {
   seed,
   overlays,
   step,
-  capacity
+  capacity,
+  com_radius,
+  loads,
+  robots,
+  goal,
+  min_margin,
+  apart,
+  survive
 };
 
 // The setting's name in JSON and scripts, such as "min_ratio"; and the setting of a name, or
@@ -43,15 +50,24 @@ InputError setting_error(Setting setting);
 //   seed       a whole number
 //   overlays   names with commas between them, such as "chords,hull", or "none"
 //   step       a whole number of at most 32 bits, or "none"
+//   robots     a whole number from 2 to 64
+//   goal       "cover" or "hold"
+//   min_margin a number from 0 to 1
+//   apart      a number of at least 0
+//   survive    a whole number from 0 to 30
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
 // hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text and any
-// value out of range is an error and changes nothing. capacity is no setting of a document and
-// always an error. O(bytes).
+// value out of range is an error and changes nothing. capacity, com_radius and loads are no settings
+// of a document and always an error. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
 // The load that one robot can carry, in the unit of the weight, from text: a number above 0.
 // O(bytes).
 std::optional<double> read_capacity(std::string_view text);
+
+// The radius within which the centre of mass is known, in the unit of the coordinates, from text: a
+// number from 0. O(bytes).
+std::optional<double> read_com_radius(std::string_view text);
 
 // Checks that each setting by itself is in its range. The error's place names the setting. Whether
 // settings go together is checked by check_settings() (placement.h). O(1).

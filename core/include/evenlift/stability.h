@@ -13,6 +13,23 @@ namespace evenlift {
 // `hull` must come from convex_hull. O(n h) for h corners.
 double coverage(const Polygon& polygon, const Points& hull);
 
+// The coverage of hulls that all lie within one other hull: the polygon is clipped by that one
+// first, which often leaves few vertices.
+class CoverageWithin {
+ public:
+  // `outer` must come from convex_hull and have an area. O(n h).
+  CoverageWithin(const Polygon& polygon, const Points& outer);
+
+  // The same as coverage(), up to rounding. O(n' h) for n' vertices of the part within the outer
+  // hull.
+  double of(const Points& hull) const;
+
+ private:
+  Vec2 origin_;
+  Points part_;  // relative to the origin
+  double area_;  // of the polygon
+};
+
 // The smallest downward force at q that tips an object of weight `weight`, carried at the corners
 // of `hull`; infinity if q is in H, where no force tips it. With two corners, as of a single team,
 // it is 0 off the line through both; on the line beyond the end r it is weight |C r| / |q r|. O(h).

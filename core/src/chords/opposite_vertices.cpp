@@ -51,8 +51,7 @@ class Finder {
     constexpr double rounding_factor = 1 + 1e-6;  // the order is exact, this test is not
     if (side > rounding_factor * 2 * near_ * b.arm) return false;
     const bool is_nearer = a.arm != b.arm ? a.arm < b.arm : i < j;
-    if (is_nearer && dot(a.position, b.position) < 0 &&
-        side <= near_ * length(a.position - b.position))
+    if (is_nearer && are_opposite(a.position, b.position, near_))
       found_.push_back({std::min(a.vertex, b.vertex), std::max(a.vertex, b.vertex)});
     return found_.size() <= most_;
   }
@@ -64,6 +63,11 @@ class Finder {
 };
 
 }  // namespace
+
+bool are_opposite(const Vec2& v, const Vec2& w, double near) {
+  return length(v) > near && length(w) > near && dot(v, w) < 0 &&
+         std::fabs(cross(v, w)) <= near * length(v - w);
+}
 
 std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygon& polygon,
                                                                     const Vec2& centre,

@@ -17,11 +17,6 @@ namespace {
 // order.
 constexpr double filter_threshold = 0x1p-46;
 
-// Whether the direction from C to v is in [0, 180) degrees.
-bool is_forward(const Vec2& centre, const Vec2& v) {
-  return v.y() > centre.y() || (v.y() == centre.y() && v.x() > centre.x());
-}
-
 // Sorts vertices by direction modulo 180 degrees, exactly.
 class DirectionSort {
  public:
@@ -102,6 +97,10 @@ class DirectionSort {
 };
 
 }  // namespace
+
+bool is_forward(const Vec2& centre, const Vec2& v) {
+  return v.y() > centre.y() || (v.y() == centre.y() && v.x() > centre.x());
+}
 
 RadialView::RadialView(const Polygon& polygon, const Vec2& centre) {
   sort_vertices(polygon, centre);

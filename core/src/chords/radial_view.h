@@ -17,6 +17,9 @@
 
 namespace evenlift {
 
+// Whether the direction from C to v is in [0, 180) degrees. O(1).
+bool is_forward(const Vec2& centre, const Vec2& v);
+
 class RadialView {
  public:
   // O(n log n).

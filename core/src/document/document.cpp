@@ -14,6 +14,8 @@ std::string_view name(Method method) {
       return "distributed";
     case Method::random:
       return "random";
+    case Method::balanced:
+      return "balanced";
   }
   return {};
 }
@@ -23,6 +25,20 @@ std::optional<Method> method_from_name(std::string_view text) {
     if (text == name(method)) return method;
   }
   return std::nullopt;
+}
+
+std::string_view name(Goal goal) { return goal == Goal::cover ? "cover" : "hold"; }
+
+std::optional<Goal> goal_from_name(std::string_view text) {
+  for (const Goal goal : {Goal::cover, Goal::hold})
+    if (text == name(goal)) return goal;
+  return std::nullopt;
+}
+
+Goal goal_of(const Settings& settings) {
+  if (settings.goal) return *settings.goal;
+  const bool holds = settings.method == Method::balanced && settings.robots > 3;
+  return holds ? Goal::hold : Goal::cover;
 }
 
 }  // namespace evenlift

@@ -15,7 +15,8 @@ struct Entry {
 };
 constexpr Entry entries[] = {
     {Setting::teams, "teams", "the number of teams is a whole number from 1 to 1048576, or max"},
-    {Setting::method, "metric", "the metric is area, circle, distance, distributed or random"},
+    {Setting::method, "metric",
+     "the metric is area, circle, distance, distributed, random or balanced"},
     {Setting::min_ratio, "min_ratio", "the minimum load ratio is a number from 0 to 1"},
     {Setting::com, "com", "the centre of mass is two numbers X,Y, or centroid"},
     {Setting::weight, "weight", "the weight is a number greater than 0"},
@@ -24,8 +25,18 @@ constexpr Entry entries[] = {
      "the overlays are none, or some of candidates, chords, hull, clockwise, counterclockwise and tipping"},
     {Setting::step, "step", "the step is a whole number from 0 to 4294967295, or none"},
     {Setting::capacity, "capacity", "the capacity of a robot is a number greater than 0"},
+    {Setting::com_radius, "com_radius",
+     "the radius within which the centre of mass is known is a number of at least 0"},
+    {Setting::loads, "loads", "the loads are those of plan, springs, best or worst"},
+    {Setting::robots, "robots", "the number of robots is a whole number from 2 to 64"},
+    {Setting::goal, "goal", "the goal is cover or hold"},
+    {Setting::min_margin, "min_margin", "the margin of a firm hold is a number from 0 to 1"},
+    {Setting::apart, "apart", "the distance that parts robots is a number of at least 0"},
+    {Setting::survive, "survive",
+     "the number of failures to survive is a whole number from 0 to 30"},
 };
 static_assert(max_teams == 1048576);
+static_assert(least_robots == 2 && most_robots == 64 && most_survived == 30);
 
 constexpr bool in_order() {
   for (std::size_t i = 0; i < std::size(entries); ++i)
@@ -63,6 +74,12 @@ std::optional<std::uint32_t> read_whole_32(std::string_view text) {
 }
 
 bool is_team_count(std::uint32_t value) { return value >= 1 && value <= max_teams; }
+
+bool is_robot_count(std::uint32_t value) { return value >= least_robots && value <= most_robots; }
+
+bool is_min_margin(double value) { return value >= 0 && value <= 1; }
+
+bool is_apart(double value) { return value >= 0 && std::isfinite(value); }
 
 // Each reader returns whether the text is a value of its setting, and changes the setting only
 // then.
@@ -132,6 +149,40 @@ bool read_overlays(std::string_view text, Settings& settings) {
   return true;
 }
 
+bool read_robots(std::string_view text, Settings& settings) {
+  const std::optional<std::uint32_t> robots = read_whole_32(text);
+  if (!robots || !is_robot_count(*robots)) return false;
+  settings.robots = *robots;
+  return true;
+}
+
+bool read_goal(std::string_view text, Settings& settings) {
+  const std::optional<Goal> goal = goal_from_name(text);
+  if (goal) settings.goal = goal;
+  return goal.has_value();
+}
+
+bool read_min_margin(std::string_view text, Settings& settings) {
+  const std::optional<double> value = read_number(text);
+  if (!value || !is_min_margin(*value)) return false;
+  settings.min_margin = *value;
+  return true;
+}
+
+bool read_apart(std::string_view text, Settings& settings) {
+  const std::optional<double> value = read_number(text);
+  if (!value || !is_apart(*value)) return false;
+  settings.apart = *value;
+  return true;
+}
+
+bool read_survive(std::string_view text, Settings& settings) {
+  const std::optional<std::uint32_t> failures = read_whole_32(text);
+  if (!failures || *failures > most_survived) return false;
+  settings.survive = *failures;
+  return true;
+}
+
 bool read_step(std::string_view text, Settings& settings) {
   const std::optional<std::uint32_t> step = read_whole_32(text);
   if (!step && text != "none") return false;
@@ -158,7 +209,19 @@ bool read(Setting setting, std::string_view text, Document& document) {
     case Setting::step:
       return read_step(text, document.settings);
     case Setting::capacity:
+    case Setting::com_radius:
+    case Setting::loads:
       return false;
+    case Setting::robots:
+      return read_robots(text, document.settings);
+    case Setting::goal:
+      return read_goal(text, document.settings);
+    case Setting::min_margin:
+      return read_min_margin(text, document.settings);
+    case Setting::apart:
+      return read_apart(text, document.settings);
+    case Setting::survive:
+      return read_survive(text, document.settings);
   }
   return false;
 }
@@ -191,11 +254,20 @@ std::optional<double> read_capacity(std::string_view text) {
   return value && is_weight(*value) ? value : std::nullopt;
 }
 
+std::optional<double> read_com_radius(std::string_view text) {
+  const std::optional<double> value = read_number(text);
+  return value && *value >= 0 && std::isfinite(*value) ? value : std::nullopt;
+}
+
 std::optional<InputError> check_ranges(const Settings& settings) {
   if (settings.teams && !is_team_count(*settings.teams)) return setting_error(Setting::teams);
   if (name(settings.method).empty()) return setting_error(Setting::method);
   if (!is_min_ratio(settings.min_ratio)) return setting_error(Setting::min_ratio);
   if (!is_weight(settings.weight)) return setting_error(Setting::weight);
+  if (!is_robot_count(settings.robots)) return setting_error(Setting::robots);
+  if (!is_min_margin(settings.min_margin)) return setting_error(Setting::min_margin);
+  if (settings.apart && !is_apart(*settings.apart)) return setting_error(Setting::apart);
+  if (settings.survive > most_survived) return setting_error(Setting::survive);
   return std::nullopt;
 }
 

@@ -20,6 +20,9 @@ inline constexpr char no_more_vertices[] = "the polygon has more than 1048576 ve
 inline constexpr char no_vertices[] = "the polygon has no vertices";
 static_assert(max_vertices == 1048576, "no_more_vertices names the number");
 
+// Whether WKT calls a geometry other than a polygon so, in upper or lower case. O(1).
+bool names_other_geometry(std::string_view word);
+
 // Drops the last vertex of a ring if it equals the first. O(1).
 void drop_closing_vertex(Points& ring);
 

@@ -8,16 +8,6 @@
 namespace evenlift {
 namespace {
 
-bool names_other_geometry(std::string_view word) {
-  static constexpr std::string_view names[] = {
-      "point",          "linestring",        "multipoint",   "multilinestring",
-      "multipolygon",   "multicurve",        "multisurface", "geometrycollection",
-      "circularstring", "compoundcurve",     "curvepolygon", "curve",
-      "surface",        "polyhedralsurface", "tin",          "triangle"};
-  return std::any_of(std::begin(names), std::end(names),
-                     [&](std::string_view name) { return same_word(word, name); });
-}
-
 bool names_dimensions(std::string_view word) {
   return same_word(word, "z") || same_word(word, "m") || same_word(word, "zm");
 }
@@ -91,6 +81,16 @@ std::optional<InputError> take_ring(TextCursor& cursor, Points& ring) {
 }
 
 }  // namespace
+
+bool names_other_geometry(std::string_view word) {
+  static constexpr std::string_view names[] = {
+      "point",          "linestring",        "multipoint",   "multilinestring",
+      "multipolygon",   "multicurve",        "multisurface", "geometrycollection",
+      "circularstring", "compoundcurve",     "curvepolygon", "curve",
+      "surface",        "polyhedralsurface", "tin",          "triangle"};
+  return std::any_of(std::begin(names), std::end(names),
+                     [&](std::string_view name) { return same_word(word, name); });
+}
 
 Result<Document> read_wkt(std::string_view text) {
   Document document;

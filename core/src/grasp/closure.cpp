@@ -7,8 +7,7 @@
 #include "evenlift/hull.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
-#include "exact/sorted_indices.h"
-#include "grasp/wrench_margin.h"
+#include "grasp/grasp.h"
 #include "polygon/clip.h"
 #include "polygon/half_planes.h"
 
@@ -19,66 +18,6 @@ namespace {
 constexpr double square_half_side = 100;
 
 enum class Sense { counterclockwise, clockwise };
-
-// The object and its contacts. Each contact's edge is directed so that the interior is on its left,
-// so the inward normal is the edge's direction turned by +90 degrees.
-struct Grasp {
-  struct Touch {
-    Vec2 from, to;  // the ends of the edge, as directed
-    Vec2 position;
-    std::uint32_t edge;
-    Vec2 direction() const { return to - from; }
-    Vec2 inward() const { return left_normal(to - from) / length(to - from); }
-  };
-  Vec2 centre;
-  double diagonal = 0;
-  double near = 0;
-  double radius = 0;  // R: the largest distance of a vertex from C
-  std::vector<Touch> touches;
-};
-
-// The position of a touch along its edge, from the foot of the perpendicular from C, times the
-// edge's length.
-double along(const Grasp& grasp, const Grasp::Touch& touch) {
-  return dot_of_differences(touch.from, touch.to, grasp.centre, touch.position);
-}
-
-// Keeps only the first and the last of the touches on each edge, in their order. The wrenches and
-// the normal lines of the others lie between theirs and add nothing.
-void keep_extremes(Grasp& grasp) {
-  const std::vector<Grasp::Touch>& touches = grasp.touches;
-  std::vector<double> place(touches.size());
-  for (std::size_t i = 0; i < touches.size(); ++i) place[i] = along(grasp, touches[i]);
-  const auto order = sorted_indices(touches.size(), [&](std::uint32_t i, std::uint32_t j) {
-    if (touches[i].edge != touches[j].edge) return touches[i].edge < touches[j].edge;
-    return place[i] < place[j];
-  });
-  std::vector<std::uint32_t> kept;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::uint32_t edge = touches[order[k]].edge;
-    const bool is_first = k == 0 || touches[order[k - 1]].edge != edge;
-    const bool is_last = k + 1 == order.size() || touches[order[k + 1]].edge != edge;
-    if (is_first || is_last) kept.push_back(order[k]);
-  }
-  std::sort(kept.begin(), kept.end());
-  std::vector<Grasp::Touch> extremes;
-  extremes.reserve(kept.size());
-  for (const std::uint32_t i : kept) extremes.push_back(touches[i]);
-  grasp.touches = std::move(extremes);
-}
-
-Grasp make_grasp(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts) {
-  Grasp grasp{centre, polygon.diagonal(), near_distance(polygon.diagonal()), 0, {}};
-  for (const Vec2& v : polygon.vertices())
-    grasp.radius = std::max(grasp.radius, length(v - centre));
-  for (const Contact& contact : contacts) {
-    Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
-    if (!polygon.counter_clockwise()) std::swap(from, to);
-    grasp.touches.push_back({from, to, contact.position, contact.edge});
-  }
-  keep_extremes(grasp);
-  return grasp;
-}
 
 // Reuleaux's half-planes of one sense, relative to C and widened by `offset`. The free
 // instantaneous centres of counter-clockwise rotation are those on or left of every contact's
@@ -264,49 +203,48 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
   return true;
 }
 
-// The wrenches of the contacts, with torques in units of R. They are sorted by edge and torque, so
-// that the margin does not depend on the order of the robots.
-std::vector<Wrench> wrenches(const Grasp& grasp) {
-  std::vector<Wrench> all;
-  for (const Grasp::Touch& touch : grasp.touches) {
-    const Vec2 n = touch.inward();
-    all.emplace_back(n.x(), n.y(), cross(touch.position - grasp.centre, n) / grasp.radius);
-  }
-  std::vector<Wrench> ordered;
-  for (const std::uint32_t i : sorted_indices(all.size(), [&](std::uint32_t a, std::uint32_t b) {
-         if (grasp.touches[a].edge != grasp.touches[b].edge)
-           return grasp.touches[a].edge < grasp.touches[b].edge;
-         return all[a].z() < all[b].z();
-       }))
-    ordered.push_back(all[i]);
-  return ordered;
-}
-
-}  // namespace
-
-bool in_form_closure(const Polygon& polygon, const Vec2& centre,
-                     const std::vector<LiftingPoint>& points) {
-  const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
+bool nothing_is_free(const Grasp& grasp) {
   return !free_translation(grasp) && !some_centre_is_free(grasp, Sense::clockwise, grasp.near) &&
          !some_centre_is_free(grasp, Sense::counterclockwise, grasp.near);
 }
 
+std::optional<double> margin_of(const Grasp& grasp) {
+  if (grasp.touches.empty()) return std::nullopt;
+  return wrench_margin(wrenches(grasp));
+}
+
+}  // namespace
+
+Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
+                  const std::vector<Contact>& contacts) {
+  const Grasp grasp = make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts);
+  return {nothing_is_free(grasp), margin_of(grasp)};
+}
+
+bool in_form_closure(const Polygon& polygon, const Vec2& centre,
+                     const std::vector<LiftingPoint>& points) {
+  return nothing_is_free(
+      make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts(polygon, points)));
+}
+
 bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points) {
-  const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
+  const Grasp grasp =
+      make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts(polygon, points));
   return !some_centre_is_free(grasp, Sense::clockwise, -grasp.near) &&
          !some_centre_is_free(grasp, Sense::counterclockwise, -grasp.near);
 }
 
 FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
                          const std::vector<Contact>& contacts) {
-  const Grasp grasp = make_grasp(polygon, centre, contacts);
+  const Grasp grasp = make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts);
   return {free_region(grasp, Sense::clockwise), free_region(grasp, Sense::counterclockwise)};
 }
 
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points) {
-  const Grasp grasp = make_grasp(polygon, centre, contacts(polygon, points));
+  const Grasp grasp =
+      make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts(polygon, points));
   Closure closure;
   closure.translation = free_translation(grasp);
   closure.translation_free = closure.translation.has_value();
@@ -315,7 +253,7 @@ Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
   closure.form_closure =
       !closure.translation_free && !closure.clockwise.exists && !closure.counterclockwise.exists;
   closure.second_order = immobile_to_second_order(grasp, closure);
-  if (!grasp.touches.empty()) closure.margin = wrench_margin(wrenches(grasp));
+  closure.margin = margin_of(grasp);
   return closure;
 }
 

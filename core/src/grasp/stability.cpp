@@ -24,22 +24,43 @@ double segment_tipping_force(const Points& hull, const Vec2& centre, double weig
   return std::numeric_limits<double>::infinity();
 }
 
+// Coordinates are relative to a corner of H, so that a polygon far from the origin loses no digits.
+Points relative_to(const Vec2& origin, const Polygon& polygon) {
+  Points ring;
+  ring.reserve(polygon.size());
+  for (const Vec2& v : polygon.vertices()) ring.push_back(v - origin);
+  return ring;
+}
+
+// The part of a ring, which is relative to the origin, within a hull, which is not.
+Points part_within(Points ring, const Points& hull, const Vec2& origin) {
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    // The direction is taken from the corners as they are. If two of them differ only by rounding,
+    // translation would change it.
+    ring = clip_left_of_ray(ring, hull[i] - origin, hull[(i + 1) % hull.size()] - hull[i]);
+  }
+  return ring;
+}
+
+double share_of(double area, const Points& part) {
+  return std::clamp(std::fabs(signed_area(part)) / area, 0.0, 1.0);
+}
+
 }  // namespace
 
 double coverage(const Polygon& polygon, const Points& hull) {
   if (hull.size() < 3) return 0;
-  // Coordinates are relative to a corner of H, so that a polygon far from the origin loses no
-  // digits.
   const Vec2& origin = hull.front();
-  Points part;
-  part.reserve(polygon.size());
-  for (const Vec2& v : polygon.vertices()) part.push_back(v - origin);
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    // The direction is taken from the corners as they are. If two of them differ only by rounding,
-    // translation would change it.
-    part = clip_left_of_ray(part, hull[i] - origin, hull[(i + 1) % hull.size()] - hull[i]);
-  }
-  return std::clamp(std::fabs(signed_area(part)) / polygon.area(), 0.0, 1.0);
+  return share_of(polygon.area(), part_within(relative_to(origin, polygon), hull, origin));
+}
+
+CoverageWithin::CoverageWithin(const Polygon& polygon, const Points& outer)
+    : origin_(outer.front()),
+      part_(part_within(relative_to(origin_, polygon), outer, origin_)),
+      area_(polygon.area()) {}
+
+double CoverageWithin::of(const Points& hull) const {
+  return hull.size() < 3 ? 0 : share_of(area_, part_within(part_, hull, origin_));
 }
 
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q) {

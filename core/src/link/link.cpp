@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::string_view alphabet =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-constexpr std::string_view version_1 = "1.";
 constexpr std::size_t checksum_digits = 4;
 
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
@@ -145,7 +144,8 @@ Result<Digits> read_digits(std::string_view text, std::size_t begin, std::size_t
   return digits;
 }
 
-Result<Document> decode_version_1(std::string_view text, std::size_t begin, const Span& span) {
+Result<Document> decode_version(LinkVersion version, std::size_t begin, std::string_view text,
+                                const Span& span) {
   Result<Digits> digits = read_digits(text, begin, span.end);
   if (!digits) return digits.error();
   if (digits->size() < checksum_digits) {
@@ -157,19 +157,25 @@ Result<Document> decode_version_1(std::string_view text, std::size_t begin, cons
     return link_error(ErrorCode::bad_checksum, "the link was cut off or altered on its way");
   }
   digits->resize(digits->size() - checksum_digits);
-  std::optional<Document> document = decode_payload_1(*digits);
+  Payload payload = decode_payload(version, *digits);
+  if (const UnknownRecord* record = std::get_if<UnknownRecord>(&payload)) {
+    return link_error(ErrorCode::unknown_version,
+                      "the link was made by a newer evenlift: this one does not know its record " +
+                          std::to_string(record->tag));
+  }
+  Document* document = std::get_if<Document>(&payload);
   if (!document || check_linkable(*document)) {
     return link_error(ErrorCode::bad_link, "the link holds what evenlift never writes");
   }
-  return *std::move(document);
+  return std::move(*document);
 }
 
 }  // namespace
 
 Result<std::string> encode_link(const Document& document) {
   if (auto error = check_linkable(document)) return *std::move(error);
-  std::string link(version_1);
-  for (const std::uint8_t digit : encode_payload_1(document)) link += alphabet[digit];
+  std::string link = std::to_string(static_cast<int>(version_for(document))) + '.';
+  for (const std::uint8_t digit : encode_payload(document)) link += alphabet[digit];
   link += checksum_text(link);
   if (link.size() > max_link_bytes) {  // no known document has so long a link
     return InputError{ErrorCode::text_too_long, "the link would be longer than 1 MiB", {}};
@@ -189,11 +195,12 @@ Result<Document> decode_link(std::string_view text) {
 
   const Result<Version> version = read_version(text, span);
   if (!version) return version.error();
-  if (version->number > 1) {
+  constexpr auto newest = static_cast<std::uint64_t>(LinkVersion::two);
+  if (version->number > newest) {
     return link_error(ErrorCode::unknown_version,
-                      "the link was made by a newer evenlift: this one reads version 1 only");
+                      "the link was made by a newer evenlift: this one reads versions 1 and 2");
   }
-  return decode_version_1(text, version->payload, span);
+  return decode_version(static_cast<LinkVersion>(version->number), version->payload, text, span);
 }
 
 bool looks_like_link(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "link/encodings.h"
+#include "link/records.h"
 #include "link/settings.h"
 #include "link/vertices.h"
 
@@ -73,6 +74,8 @@ struct Content {
   Settings settings = defaults_of_link_1();
   QuantizedVertices quantized;  // the vertices, by the scale of the encoding
   std::optional<Vec2> centre_of_mass;
+  LinkVersion version = LinkVersion::one;
+  Records records;  // of version 2
 };
 
 // An encoder writes the content, with the vertices in the given encoding. A decoder reads all of
@@ -94,6 +97,7 @@ Encoding code_content(Coder& coder, Content& content, Encoding encoding) {
   if (has_centre && !coder.failed()) {
     centre = code_centre(coder, centre.value_or(Vec2::Zero()), encoding.scale, content.quantized);
   }
+  if (content.version == LinkVersion::two) code_records(coder, content.records);
   return encoding;
 }
 
@@ -103,13 +107,37 @@ Digits encode_in(const Encoding& encoding, Content& content) {
   return encoder.finish();
 }
 
+// Whether all numbers of the document are finite.
+bool is_finite(const Document& document) {
+  for (const Vec2& vertex : document.vertices)
+    if (!vertex.allFinite()) return false;
+  if (document.centre_of_mass && !document.centre_of_mass->allFinite()) return false;
+  return std::isfinite(document.settings.weight) && std::isfinite(document.settings.min_ratio);
+}
+
+// The document that was read, without its records.
+Document document_of(const Content& content) {
+  Document document;
+  document.settings = content.settings;
+  document.centre_of_mass = content.centre_of_mass;
+  document.vertices.reserve(content.quantized.size());
+  for (const auto& vertex : content.quantized)
+    document.vertices.emplace_back(vertex[0].value, vertex[1].value);
+  return document;
+}
+
 }  // namespace
 
-Digits encode_payload_1(const Document& document) {
+LinkVersion version_for(const Document& document) {
+  return records_of(document.settings).empty() ? LinkVersion::one : LinkVersion::two;
+}
+
+Digits encode_payload(const Document& document) {
   Digits best;
   bool first = true;
   for (QuantizedPolygon& candidate : likely_encodings(document.vertices)) {
-    Content content{document.settings, std::move(candidate.quantized), document.centre_of_mass};
+    Content content{document.settings, std::move(candidate.quantized), document.centre_of_mass,
+                    version_for(document), records_of(document.settings)};
     Digits digits = encode_in(candidate.encoding, content);
     if (first || digits.size() < best.size()) best = std::move(digits);
     first = false;
@@ -117,29 +145,24 @@ Digits encode_payload_1(const Document& document) {
   return best;
 }
 
-std::optional<Document> decode_payload_1(std::span<const std::uint8_t> digits) {
+Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits) {
   Decoder decoder(digits);
   Content content;
+  content.version = version;
   const Encoding encoding = code_content(decoder, content, Encoding{});
-  if (decoder.failed()) return std::nullopt;
+  if (decoder.failed()) return NoPayload{};
+  if (!content.records.empty() && !is_known(content.records.back().tag))
+    return UnknownRecord{static_cast<unsigned>(content.records.back().tag)};
 
-  Document document;
-  document.settings = content.settings;
-  document.centre_of_mass = content.centre_of_mass;
-  document.vertices.reserve(content.quantized.size());
-  for (const auto& vertex : content.quantized) {
-    document.vertices.emplace_back(vertex[0].value, vertex[1].value);
-    if (!document.vertices.back().allFinite()) return std::nullopt;
-  }
-  if (document.centre_of_mass && !document.centre_of_mass->allFinite()) return std::nullopt;
-  if (!std::isfinite(document.settings.weight) || !std::isfinite(document.settings.min_ratio)) {
-    return std::nullopt;
-  }
+  Document document = document_of(content);
+  if (!is_finite(document) || !take_records(content.records, document)) return NoPayload{};
   // In each encoding a document has one link only. So no two links mean the same, and nothing can
   // hide in a link.
   content.quantized = quantize(encoding.scale, document.vertices);
+  content.records = records_of(document.settings);
+  if (version_for(document) != version) return NoPayload{};
   const Digits again = encode_in(encoding, content);
-  if (!std::equal(again.begin(), again.end(), digits.begin(), digits.end())) return std::nullopt;
+  if (!std::equal(again.begin(), again.end(), digits.begin(), digits.end())) return NoPayload{};
   return document;
 }
 

@@ -1,23 +1,37 @@
-// The payload of share links of version 1: a Document as digits, and back. docs/link-format.md
-// specifies the format. It is fixed for ever; any change makes a new version.
+// The payload of share links: a Document as digits, and back. docs/link-format.md specifies the format.
+// Each version is fixed for ever; any change makes a new one.
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <span>
+#include <variant>
 
 #include "evenlift/document.h"
 #include "link/range_coder.h"
 
 namespace evenlift {
 
+// Version 2 is version 1 with records behind it (records.h).
+enum class LinkVersion : std::uint8_t { one = 1, two = 2 };
+
+// The least version that holds the document. O(1).
+LinkVersion version_for(const Document& document);
+
 // Writes the document in a few encodings and returns the shortest result. All its numbers must be
 // finite, it has at most max_link_vertices vertices, and its settings are within their ranges.
 // O(n).
-Digits encode_payload_1(const Document& document);
+Digits encode_payload(const Document& document);
 
-// The document, or nothing if encode_payload_1 could not have written these digits in any encoding.
+// Why digits are no document: encode_payload could not have written them in any encoding; or they
+// have a record that a later program wrote, with this tag.
+struct NoPayload {};
+struct UnknownRecord {
+  unsigned tag = 0;
+};
+using Payload = std::variant<Document, NoPayload, UnknownRecord>;
+
 // All numbers of the document are finite, and it has at most max_link_vertices vertices. Work and
 // memory are bounded for any digits. O(digits).
-std::optional<Document> decode_payload_1(std::span<const std::uint8_t> digits);
+Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits);
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// The settings in share links of version 1, and numbers that are not vertices, for either coder.
+// The settings that share links of version 1 and later begin with, and numbers that are not vertices, for either coder.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +24,18 @@ inline Settings defaults_of_link_1() {
   settings.overlays = {false, true, true, true, true, false};
   settings.step = std::nullopt;
   return settings;
+}
+
+// The settings that came after version 1, which records hold if they are needed (records.h): methods
+// that know nothing of them do not need them.
+inline void forget_later_settings(Settings& settings) {
+  const Settings usual;
+  if (settings.method == Method::balanced) settings.method = usual.method;
+  settings.robots = usual.robots;
+  settings.goal = usual.goal;
+  settings.min_margin = usual.min_margin;
+  settings.apart = usual.apart;
+  settings.survive = usual.survive;
 }
 
 // Codes a finite number: as a decimal if it has a short one, otherwise as its 64 bits. O(1).
@@ -69,6 +81,7 @@ std::optional<std::uint32_t> code_teams(Coder& coder, std::optional<std::uint32_
 template <class Coder>
 void code_settings(Coder& coder, Settings& settings) {
   const Settings usual = defaults_of_link_1();
+  forget_later_settings(settings);
   // Compares bits, because -0 and 0 must be told apart.
   const bool ratio = !same_bits(settings.min_ratio, usual.min_ratio);
   const bool weight = !same_bits(settings.weight, usual.weight);

@@ -1,7 +1,6 @@
 #include "evenlift/capacity.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "evenlift/selection.h"
@@ -31,7 +30,7 @@ class Growing {
   bool add(const Chord& chord) {
     share_ = std::max(share_, greater_share(chord));
     const double greatest = weight_ / ++plan_.tried * share_;
-    if (greatest <= capacity_) plan_ = {true, plan_.tried, greatest, plan_.tried};
+    if (greatest <= capacity_) plan_ = {true, plan_.tried, greatest, plan_.tried, 2};
     return plan_.possible;
   }
 
@@ -43,22 +42,22 @@ class Growing {
   CapacityPlan plan_;
 };
 
-CapacityPlan plan_by_candidates(const Polygon& polygon, const Placement& placement,
-                                double capacity) {
+CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   Growing growing(placement.settings.weight, capacity);
-  Selector selector(polygon, placement.centre_of_mass, placement.candidates,
+  Selector selector(placement.polygon, placement.centre_of_mass, placement.candidates,
                     placement.settings.method, most_teams_for_capacity);
   while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
     if (growing.add(placement.candidates[selector.taken().back()].chord)) break;
   return growing.plan();
 }
 
-CapacityPlan plan_at_random(const Polygon& polygon, const Placement& placement, double capacity) {
+CapacityPlan plan_at_random(const Placement& placement, double capacity) {
   const Settings& settings = placement.settings;
   Growing growing(settings.weight, capacity);
   // No robot carries more than its team does, so this number is enough if so many can be placed.
   const std::uint32_t enough = number_of_teams(settings.weight / capacity + 1);
-  for (const Chord& chord : random_teams(polygon, placement.centre_of_mass, enough, settings.seed))
+  for (const Chord& chord :
+       random_teams(placement.polygon, placement.centre_of_mass, enough, settings.seed))
     if (growing.add(chord)) break;
   return growing.plan();
 }
@@ -74,13 +73,12 @@ CapacityPlan plan_among(const EqualAngles& angles, double weight, double capacit
     return greatest[i] <= capacity;
   });
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (greatest[i] <= capacity) return {true, numbers[i], greatest[i], numbers[i]};
-  return {false, 0, 0, end - 1};
+    if (greatest[i] <= capacity) return {true, numbers[i], greatest[i], numbers[i], 2};
+  return {false, 0, 0, end - 1, 2};
 }
 
-CapacityPlan plan_at_equal_angles(const Polygon& polygon, const Placement& placement,
-                                  double capacity) {
-  const EqualAngles angles(polygon, placement.centre_of_mass);
+CapacityPlan plan_at_equal_angles(const Placement& placement, double capacity) {
+  const EqualAngles angles(placement.polygon, placement.centre_of_mass);
   if (!angles.has_chords()) return {};
   const double weight = placement.settings.weight;
   // Even perfectly even robots carry weight / (2 teams), so fewer teams are never enough. One sweep
@@ -94,32 +92,44 @@ CapacityPlan plan_at_equal_angles(const Polygon& polygon, const Placement& place
   }
 }
 
+CapacityPlan plan_balanced(const Settings& settings, double capacity) {
+  std::uint32_t robots = settings.survive > 0 ? 2 * settings.survive + 3 : least_robots;
+  const auto load = [&] { return settings.weight / robots; };
+  while (robots < most_robots && load() > capacity) ++robots;
+  if (load() > capacity) return {false, 0, 0, 1, most_robots};
+  return {true, 1, load(), 1, robots};
+}
+
 }  // namespace
 
 std::vector<std::size_t> overloaded_robots(const Placement& placement, double capacity) {
+  return overloaded_robots(planned_loads(placement.teams), capacity);
+}
+
+std::vector<std::size_t> overloaded_robots(const std::vector<double>& loads, double capacity) {
   std::vector<std::size_t> robots;
-  for (std::size_t t = 0; t < placement.teams.size(); ++t)
-    for (std::size_t end = 0; end < 2; ++end)
-      if (placement.teams[t].loads[end] > capacity) robots.push_back(2 * t + end);
+  for (std::size_t robot = 0; robot < loads.size(); ++robot)
+    if (loads[robot] > capacity) robots.push_back(robot);
   return robots;
 }
 
 bool same_plan(const Placement& a, const Placement& b) {
   const Settings &s = a.settings, &t = b.settings;
   return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
-         s.seed == t.seed && a.centre_of_mass == b.centre_of_mass && a.vertices == b.vertices;
+         s.seed == t.seed && s.survive == t.survive && a.centre_of_mass == b.centre_of_mass &&
+         a.vertices() == b.vertices();
 }
 
 CapacityPlan plan_capacity(const Placement& placement, double capacity) {
-  const Result<Polygon> polygon = Polygon::create(placement.vertices);
-  assert(polygon.ok());  // place() has accepted it
   switch (placement.settings.method) {
     case Method::distributed:
-      return plan_at_equal_angles(*polygon, placement, capacity);
+      return plan_at_equal_angles(placement, capacity);
+    case Method::balanced:
+      return plan_balanced(placement.settings, capacity);
     case Method::random:
-      return plan_at_random(*polygon, placement, capacity);
+      return plan_at_random(placement, capacity);
     default:
-      return plan_by_candidates(*polygon, placement, capacity);
+      return plan_by_candidates(placement, capacity);
   }
 }
 

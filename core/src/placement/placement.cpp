@@ -1,5 +1,9 @@
 #include "evenlift/placement.h"
 
+#include <string>
+#include <utility>
+
+#include "evenlift/balanced.h"
 #include "evenlift/hull.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings_text.h"
@@ -8,18 +12,9 @@
 namespace evenlift {
 namespace {
 
-std::vector<LiftingPoint> lifting_points(const std::vector<Chord>& chords) {
-  std::vector<LiftingPoint> points;
-  points.reserve(2 * chords.size());
-  for (const Chord& chord : chords) {
-    points.push_back(chord.r1);
-    points.push_back(chord.r2);
-  }
-  return points;
-}
-
 // Chooses the chords that the teams take, and notes which candidates they are.
-std::vector<Chord> choose_chords(const Polygon& polygon, Placement& placement) {
+std::vector<Chord> choose_chords(Placement& placement) {
+  const Polygon& polygon = placement.polygon;
   const Vec2& centre = placement.centre_of_mass;
   const std::size_t teams = placement.requested_teams;
   switch (placement.settings.method) {
@@ -38,48 +33,112 @@ std::vector<Chord> choose_chords(const Polygon& polygon, Placement& placement) {
   return chords;
 }
 
-// Fills in everything of a placement that follows from the chords.
-void describe_grasp(const Polygon& polygon, const std::vector<Chord>& chords,
-                    Placement& placement) {
-  const std::vector<LiftingPoint> points = lifting_points(chords);
+// Whether the placement is what its goal asks for.
+bool reaches_goal(const Placement& placement) {
+  if (placement.teams.empty()) return false;
+  return goal_of(placement.settings) == Goal::cover || placement.closure.form_closure;
+}
+
+// Fills in everything of a placement that follows from the teams.
+void describe_grasp(Placement& placement) {
+  const Polygon& polygon = placement.polygon;
+  const std::vector<LiftingPoint> points = lifting_points(placement.teams);
   Points positions;
   positions.reserve(points.size());
   for (const LiftingPoint& point : points) positions.push_back(point.position);
 
-  placement.teams = distribute_weight(chords, placement.settings.weight);
   placement.loads = summarize_loads(placement.teams);
   placement.lifting_base = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
   placement.coverage = coverage(polygon, placement.lifting_base);
   placement.closure = analyse_closure(polygon, placement.centre_of_mass, points);
+  placement.goal_reached = reaches_goal(placement);
+}
+
+// The team that balanced robots are.
+Team team_of(const Placement& placement, const std::vector<LiftingPoint>& robots) {
+  return share_evenly(robots, placement.centre_of_mass, placement.settings.weight);
+}
+
+// Places balanced robots. There may be no such set.
+void place_balanced(Placement& placement, Effort effort) {
+  const BalancedProblem problem(placement.polygon, placement.centre_of_mass, placement.settings);
+  placement.search_ended = effort == Effort::whole || is_quick_to_start(problem);
+  if (!placement.search_ended) return;
+  auto search = start_balanced(problem);
+  if (!search) return;
+  if (effort == Effort::whole) search = finish_search(problem, *std::move(search));
+  placement.teams = {team_of(placement, search->robots)};
+  placement.search_ended = search->finished;
+}
+
+std::uint32_t requested_teams(const Placement& placement) {
+  if (placement.settings.method == Method::balanced) return 1;
+  return placement.settings.teams.value_or(static_cast<std::uint32_t>(placement.candidates.size()));
+}
+
+void choose_teams(Placement& placement, Effort effort) {
+  if (placement.settings.method == Method::balanced) return place_balanced(placement, effort);
+  placement.teams = distribute_weight(choose_chords(placement), placement.settings.weight);
+}
+
+InputError refused(Setting setting, std::string why) {
+  return {ErrorCode::bad_setting,
+          std::move(why),
+          {Place::Kind::option, 0, 0, std::string(name(setting))}};
+}
+
+// Whether the settings of balanced robots go together.
+std::optional<InputError> check_balanced(const Settings& settings) {
+  const std::uint32_t least = 2 * settings.survive + 3;
+  if (settings.survive == 0 || settings.robots >= least) return std::nullopt;
+  return refused(Setting::survive, "to survive " + std::to_string(settings.survive) +
+                                       (settings.survive == 1 ? " failure" : " failures") +
+                                       " takes at least " + std::to_string(least) +
+                                       " robots, not " + std::to_string(settings.robots));
 }
 
 }  // namespace
 
 std::optional<InputError> check_settings(const Settings& settings) {
   if (auto error = check_ranges(settings)) return error;
+  if (settings.method == Method::balanced) return check_balanced(settings);
+  if (settings.goal == Goal::hold)
+    return refused(Setting::goal, "only balanced robots can be placed so that they hold");
   if (settings.teams || selects_candidates(settings.method)) return std::nullopt;
-  return InputError{ErrorCode::bad_setting,
-                    "all candidates can be placed by area, circle and distance only; give a number",
-                    {Place::Kind::option, 0, 0, std::string(name(Setting::teams))}};
+  return refused(Setting::teams,
+                 "all candidates can be placed by area, circle and distance only; give a number");
 }
 
-Result<Placement> place(const Document& document) {
+Result<Placement> place(const Document& document, Effort effort) {
   if (auto error = check_settings(document.settings)) return *error;
   auto polygon = Polygon::create(document.vertices);
   if (!polygon) return polygon.error();
-  const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);
+  return place(*std::move(polygon), document.centre_of_mass, document.settings, effort);
+}
+
+Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
+                        const Settings& settings, Effort effort) {
+  if (auto error = check_settings(settings)) return *error;
+  const auto centre = check_centre_of_mass(polygon, centre_of_mass);
   if (!centre) return centre.error();
-  auto candidates = find_candidates(*polygon, *centre, document.settings.min_ratio);
+  auto candidates = find_candidates(polygon, *centre, settings.min_ratio);
   if (!candidates) return candidates.error();
 
-  Placement placement;
-  placement.vertices = document.vertices;
+  Placement placement(std::move(polygon));
   placement.centre_of_mass = *centre;
-  placement.settings = document.settings;
+  placement.settings = settings;
   placement.candidates = std::move(*candidates);
-  placement.requested_teams =
-      document.settings.teams.value_or(static_cast<std::uint32_t>(placement.candidates.size()));
-  describe_grasp(*polygon, choose_chords(*polygon, placement), placement);
+  placement.requested_teams = requested_teams(placement);
+  choose_teams(placement, effort);
+  describe_grasp(placement);
+  return placement;
+}
+
+Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
+                      bool search_ended) {
+  placement.teams = {team_of(placement, robots)};
+  placement.search_ended = search_ended;
+  describe_grasp(placement);
   return placement;
 }
 

@@ -165,9 +165,11 @@ Moments moments(const Points& vertices, const Vec2& corner) {
   return exact_moments(vertices);
 }
 
+}  // namespace
+
 // The lowest of the leftmost vertices is a corner of the convex hull and is never straight, so its
 // turn has the polygon's orientation.
-bool turns_left_at_extreme(const Points& vertices) {
+bool is_counter_clockwise(const Points& vertices) {
   std::size_t lowest = 0;
   for (std::size_t i = 1; i < vertices.size(); ++i) {
     const Vec2 &v = vertices[i], &best = vertices[lowest];
@@ -176,8 +178,6 @@ bool turns_left_at_extreme(const Points& vertices) {
   const std::size_t n = vertices.size();
   return orient(vertices[(lowest + n - 1) % n], vertices[lowest], vertices[(lowest + 1) % n]) > 0;
 }
-
-}  // namespace
 
 Result<Polygon> Polygon::create(Points vertices) {
   if (auto error = check_coordinates(vertices)) return *error;
@@ -205,7 +205,7 @@ Result<Polygon> Polygon::create(Points vertices) {
   polygon.diagonal_ = box.diagonal();
   polygon.area_ = m.area;
   polygon.centroid_ = m.centroid;
-  polygon.counter_clockwise_ = turns_left_at_extreme(vertices);
+  polygon.counter_clockwise_ = is_counter_clockwise(vertices);
   polygon.hull_ = convex_hull(vertices);
   polygon.vertices_ = std::move(vertices);
   polygon.convex_ = true;

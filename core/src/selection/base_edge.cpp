@@ -106,6 +106,7 @@ Gain Wedge::estimate(const Vec2& p) const {
     case Method::area:
     case Method::distributed:
     case Method::random:
+    case Method::balanced:
       break;
   }
   const double triangle = triangle_area(h1_, h2_, p);
@@ -124,6 +125,7 @@ double Wedge::evaluate(const Vec2& p) const {
     case Method::area:
     case Method::distributed:
     case Method::random:
+    case Method::balanced:
       break;
   }
   return surroundings_->convex ? triangle_area(h1_, h2_, p) : area_gain(p);

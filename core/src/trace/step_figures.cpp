@@ -136,9 +136,10 @@ void StepFigures::loads() {
 
 void StepFigures::add_team(std::uint32_t index, bool loaded) {
   const Team& team = placement_.teams[index];
-  add(FigureKind::team, team.chord, index, team.chord.ratio);
-  add(FigureKind::robot, Points{team.chord.r1.position}, 2 * index, loaded ? team.loads[0] : 0);
-  add(FigureKind::robot, Points{team.chord.r2.position}, 2 * index + 1, loaded ? team.loads[1] : 0);
+  add(FigureKind::team, chord_of(team), index, team.ratio);
+  auto number = static_cast<std::uint32_t>(index * team.robots.size());
+  for (const Robot& robot : team.robots)
+    add(FigureKind::robot, Points{robot.point.position}, number++, loaded ? robot.load : 0);
 }
 
 // --- What holds the object -----------------------------------------------------------------------

@@ -97,7 +97,7 @@ void StepNumbers::scores() {
 
 void StepNumbers::team() {
   scores();
-  add("ratio", placement_.teams[item_].chord.ratio);
+  add("ratio", placement_.teams[item_].ratio);
 }
 
 void StepNumbers::base() {
@@ -116,10 +116,10 @@ void StepNumbers::fewer() {
 void StepNumbers::share() {
   const Team& team = placement_.teams[item_];
   count("team", item_ + 1);
-  add("arm1", team.chord.arm1);
-  add("arm2", team.chord.arm2);
-  add("load1", team.loads[0]);
-  add("load2", team.loads[1]);
+  add("arm1", team.robots[0].arm);
+  add("arm2", team.robots[1].arm);
+  add("load1", team.robots[0].load);
+  add("load2", team.robots[1].load);
 }
 
 void StepNumbers::loads() {
@@ -133,7 +133,7 @@ void StepNumbers::loads() {
 void StepNumbers::coverage() { add("coverage", placement_.coverage); }
 
 void StepNumbers::contacts() {
-  count("robots", 2 * placement_.teams.size());
+  count("robots", count_robots(placement_.teams));
   count("contacts", trace_.contacts.size());
 }
 

@@ -149,10 +149,11 @@ std::optional<InputError> collect(Trace& trace) {
 }  // namespace
 
 Result<Trace> make_trace(const Placement& placement) {
-  Result<Polygon> polygon = Polygon::create(placement.vertices);
-  if (!polygon) return polygon.error();
+  if (placement.settings.method == Method::balanced)
+    return InputError{
+        ErrorCode::unsupported, "the steps of balanced robots cannot be shown one by one yet", {}};
   Trace trace{.placement = placement,
-              .polygon = *std::move(polygon),
+              .polygon = placement.polygon,
               .centre = placement.centre_of_mass,
               .rays = {},
               .radial_edges = {},
@@ -165,12 +166,7 @@ Result<Trace> make_trace(const Placement& placement) {
               .blocks = {}};
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
-  std::vector<LiftingPoint> points;
-  for (const Team& team : placement.teams) {
-    points.push_back(team.chord.r1);
-    points.push_back(team.chord.r2);
-  }
-  trace.contacts = contacts(trace.polygon, points);
+  trace.contacts = contacts(trace.polygon, lifting_points(placement.teams));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;
 }
@@ -252,9 +248,8 @@ Progress progress_at(const Trace& trace, std::uint32_t k) {
 Points lifting_base(const Trace& trace, std::uint32_t teams) {
   Points points;
   for (std::uint32_t i = 0; i < teams && i < trace.placement.teams.size(); ++i) {
-    const Chord& chord = trace.placement.teams[i].chord;
-    points.push_back(chord.r1.position);
-    points.push_back(chord.r2.position);
+    for (const Robot& robot : trace.placement.teams[i].robots)
+      points.push_back(robot.point.position);
   }
   return convex_hull(std::move(points), near_distance(trace.polygon.diagonal()));
 }

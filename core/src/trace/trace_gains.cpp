@@ -23,6 +23,7 @@ class GainScene {
       case Method::area:
       case Method::distributed:
       case Method::random:
+      case Method::balanced:
         add_triangle(end);
         return add_part(end);
     }

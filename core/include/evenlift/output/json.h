@@ -16,10 +16,18 @@ struct CapacityInJson {
   CapacityPlan plan;
 };
 
+// What is written of doubt and failures beyond what is always there.
+struct RobustnessInJson {
+  double com_radius = 0;  // >= 0; above 0 the loads are also written as ranges
+  bool failures = false;  // what happens if one robot fails, for each of them
+};
+
 // One JSON object, two-space indented, short arrays on one line, ending in a newline; numbers have
-// the fewest digits that read back to the same double; the same bytes on every platform. O(output).
+// the fewest digits that read back to the same double; the same bytes on every platform. O(output), besides
+// the costs of placed_robots.h: of model_loads and robustness always, of the others if asked for.
 std::string placement_json(const Placement& placement, bool with_candidates,
-                           const std::optional<CapacityInJson>& capacity = std::nullopt);
+                           const std::optional<CapacityInJson>& capacity = std::nullopt,
+                           const RobustnessInJson& robustness = {});
 
 // What a link holds: the polygon, the centre of mass if it is not the centroid, and the settings.
 std::string document_json(const Document& document);

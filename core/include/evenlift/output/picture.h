@@ -18,7 +18,7 @@ enum class Role : std::uint8_t {
   clockwise,         // filled region of free clockwise rotation centres
   counterclockwise,  // filled region of free counter-clockwise ones
   candidate,         // a candidate chord that no team took
-  chord,             // a team's chord
+  chord,             // a line that joins a team
   robot,             // a lifting point
   centre_of_mass,
 };
@@ -29,6 +29,13 @@ struct Shape {
   std::optional<std::uint32_t> team;  // index of the team, of chords and robots
   double load = 0;                    // for robots
 };
+
+// The lines that join a team: the chord of a team of two, else one from each robot to C.
+// O(robots of the team).
+struct Segment {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+};
+std::vector<Segment> joining_lines(const Team& team, const Vec2& centre);
 
 // What the overlays ask for, back to front. If there are more than `most_lines` candidates or
 // chords, only every second, third and so on is shown: nobody could tell them apart. O(output).

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "evenlift/placement.h"
 
@@ -9,7 +10,8 @@ namespace evenlift {
 
 // Polygon, H, chords, robots with their loads, centre of mass and the two closure regions (hatched,
 // so that they are told apart without colour), fitted with a margin; a caption and a <title>/<desc>
-// in words. The same bytes on every platform. O(output).
-std::string placement_svg(const Placement& placement);
+// in words. The same bytes on every platform. With the `link` of its document (link.h), the
+// picture opens again as that document. O(output).
+std::string placement_svg(const Placement& placement, std::string_view link = {});
 
 }  // namespace evenlift

@@ -22,6 +22,9 @@ std::string caption(const Trace& trace, const StepDetail& detail);
 // where there is nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
+// What the letters of the step's formula stand for, in one sentence; empty if the formula has none that need it. O(1).
+std::string_view formula_letters(const Trace& trace, const StepDetail& detail);
+
 // The algorithm in our own words for one method. Each line is a statement, indented by two spaces
 // for each level. O(1).
 std::vector<std::string_view> pseudo_code(Method method);

@@ -8,7 +8,6 @@
 // unit.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -62,7 +61,8 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 
 // --- A placement. O(1) unless stated otherwise.
 
-// "6 robots carry 15.2–18.1 kg each (100 kg in all)." or "No team can be placed."
+// "6 robots carry 15.2–18.1 kg each (100 kg in all).", of balanced robots "6 robots, each exactly
+// 16.7 kg of 100.", or "No team can be placed."
 std::string loads_in_words(const Placement& placement);
 
 // Why there are no teams, and what could help; or that there are fewer than were asked for; else
@@ -78,7 +78,13 @@ std::string closure_in_words(const Placement& placement);
 // "turn either way and slide"; empty if nothing is free.
 std::string free_motions_in_words(const Closure& closure);
 
-// The sentences that follow loads_in_words: shortage, coverage and closure.
+// Whether the robots hold the object, if only to second order.
+bool is_held(const Placement& placement);
+
+// Less of the object above the lifting base than this is no good result.
+inline constexpr double good_coverage = 0.5;
+
+// The sentences that follow loads_in_words: shortage, coverage and closure; what is wrong comes first.
 std::string detail_in_words(const Placement& placement);
 
 // The whole result in a few sentences: loads_in_words and detail_in_words.
@@ -89,6 +95,10 @@ std::string verdict(const Placement& placement);
 std::string capacity_in_words(const Placement& placement, double capacity,
                               const CapacityPlan* plan);
 
+// The same where other robots are overloaded than by plan.
+std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
+                              const std::vector<std::size_t>& overloaded);
+
 // One of the numbers that describe a result, with a few words on what it means.
 struct Fact {
   const char* label;
@@ -97,10 +107,11 @@ struct Fact {
 };
 std::vector<Fact> facts_in_words(const Placement& placement);
 
-// A team's numbers, with those of r1 before those of r2. O(1).
+// A team's numbers, with those of its robots in their order. O(robots of the team).
 struct TeamInWords {
-  std::string ratio, length;
-  std::array<std::string, 2> at, loads;  // loads without their unit
+  std::string ratio;
+  std::string length;                  // of the chord of a team of two, else empty
+  std::vector<std::string> at, loads;  // of each robot; loads without their unit
 };
 TeamInWords team_in_words(const Placement& placement, std::size_t team, int coordinate_decimals);
 

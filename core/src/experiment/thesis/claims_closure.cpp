@@ -35,7 +35,7 @@ std::string distributed_leads(const Rows& rows, const Reading& reading) {
     const Aggregate* ours = find(rows, Method::distributed, teams);
     if (!ours || !(ours->*reading.rate)) continue;
     bool leads = true;
-    for (const Method method : all_methods)
+    for (const Method method : pair_methods)
       if (const Aggregate* a = find(rows, method, teams); a && a->*reading.rate)
         leads = leads && *(a->*reading.rate) <= *(ours->*reading.rate);
     if (leads) text += (text.empty() ? "" : ", ") + std::to_string(2 * teams);
@@ -45,7 +45,7 @@ std::string distributed_leads(const Rows& rows, const Reading& reading) {
 
 void add_rates(std::vector<Claim>& claims, const Rows& rows, const Reading& reading,
                std::uint32_t teams, Method stated_method, const char* stated) {
-  for (const Method method : all_methods) {
+  for (const Method method : pair_methods) {
     const Aggregate* a = find(rows, method, teams);
     claims.push_back({"5.5",
                       "Closed with " + std::to_string(2 * teams) + " robots, " +

@@ -85,7 +85,7 @@ std::string robots_needed(const Rows& rows, Method method, double capacity) {
 }
 
 void add_robots_needed(std::vector<Claim>& claims, const Rows& rows) {
-  for (const Method method : all_methods) {
+  for (const Method method : pair_methods) {
     const char* stated = method == Method::distributed ? "28"
                          : method == Method::random    ? "30"
                                                        : "22";

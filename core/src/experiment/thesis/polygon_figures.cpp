@@ -26,7 +26,7 @@ template <class Write>
 std::string by_every_method(const PolygonResult& result, Value value, Write write) {
   const std::uint32_t teams = std::min<std::uint32_t>(3, most_teams(result));
   std::vector<std::string> items;
-  for (const Method method : all_methods)
+  for (const Method method : pair_methods)
     if (const Measurement* m = find(result, method, teams))
       items.push_back(write(m->*value) + " " + by(method));
   return "With " + of_robots(teams) + ": " + listed(items) + ".";
@@ -55,7 +55,7 @@ std::string lost_again(const PolygonResult& result) {
 
 std::string closure_sentence(const PolygonResult& result) {
   std::vector<std::string> items;
-  for (const Method method : all_methods)
+  for (const Method method : pair_methods)
     if (method != Method::random) items.push_back(first_closed(result, method));
   return "First in form closure " + listed(items) + "." + lost_again(result) +
          " Of random placements it is the part that is in form closure.";

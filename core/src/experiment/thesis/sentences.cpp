@@ -19,7 +19,7 @@ std::string points(double share) { return fixed(100 * std::fabs(share), 1) + " p
 template <class Write>
 std::string by_every_method(const Rows& rows, std::uint32_t teams, Pick pick, Write write) {
   std::vector<std::string> items;
-  for (const Method method : all_methods) {
+  for (const Method method : pair_methods) {
     const Aggregate* a = find(rows, method, teams);
     const std::optional<double> value = a ? pick(*a) : std::nullopt;
     if (value) items.push_back(write(*value) + " " + by(method));
@@ -36,7 +36,7 @@ std::string times(const Range& range) {
 // deviation with any number of teams decides.
 template <class Write>
 std::string deviations(const Rows& rows, std::uint32_t most_teams, Pick pick, Write write) {
-  const Aggregate* greatest[std::size(all_methods)] = {};
+  const Aggregate* greatest[std::size(pair_methods)] = {};
   for (const Aggregate& a : rows) {
     const Aggregate*& held = greatest[static_cast<std::size_t>(a.method)];
     if (a.teams <= most_teams && pick(a) && (!held || *pick(a) > *pick(*held))) held = &a;

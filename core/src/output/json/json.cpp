@@ -1,13 +1,27 @@
 #include "evenlift/output/json.h"
 
 #include "evenlift/candidates.h"
+#include "evenlift/doubt.h"
+#include "evenlift/placed_robots.h"
 #include "output/json/json_text.h"
+#include "output/json/robustness_json.h"
 
 namespace evenlift {
 namespace {
 
 std::string ends(const Chord& chord) {
   return json::array({json::pair(chord.r1.position), json::pair(chord.r2.position)});
+}
+
+std::string team_json(const Team& team) {
+  std::vector<std::string> ends, loads;
+  for (const Robot& robot : team.robots) {
+    ends.push_back(json::pair(robot.point.position));
+    loads.push_back(json::number(robot.load));
+  }
+  return json::object({{"ends", json::array(ends)},
+                       {"ratio", json::number(team.ratio)},
+                       {"loads", json::array(loads)}});
 }
 
 std::string candidates_json(const std::vector<Candidate>& candidates) {
@@ -21,21 +35,20 @@ std::string candidates_json(const std::vector<Candidate>& candidates) {
 
 std::string teams_json(const std::vector<Team>& teams) {
   std::vector<std::string> items;
-  for (const Team& team : teams)
-    items.push_back(json::object(
-        {{"ends", ends(team.chord)},
-         {"ratio", json::number(team.chord.ratio)},
-         {"loads", json::array({json::number(team.loads[0]), json::number(team.loads[1])})}}));
+  for (const Team& team : teams) items.push_back(team_json(team));
   return json::long_array(items, 1);
 }
 
-std::string loads_json(const std::optional<LoadSummary>& loads) {
+std::string loads_json(const std::optional<LoadSummary>& loads,
+                       const std::optional<ModelLoads>& models) {
   if (!loads) return "null";
-  return json::object({{"min", json::number(loads->min)},
-                       {"mean", json::number(loads->mean)},
-                       {"max", json::number(loads->max)},
-                       {"spread", json::number(loads->spread)},
-                       {"max_share", json::number(loads->max_share)}});
+  return json::long_object({{"min", json::number(loads->min)},
+                            {"mean", json::number(loads->mean)},
+                            {"max", json::number(loads->max)},
+                            {"spread", json::number(loads->spread)},
+                            {"max_share", json::number(loads->max_share)},
+                            {"models", json::models(models, 2)}},
+                           1);
 }
 
 std::string closure_json(const Closure& closure) {
@@ -53,16 +66,29 @@ std::string closure_json(const Closure& closure) {
       1);
 }
 
-std::string capacity_json(const Placement& placement, const CapacityInJson& capacity) {
+// How far C may be off so that no robot bears more than the limit.
+std::string com_radius_json(const Placement& placement, const std::optional<ModelLoads>& models,
+                            double limit) {
+  if (!models) return "null";
+  const auto radius =
+      radius_within_capacity(models->springs, robustness(placement).tipping_distance, limit);
+  return radius ? json::number(*radius) : "null";
+}
+
+std::string capacity_json(const Placement& placement, const CapacityInJson& capacity,
+                          const std::optional<ModelLoads>& models) {
   std::vector<std::string> robots;
   for (const std::size_t robot : overloaded_robots(placement, capacity.limit))
     robots.push_back(std::to_string(robot));
   const CapacityPlan& plan = capacity.plan;
-  return json::object({{"limit", json::number(capacity.limit)},
-                       {"overloaded", json::array(robots)},
-                       {"teams_needed", plan.possible ? std::to_string(plan.teams) : "null"},
-                       {"greatest_load", plan.possible ? json::number(plan.greatest_load) : "null"},
-                       {"teams_tried", std::to_string(plan.tried)}});
+  return json::object(
+      {{"limit", json::number(capacity.limit)},
+       {"overloaded", json::array(robots)},
+       {"teams_needed", plan.possible ? std::to_string(plan.teams) : "null"},
+       {"greatest_load", plan.possible ? json::number(plan.greatest_load) : "null"},
+       {"teams_tried", std::to_string(plan.tried)},
+       {"robots_needed", plan.possible ? std::to_string(plan.teams * plan.team_size) : "null"},
+       {"com_radius", com_radius_json(placement, models, capacity.limit)}});
 }
 
 std::string overlays_json(const Overlays& overlays) {
@@ -74,13 +100,24 @@ std::string overlays_json(const Overlays& overlays) {
                        {"tipping", json::boolean(overlays.tipping)}});
 }
 
+// What balanced robots were asked for.
+void add_balanced(std::vector<json::Member>& members, const Settings& settings) {
+  members.push_back({"requested_robots", std::to_string(settings.robots)});
+  members.push_back({"min_margin", json::number(settings.min_margin)});
+  members.push_back({"apart", settings.apart ? json::number(*settings.apart) : "null"});
+  members.push_back({"survive", std::to_string(settings.survive)});
+}
+
 }  // namespace
 
 std::string placement_json(const Placement& placement, bool with_candidates,
-                           const std::optional<CapacityInJson>& capacity) {
+                           const std::optional<CapacityInJson>& capacity,
+                           const RobustnessInJson& robustness) {
   const Settings& settings = placement.settings;
+  const bool robots = !placement.teams.empty();
+  const std::optional<ModelLoads> models = robots ? model_loads(placement) : std::nullopt;
   std::vector<json::Member> members = {
-      {"polygon", json::points(placement.vertices, 1)},
+      {"polygon", json::points(placement.vertices(), 1)},
       {"centre_of_mass", json::pair(placement.centre_of_mass)},
       {"metric", json::text(name(settings.method))},
       {"min_ratio", json::number(settings.min_ratio)},
@@ -90,11 +127,20 @@ std::string placement_json(const Placement& placement, bool with_candidates,
   if (with_candidates) members.push_back({"candidates", candidates_json(placement.candidates)});
   members.push_back({"requested_teams", std::to_string(placement.requested_teams)});
   members.push_back({"teams", teams_json(placement.teams)});
+  if (robots) members.push_back({"robots", json::robots(placement, 1)});
   members.push_back({"hull", json::points(placement.lifting_base, 1)});
   members.push_back({"coverage", json::number(placement.coverage)});
-  members.push_back({"loads", loads_json(placement.loads)});
+  members.push_back({"loads", loads_json(placement.loads, models)});
   members.push_back({"closure", closure_json(placement.closure)});
-  if (capacity) members.push_back({"capacity", capacity_json(placement, *capacity)});
+  members.push_back({"goal", json::text(name(goal_of(settings)))});
+  members.push_back({"goal_reached", json::boolean(placement.goal_reached)});
+  if (settings.method == Method::balanced) add_balanced(members, settings);
+  if (robots)
+    members.push_back(
+        {"robustness", json::robustness(placement, models, robustness.com_radius, 1)});
+  if (robots && robustness.failures)
+    members.push_back({"failures", json::failures(single_failures(placement), 1)});
+  if (capacity) members.push_back({"capacity", capacity_json(placement, *capacity, models)});
   return json::long_object(members, 0) + "\n";
 }
 

@@ -5,28 +5,44 @@
 namespace evenlift::json {
 namespace {
 
-std::string member_text(const Member& member) { return text(member.first) + ": " + member.second; }
-
-std::vector<std::string> member_texts(const std::vector<Member>& members) {
-  std::vector<std::string> texts;
-  for (const Member& member : members) texts.push_back(member_text(member));
-  return texts;
+std::size_t length_of(const std::string& item) { return item.size(); }
+std::size_t length_of(const Member& member) {
+  return text(member.first).size() + 2 + member.second.size();
 }
 
-std::string joined(const std::vector<std::string>& items, std::string_view between) {
+void append(std::string& out, const std::string& item) { out += item; }
+void append(std::string& out, const Member& member) {
+  out += text(member.first);
+  out += ": ";
+  out += member.second;
+}
+
+// The items with `between` between them, in one piece of memory: a placement's robots alone may be
+// hundreds of megabytes.
+template <class Item>
+std::string joined(std::string_view open, const std::vector<Item>& items, std::string_view between,
+                   std::string_view close) {
+  std::size_t length = open.size() + close.size();
+  for (const Item& item : items) length += length_of(item) + between.size();
   std::string out;
-  for (const std::string& item : items) {
-    if (!out.empty()) out += between;
-    out += item;
+  out.reserve(length);
+  out += open;
+  bool first = true;
+  for (const Item& item : items) {
+    if (!first) out += between;
+    first = false;
+    append(out, item);
   }
+  out += close;
   return out;
 }
 
-std::string spread(char open, const std::vector<std::string>& items, char close, int depth) {
+template <class Item>
+std::string spread(char open, const std::vector<Item>& items, char close, int depth) {
   if (items.empty()) return {open, close};
   const std::string outer = "\n" + std::string(2 * static_cast<std::size_t>(depth), ' ');
   const std::string inner = outer + "  ";
-  return open + inner + joined(items, "," + inner) + outer + close;
+  return joined(open + inner, items, "," + inner, outer + close);
 }
 
 }  // namespace
@@ -54,18 +70,25 @@ std::string boolean(bool value) { return value ? "true" : "false"; }
 
 std::string pair(const Vec2& point) { return array({number(point.x()), number(point.y())}); }
 
-std::string array(const std::vector<std::string>& items) { return '[' + joined(items, ", ") + ']'; }
+std::string array(const std::vector<std::string>& items) { return joined("[", items, ", ", "]"); }
 
-std::string object(const std::vector<Member>& members) {
-  return '{' + joined(member_texts(members), ", ") + '}';
+std::string numbers(const std::vector<double>& values) {
+  std::string out = "[";
+  for (const double value : values) {
+    if (out.size() > 1) out += ", ";
+    out += number(value);
+  }
+  return out + "]";
 }
+
+std::string object(const std::vector<Member>& members) { return joined("{", members, ", ", "}"); }
 
 std::string long_array(const std::vector<std::string>& items, int depth) {
   return spread('[', items, ']', depth);
 }
 
 std::string long_object(const std::vector<Member>& members, int depth) {
-  return spread('{', member_texts(members), '}', depth);
+  return spread('{', members, '}', depth);
 }
 
 std::string points(const Points& points, int depth) {

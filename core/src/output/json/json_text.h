@@ -11,7 +11,6 @@
 namespace evenlift::json {
 
 // A name, and a value that is JSON already.
-// Where to write the loads beside each robot, outside the object where there is room, on nothing
 using Member = std::pair<std::string_view, std::string>;
 
 std::string number(double value);         // the fewest digits that read back to the same double
@@ -20,6 +19,7 @@ std::string boolean(bool value);
 std::string pair(const Vec2& point);  // [x, y]
 
 std::string array(const std::vector<std::string>& items);  // on one line
+std::string numbers(const std::vector<double>& values);    // an array of them
 std::string object(const std::vector<Member>& members);    // on one line
 
 // One item or member to a line, which are indented by two spaces more than `depth` times two; the

@@ -27,29 +27,41 @@ void add_candidates(std::vector<Shape>& shapes, const Placement& placement, std:
 
 }  // namespace
 
+std::vector<Segment> joining_lines(const Team& team, const Vec2& centre) {
+  const std::vector<Robot>& robots = team.robots;
+  if (robots.size() == 2) return {{robots[0].point.position, robots[1].point.position}};
+  std::vector<Segment> lines;
+  for (const Robot& robot : robots) lines.push_back({robot.point.position, centre});
+  return lines;
+}
+
 std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
                                 std::size_t most_lines) {
   std::vector<Shape> shapes;
-  shapes.push_back({Role::object, placement.vertices});
-  if (overlays.clockwise) add_area(shapes, Role::clockwise, placement.closure.clockwise.clipped);
-  if (overlays.counterclockwise)
+  shapes.push_back({Role::object, placement.vertices()});
+  // Without contacts every point is free: that is a word, not a region.
+  const bool touches = placement.closure.margin.has_value();
+  if (touches && overlays.clockwise)
+    add_area(shapes, Role::clockwise, placement.closure.clockwise.clipped);
+  if (touches && overlays.counterclockwise)
     add_area(shapes, Role::counterclockwise, placement.closure.counterclockwise.clipped);
   if (overlays.lifting_base) add_area(shapes, Role::lifting_base, placement.lifting_base);
-  if (overlays.candidates) add_candidates(shapes, placement, most_lines);
+  // Balanced robots are not chosen among candidates.
+  if (overlays.candidates && placement.settings.method != Method::balanced)
+    add_candidates(shapes, placement, most_lines);
   const auto teams = static_cast<std::uint32_t>(placement.teams.size());
   if (overlays.chords) {
     const auto step = static_cast<std::uint32_t>(stride(placement.teams.size(), most_lines));
     for (std::uint32_t i = 0; i < teams; i += step) {
-      const Chord& chord = placement.teams[i].chord;
-      shapes.push_back({Role::chord, {chord.r1.position, chord.r2.position}, i});
+      for (const Segment& line : joining_lines(placement.teams[i], placement.centre_of_mass))
+        shapes.push_back({Role::chord, {line.from, line.to}, i});
     }
   }
   shapes.push_back({Role::centre_of_mass, {placement.centre_of_mass}});
   // The first teams, which matter most, lie on top.
   for (std::uint32_t i = teams; i-- > 0;) {
-    const Team& team = placement.teams[i];
-    shapes.push_back({Role::robot, {team.chord.r1.position}, i, team.loads[0]});
-    shapes.push_back({Role::robot, {team.chord.r2.position}, i, team.loads[1]});
+    for (const Robot& robot : placement.teams[i].robots)
+      shapes.push_back({Role::robot, {robot.point.position}, i, robot.load});
   }
   return shapes;
 }

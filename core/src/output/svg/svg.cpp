@@ -21,17 +21,20 @@ constexpr std::size_t most_labels = 150;
 
 class Drawing {
  public:
-  explicit Drawing(const Placement& placement) : placement_(placement), paper_(placement.vertices) {
-    const auto robots = static_cast<double>(2 * placement.teams.size());
+  explicit Drawing(const Placement& placement)
+      : placement_(placement), paper_(placement.vertices()) {
+    const auto robots = static_cast<double>(count_robots(placement.teams));
     disc_ = std::clamp(13.5 - robots / 12, 6.5, 13.0);
     number_size_ = 1.15 * disc_;
     label_size_ = robots <= 12 ? 14 : robots <= 40 ? 12 : 10;
     chord_width_ = robots <= 24 ? 2 : robots <= 200 ? 1.25 : 0.6;
+    // Lines to C only say that the robots belong together.
+    if (placement.settings.method == Method::balanced) chord_width_ = 0.75;
     largest_load_ = placement.loads ? placement.loads->max : 0;
     stands_ = find_stands(placement, paper_, 0.8 * disc_);
   }
 
-  std::string finished() {
+  std::string finished(std::string_view link) {
     // Draws step by step: what is drawn tells later steps what to avoid and what to explain.
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
@@ -53,7 +56,8 @@ class Drawing {
            " font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\">\n" +
            "<title id=\"evenlift-title\">" + escaped(title()) + "</title>\n" +
            "<desc id=\"evenlift-description\">" + escaped(verdict(placement_)) + "</desc>\n" +
-           fills() + rect(0, width, height, attribute("fill", panel_colour)) +
+           (link.empty() ? "" : "<metadata>" + escaped(link) + "</metadata>\n") + fills() +
+           rect(0, width, height, attribute("fill", panel_colour)) +
            rect(0, width, paper_.height, attribute("fill", ground_colour)) + drawing +
            caption.markup +
            rect(0.5, width, height, attribute("fill", "none") + attribute("stroke", line_colour)) +
@@ -63,6 +67,9 @@ class Drawing {
  private:
   std::string title() const {
     const std::size_t teams = placement_.teams.size();
+    if (placement_.settings.method == Method::balanced)
+      return count_of(count_robots(placement_.teams), "balanced robot", "balanced robots") +
+             " lifting a polygonal object";
     return std::to_string(teams) + (teams == 1 ? " team" : " teams") +
            " of two robots lifting a polygonal object";
   }
@@ -202,6 +209,8 @@ class Drawing {
 }  // namespace
 }  // namespace svg
 
-std::string placement_svg(const Placement& placement) { return svg::Drawing(placement).finished(); }
+std::string placement_svg(const Placement& placement, std::string_view link) {
+  return svg::Drawing(placement).finished(link);
+}
 
 }  // namespace evenlift

@@ -18,8 +18,9 @@ std::string settings_line(const Placement& placement) {
   const bool by_ratio = selects_candidates(settings.method);
   line += by_ratio ? " metric" : " placement";
   if (settings.method == Method::random) line += ", seed " + std::to_string(settings.seed);
-  const std::size_t teams = placement.teams.size();
-  line += " · " + std::to_string(teams) + (teams == 1 ? " team" : " teams");
+  line += " · " + (settings.method == Method::balanced
+                       ? count_of(count_robots(placement.teams), "robot", "robots")
+                       : count_of(placement.teams.size(), "team", "teams"));
   if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);
   line += " · coverage " + percentage(placement.coverage);
   return line + (placement.closure.form_closure ? " · form closure" : " · no form closure");

@@ -21,9 +21,12 @@ std::vector<Stand> find_stands(const Placement& placement, const Paper& paper, d
     }
   };
   for (std::size_t i = 0; i < placement.teams.size(); ++i) {
-    const Team& team = placement.teams[i];
-    add(team.chord.r1, std::to_string(i + 1), team.loads[0]);
-    add(team.chord.r2, std::to_string(i + 1), team.loads[1]);
+    const std::vector<Robot>& robots = placement.teams[i].robots;
+    for (std::size_t k = 0; k < robots.size(); ++k) {
+      // One team alone has numbers for its robots.
+      const bool alone = placement.settings.method == Method::balanced;
+      add(robots[k].point, std::to_string((alone ? k : i) + 1), robots[k].load);
+    }
   }
   for (Stand& stand : stands)
     if (stand.loads.size() > 3) stand.numbers = "×" + std::to_string(stand.loads.size());

@@ -11,7 +11,7 @@ namespace evenlift::svg {
 
 struct Stand {
   Vec2 at = Vec2::Zero();     // in pixels
-  std::string numbers;        // of the teams: "3", "1·4", "×5" for five robots
+  std::string numbers;        // of the teams, or of balanced robots: "3", "1·4", "×5" for five
   std::vector<double> loads;  // of the robots
 };
 

@@ -22,6 +22,6 @@ inline constexpr std::string_view hull_outline_colour = "#1F7A4E";
 inline constexpr std::string_view clockwise_colour = "#D1495B";
 inline constexpr std::string_view counterclockwise_colour = "#2D6CDF";
 inline constexpr std::string_view chord_colour = "#55616D";
-inline constexpr std::string_view candidate_colour = "#A5B0BB";
+inline constexpr std::string_view candidate_colour = "#66727E";
 
 }  // namespace evenlift::svg

@@ -99,6 +99,7 @@ Statement statement_of_team(const Trace& trace, const StepDetail& detail) {
     case Method::area:
     case Method::circle:
     case Method::distance:
+    case Method::balanced:
       break;
   }
   return detail.step.item == 0 ? Statement::first_team : Statement::next_team;

@@ -21,6 +21,7 @@ const char* score_in_words(Method method) {
     case Method::area:
     case Method::distributed:
     case Method::random:
+    case Method::balanced:
       break;
   }
   return "the area of the triangles between H and its two ends, as far as they are in the object";
@@ -320,7 +321,7 @@ std::string StepCaptions::team() const {
 }
 
 std::string StepCaptions::team_without_candidates() const {
-  const Chord& chord = placement_.teams[item_].chord;
+  const Chord chord = chord_of(placement_.teams[item_]);
   const Piece name = counted_from_1(item_);
   if (placement_.settings.method == Method::random)
     return fill(
@@ -358,13 +359,14 @@ std::string StepCaptions::share() const {
   const Team& team = placement_.teams[item_];
   const Piece item = counted_from_1(item_);
   const Piece all = load(placement_.settings.weight / static_cast<double>(placement_.teams.size()));
-  if (is_even(team.chord))
+  const double first = team.robots[0].load, second = team.robots[1].load;
+  if (is_even(chord_of(team)))
     return fill("Team # carries #, its part of #. Equal arms, equal loads: # for each robot.",
-                {item, all, exact(placement_.settings.weight), load(team.loads[0])});
+                {item, all, exact(placement_.settings.weight), load(first)});
   return fill(
       "Team # carries #, its part of #. By the law of the lever the robot nearer to C bears more: # and #.",
-      {item, all, exact(placement_.settings.weight), load(std::max(team.loads[0], team.loads[1])),
-       load(std::min(team.loads[0], team.loads[1]))});
+      {item, all, exact(placement_.settings.weight), load(std::max(first, second)),
+       load(std::min(first, second))});
 }
 
 std::string StepCaptions::loads() const {
@@ -387,7 +389,7 @@ std::string StepCaptions::contacts() const {
   const std::size_t number = trace_.contacts.size();
   return fill(
       "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at an inward corner two, at an outward one none: # for #. Before the first, the object turns about any point, either way.",
-      {counted(number, "contact"), counted(2 * placement_.teams.size(), "robot")});
+      {counted(number, "contact"), counted(count_robots(placement_.teams), "robot")});
 }
 
 std::string StepCaptions::cut() const {

@@ -93,7 +93,7 @@ std::string StepFormulas::directions() const {
 }
 
 std::string StepFormulas::scores() const {
-  return detail_.scores ? score(*detail_.scores) : ratio(placement_.teams[item_].chord);
+  return detail_.scores ? score(*detail_.scores) : ratio(chord_of(placement_.teams[item_]));
 }
 
 std::string StepFormulas::base() const {
@@ -103,16 +103,17 @@ std::string StepFormulas::base() const {
 std::string StepFormulas::share() const {
   const Team& team = placement_.teams[item_];
   const Piece weight = exact(placement_.settings.weight);
-  const Chord& chord = team.chord;
-  return fill("W1 = # / # × |C r2| / |r1 r2| = # × # / # = #",
-              {weight, whole(placement_.teams.size()), load(team.loads[0] + team.loads[1]),
-               length_text(trace_, chord.arm2), length_text(trace_, chord.arm1 + chord.arm2),
-               kilograms_text(trace_, team.loads[0])});
+  const Chord chord = chord_of(team);
+  const double load1 = team.robots[0].load, load2 = team.robots[1].load;
+  return fill(
+      "W1 = # / # × |C r2| / |r1 r2| = # × # / # = #",
+      {weight, whole(placement_.teams.size()), load(load1 + load2), length_text(trace_, chord.arm2),
+       length_text(trace_, chord.arm1 + chord.arm2), kilograms_text(trace_, load1)});
 }
 
 std::string StepFormulas::loads() const {
   return fill("mean = # / # = #, greatest − least = #",
-              {exact(placement_.settings.weight), whole(2 * placement_.teams.size()),
+              {exact(placement_.settings.weight), whole(count_robots(placement_.teams)),
                kilograms_text(trace_, placement_.loads->mean),
                kilograms_text(trace_, placement_.loads->spread)});
 }

@@ -85,6 +85,34 @@ std::string formula(const Trace& trace, const StepDetail& detail) {
   return (StepFormulas(trace, detail).*row_of(detail).formula)();
 }
 
+std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {
+  switch (detail.step.kind) {
+    case StepKind::polygon:
+      return "x and y with a number are the coordinates of that vertex.";
+    case StepKind::sections:
+      return "ra and rb are the ends of a chord on the two edges. Where g is 1, the arms are equal; above 1, rb is the farther end.";
+    case StepKind::scores:
+    case StepKind::team:
+      if (!trace.by_candidates() || !detail.scores) return {};
+      if (detail.scores->rule != Rule::score) return "r1 and r2 are the two ends of the chord.";
+      return detail.step.kind == StepKind::scores
+                 ? "r1 and r2 are the candidate's two ends, and f is what an end adds."
+                 : "";
+    case StepKind::base:
+      return "H is the lifting base.";
+    case StepKind::share:
+      return "W1 is what robot 1 bears; r1 and r2 are the places of the team's two robots.";
+    case StepKind::coverage:
+      return "P is the object, and H the lifting base.";
+    case StepKind::closure:
+      return trace.placement.closure.margin
+                 ? "w is the push of a contact, force and moment together; u is a unit direction of such pushes."
+                 : "";
+    default:
+      return {};
+  }
+}
+
 Statement statement_of(const Trace& trace, const StepDetail& detail) {
   return row_of(detail).statement(trace, detail);
 }

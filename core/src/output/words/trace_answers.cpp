@@ -23,6 +23,7 @@ const char* aim(const Trace& trace, Rule rule) {
     case Method::area:
     case Method::distributed:
     case Method::random:
+    case Method::balanced:
       break;
   }
   return "adds the most area";
@@ -58,8 +59,9 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
 }
 
 std::string loaded(const Trace& trace, const Figure& figure) {
+  const RobotOfTeam robot = find_robot(trace.placement.teams, *figure.item);
   std::string text =
-      fill("Team #, robot #", {counted_from_1(*figure.item / 2), counted_from_1(*figure.item % 2)});
+      fill("Team #, robot #", {counted_from_1(robot.team), counted_from_1(robot.robot)});
   if (figure.value > 0) text += fill(": #", {kilograms_text(trace, figure.value)});
   return text;
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "evenlift/tolerance.h"
+#include "output/words/listed.h"
 
 namespace evenlift {
 namespace {
@@ -17,58 +18,65 @@ std::string joined(std::initializer_list<std::string> sentences) {
   return text;
 }
 
-// "teams 1, 2 and 5", with at most eight of them by number.
-std::string teams_of(const std::vector<std::size_t>& robots) {
+// "teams 1, 2 and 5".
+std::string teams_of(const Placement& placement, const std::vector<std::size_t>& robots) {
   std::vector<std::size_t> teams;
-  for (const std::size_t robot : robots)
-    if (teams.empty() || teams.back() != robot / 2) teams.push_back(robot / 2);
-  constexpr std::size_t most_named = 8;
-  const std::size_t named = teams.size() > most_named ? most_named - 1 : teams.size();
-  std::string text = teams.size() == 1 ? "team " : "teams ";
-  for (std::size_t i = 0; i < named; ++i) {
-    if (i > 0) text += i + 1 == teams.size() ? " and " : ", ";
-    text += std::to_string(teams[i] + 1);
+  for (const std::size_t robot : robots) {
+    const std::size_t team = find_robot(placement.teams, robot).team + 1;
+    if (teams.empty() || teams.back() != team) teams.push_back(team);
   }
-  if (named < teams.size()) text += " and " + std::to_string(teams.size() - named) + " more";
-  return text;
+  return (teams.size() == 1 ? "team " : "teams ") + listed(teams, "and");
 }
 
-std::string overload_in_words(const Placement& placement, double capacity) {
-  const std::vector<std::size_t> robots = overloaded_robots(placement, capacity);
+std::string overload_in_words(const Placement& placement, double capacity,
+                              const std::vector<std::size_t>& robots) {
   if (placement.teams.empty()) return {};
   const std::string limit = plain(capacity) + "\u00A0kg";
   if (robots.empty()) return "No robot carries more than " + limit + ".";
-  const std::size_t all = 2 * placement.teams.size();
+  const std::size_t all = count_robots(placement.teams);
   return (robots.size() == all
               ? "All " + std::to_string(all) + " robots"
               : std::to_string(robots.size()) + " of " + std::to_string(all) + " robots") +
-         (robots.size() == 1 ? " is" : " are") + " overloaded, with more than " + limit + ": " +
-         teams_of(robots) + ".";
+         (robots.size() == 1 ? " is" : " are") + " overloaded, with more than " + limit +
+         (placement.settings.method == Method::balanced ? "" : ": " + teams_of(placement, robots)) +
+         ".";
 }
 
 std::string need_in_words(const CapacityPlan& plan) {
   if (plan.possible)
-    return "This method needs " + count_of(2 * plan.teams, "robot", "robots") + ", with at most " +
-           kilograms(plan.greatest_load, plan.greatest_load) + " each.";
-  if (plan.tried >= most_teams_for_capacity)
-    return "Even " + std::to_string(2 * plan.tried) + " robots are too few.";
+    return "This method needs " + count_of(plan.team_size * plan.teams, "robot", "robots") +
+           ", with at most " + kilograms(plan.greatest_load, plan.greatest_load) + " each.";
+  const std::string tried = std::to_string(plan.team_size * plan.tried);
+  if (plan.tried >= most_teams_for_capacity || plan.team_size == most_robots)
+    return "Even " + tried + " robots are too few.";
   if (plan.tried == 0) return {};
-  return "Not even all " + std::to_string(2 * plan.tried) + " robots that find a place are enough.";
+  return "Not even all " + tried + " robots that find a place are enough.";
 }
 
 }  // namespace
 
 std::string loads_in_words(const Placement& placement) {
-  if (placement.teams.empty()) return "No team can be placed.";
+  if (!placement.search_ended && placement.teams.empty())
+    return "Places for " + std::to_string(placement.settings.robots) + " robots are not found yet.";
+  if (placement.teams.empty())
+    return placement.settings.method == Method::balanced ? "No robots can be placed."
+                                                         : "No team can be placed.";
   const LoadSummary& loads = *placement.loads;
-  return std::to_string(2 * placement.teams.size()) + " robots carry " +
-         kilograms(loads.min, loads.max, loads.max) + " each (" + plain(placement.settings.weight) +
-         "\u00A0kg in all).";
+  const std::string robots = std::to_string(count_robots(placement.teams)) + " robots";
+  if (placement.settings.method == Method::balanced)
+    return robots + ", each exactly " + kilograms(loads.max, loads.max) + " of " +
+           plain(placement.settings.weight) + ".";
+  return robots + " carry " + kilograms(loads.min, loads.max, loads.max) + " each (" +
+         plain(placement.settings.weight) + "\u00A0kg in all).";
 }
 
 std::string shortage_in_words(const Placement& placement) {
   const bool by_ratio = selects_candidates(placement.settings.method);
   const std::size_t teams = placement.teams.size();
+  if (teams == 0 && !placement.search_ended) return {};
+  if (teams == 0 && placement.settings.method == Method::balanced)
+    return "There is no balanced placement of " + std::to_string(placement.settings.robots) +
+           " robots: none was found whose centroid is the centre of mass.";
   if (teams == 0)
     return by_ratio
                ? "No chord through the centre of mass is this even. Lower the minimum load ratio, or move the centre of mass."
@@ -102,17 +110,24 @@ std::string closure_in_words(const Placement& placement) {
 std::string free_motions_in_words(const Closure& closure) {
   const bool clockwise = closure.clockwise.exists,
              counterclockwise = closure.counterclockwise.exists;
-  const std::string turn = clockwise && counterclockwise ? "turn either way"
-                           : clockwise                   ? "turn clockwise"
-                           : counterclockwise            ? "turn counter-clockwise"
-                                                         : "";
+  std::string turn = clockwise && counterclockwise ? "turn either way"
+                     : clockwise                   ? "turn clockwise"
+                     : counterclockwise            ? "turn counter-clockwise"
+                                                   : "";
   if (!closure.translation_free) return turn;
   return turn.empty() ? "slide" : turn + " and slide";
 }
 
+bool is_held(const Placement& placement) {
+  return placement.closure.form_closure || placement.closure.second_order;
+}
+
 std::string detail_in_words(const Placement& placement) {
-  return joined(
-      {shortage_in_words(placement), coverage_in_words(placement), closure_in_words(placement)});
+  const std::string coverage = coverage_in_words(placement), closure = closure_in_words(placement);
+  // What is wrong comes first.
+  const bool closure_first = !is_held(placement) && placement.coverage >= good_coverage;
+  return joined({shortage_in_words(placement), closure_first ? closure : coverage,
+                 closure_first ? coverage : closure});
 }
 
 std::string verdict(const Placement& placement) {
@@ -121,14 +136,21 @@ std::string verdict(const Placement& placement) {
 
 std::string capacity_in_words(const Placement& placement, double capacity,
                               const CapacityPlan* plan) {
-  return joined(
-      {overload_in_words(placement, capacity), plan ? need_in_words(*plan) : std::string()});
+  return capacity_in_words(placement, capacity, plan, overloaded_robots(placement, capacity));
+}
+
+std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
+                              const std::vector<std::size_t>& overloaded) {
+  return joined({overload_in_words(placement, capacity, overloaded),
+                 plan ? need_in_words(*plan) : std::string()});
 }
 
 std::vector<Fact> facts_in_words(const Placement& placement) {
+  const bool in_pairs = placement.settings.method != Method::balanced;
   std::vector<Fact> facts;
-  facts.push_back({"Candidate teams", std::to_string(placement.candidates.size()),
-                   "One for each candidate chord at this minimum load ratio; two robots each"});
+  if (in_pairs)
+    facts.push_back({"Candidate teams", std::to_string(placement.candidates.size()),
+                     "One for each candidate chord at this minimum load ratio; two robots each"});
   if (!placement.loads) return facts;
   const LoadSummary& loads = *placement.loads;
   facts.push_back({"Coverage", percentage(placement.coverage, 1),
@@ -136,8 +158,9 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
   facts.push_back({"Mean load", kilograms(loads.mean, loads.max), "Of all robots"});
   facts.push_back(
       {"Spread of loads", kilograms(loads.spread, loads.max), "Greatest load less the least"});
-  facts.push_back({"Greatest share in a team", percentage(loads.max_share, 1),
-                   "50 % in a team that is perfectly even"});
+  if (in_pairs)
+    facts.push_back({"Greatest share in a team", percentage(loads.max_share, 1),
+                     "50 % in a team that is perfectly even"});
   const Closure& closure = placement.closure;
   facts.push_back({"Form closure", form_closure_in_words(closure),
                    "Whether the robots' contact alone keeps the object from moving in the plane"});
@@ -148,14 +171,17 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
 }
 
 TeamInWords team_in_words(const Placement& placement, std::size_t team, int coordinate_decimals) {
-  const Chord& chord = placement.teams[team].chord;
-  const std::array<double, 2>& loads = placement.teams[team].loads;
-  const double length = chord.arm1 + chord.arm2, largest = placement.loads->max;
-  return {ratio_in_words(chord.ratio),
-          amount(length, length),
-          {point_in_words(chord.r1.position, coordinate_decimals),
-           point_in_words(chord.r2.position, coordinate_decimals)},
-          {amount(loads[0], largest), amount(loads[1], largest)}};
+  const Team& shown = placement.teams[team];
+  TeamInWords words{ratio_in_words(shown.ratio), {}, {}, {}};
+  if (shown.robots.size() == 2) {
+    const double length = shown.robots[0].arm + shown.robots[1].arm;
+    words.length = amount(length, length);
+  }
+  for (const Robot& robot : shown.robots) {
+    words.at.push_back(point_in_words(robot.point.position, coordinate_decimals));
+    words.loads.push_back(amount(robot.load, placement.loads->max));
+  }
+  return words;
 }
 
 std::string form_closure_in_words(const Closure& closure) {

@@ -1,0 +1,38 @@
+// What is still certain if C is known only roughly: it may lie anywhere within some radius of where
+// it is thought to be (the "centre of gravity envelope" of those who lift at sea).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "evenlift/load_models.h"
+#include "evenlift/vec.h"
+
+namespace evenlift {
+
+// The distance by which C can be off before the object tips: the least distance of C from the line
+// of an edge of H, in units of length. 0 if that is within tolerance (tau L), if H has no area, as
+// with a single team of two, or if C is outside. `hull` must come from convex_hull, and `diagonal` is
+// L of the object. O(h).
+double tipping_distance(const Points& hull, const Vec2& centre, double diagonal);
+
+struct LoadRange {
+  double least = 0, greatest = 0;
+};
+
+// The loads of robots that are in equilibrium with `loads` and give way like springs, while C is
+// anywhere within the radius: load +- radius * per_length, but never less than 0. Exact up to the
+// radius springs.same_within; beyond it robots let go or take hold, and others bear more. O(m).
+std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const SpringLoads& springs,
+                                   double radius);
+
+// The greatest change of any load while C is anywhere within the radius. O(m).
+double greatest_change(const SpringLoads& springs, double radius);
+
+// The greatest radius within which C may lie so that no robot bears more than the capacity by
+// springs. At most springs.same_within, since nothing is promised beyond, and at most the distance
+// at which the object tips. Nothing if a robot bears more even where C is thought to be. O(m).
+std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
+                                             double capacity);
+
+}  // namespace evenlift

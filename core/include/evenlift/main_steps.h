@@ -1,0 +1,25 @@
+// The steps of a trace that tell its story by themselves: the first thing that is shown to a learner, and what a printed page
+// has.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "evenlift/trace.h"
+
+namespace evenlift {
+
+// At most this many, whatever the polygon and however many teams.
+inline constexpr std::uint32_t most_main_steps = 22;
+
+// Numbers of steps, increasing; the first is the polygon, the last the result. Of what is done again and again one example
+// stands for all: the first ray; the first pair of edges that led to a candidate (or else the first pair); the scores and
+// choices of the first three teams, then the last team and the base that it completes. What is done once is in the list, but
+// for the centroid, radial edges, duplicates and the search for a direction to slide. O(pairs).
+std::vector<std::uint32_t> main_steps(const Trace& trace);
+
+// How many steps of the kind of a main step there are besides those in the list: of `ray` and `outcome` the other rays and
+// pairs, of `team` those between the third and the last. 0 for other kinds. O(1).
+std::uint32_t further_like(const Trace& trace, const Step& step);
+
+}  // namespace evenlift

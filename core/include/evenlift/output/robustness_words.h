@@ -1,0 +1,37 @@
+// Who bears what, failures and doubt about C, in words.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evenlift/output/words.h"
+#include "evenlift/placed_robots.h"
+
+namespace evenlift {
+
+// What the robots bear by a model: "If all robots are equally stiff they bear 15.9–17.5 kg each.
+// Robots 2 and 5 let go." Empty for the plan, of which loads_in_words speaks. Robots count from 1.
+std::string model_in_words(LoadModel model, const ModelLoads& loads);
+
+// How the loads change while C is anywhere within the radius, from where on the object tips, and
+// whether some robot lets go before.
+std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness,
+                           double com_radius);
+
+// How far C may be off so that no robot bears more than the capacity by springs.
+std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
+                                       double capacity);
+
+// Which robots the object cannot do without, and what the others bear at most.
+std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures);
+
+// "Robot 3 fails: held by the other five, at most 21.3 kg." What it bears is by springs.
+std::string failure_in_words(std::size_t robot, std::size_t robots,
+                             const std::optional<RestOfRobots>& rest);
+
+// How many robots may fail, and how far C may be off.
+std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness);
+
+}  // namespace evenlift

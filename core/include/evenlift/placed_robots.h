@@ -1,0 +1,47 @@
+// The robots of a placement one by one: where they stand and face, what they bear by each model, and
+// how much may go wrong. Nothing of this is part of place(): who shows it asks for it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evenlift/failures.h"
+#include "evenlift/load_models.h"
+#include "evenlift/placement.h"
+
+namespace evenlift {
+
+struct PlacedRobot {
+  Vec2 at = Vec2::Zero();  // where it lifts
+  std::uint32_t team = 0;
+  double load = 0;         // by plan
+  double heading_deg = 0;  // the direction of the inward normal there, in (-180, 180]; at a vertex
+                           // the middle between those of its two edges
+};
+
+// The robots, team after team. A robot is at a vertex if it is within tolerance (tau L) of an end of
+// its edge. O(n + m).
+std::vector<PlacedRobot> placed_robots(const Placement& placement);
+
+// The loads by the models of load_models.h, in the order of the robots. None if there are no teams
+// or C is not above H, which only rounding can bring about. O(m log m), and O(m^3) up to 64 robots.
+struct ModelLoads {
+  SpringLoads springs;
+  double best = 0;
+  std::vector<double> worst;
+};
+std::optional<ModelLoads> model_loads(const Placement& placement);
+
+// How much may go wrong before the object is not carried any more or tips; see failures.h and
+// doubt.h. O(n + m log m).
+struct Robustness {
+  int failures_carried = -1, failures_steady = -1;
+  double tipping_distance = 0;
+};
+Robustness robustness(const Placement& placement);
+
+// What happens if one robot fails, for each of them; see failures.h. Besides, O(n log n).
+std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement);
+
+}  // namespace evenlift

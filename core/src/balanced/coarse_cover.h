@@ -1,0 +1,37 @@
+// An upper bound of the coverage, from the part of P in each cell of a grid. Nearly all sets are worse
+// than the best one by more than it is off, and need no exact coverage.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "balanced/small_hull.h"
+#include "evenlift/polygon.h"
+
+namespace evenlift::balanced {
+
+class CoarseCover {
+ public:
+  // O(n) for each row of the grid.
+  CoarseCover(const Polygon& polygon, const Vec2& centre);
+
+  // At least the coverage of H: all of each cell that H meets counts. O(h) and the rows.
+  double most(const SmallHull& hull) const;
+
+ private:
+  static constexpr std::size_t cells = 32;  // in a row, and rows
+
+  // The columns in which H meets a row, in cells; none if first > last.
+  struct Stretch {
+    double first = cells, last = -1;
+  };
+  using Rows = std::array<Stretch, cells>;
+  static std::size_t cell_of(double place);
+  static void widen(Rows& rows, const Vec2& a, const Vec2& b);
+
+  Vec2 low_, scale_;  // relative to C, and cells for a unit of length
+  // The part of P in the cells of a row before each column, as a share of P.
+  std::array<std::array<double, cells + 1>, cells> before_{};
+};
+
+}  // namespace evenlift::balanced

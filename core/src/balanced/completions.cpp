@@ -1,0 +1,63 @@
+#include "balanced/completions.h"
+
+#include <utility>
+
+#include "evenlift/predicates.h"
+
+namespace evenlift::balanced {
+namespace {
+
+// Where the middle of two more robots must be, so that C is the centroid of all.
+Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre) {
+  Vec2 sum = static_cast<double>(robots.size() + 2) * centre;
+  for (const LiftingPoint& robot : robots) sum -= robot.position;
+  return sum / 2;
+}
+
+bool strictly_inside(const Points& hull, const Vec2& p) {
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    if (orient(hull[i], hull[i + 1 == hull.size() ? 0 : i + 1], p) <= 0) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Candidate> pairs_to_complete(const Rules& rules,
+                                         const std::vector<LiftingPoint>& robots) {
+  const Vec2 middle = middle_of_two_more(robots, rules.centre());
+  if (!strictly_inside(rules.polygon().hull(), middle)) return {};
+  return rules.chords().about(middle);
+}
+
+void Best::offer_two_more(const std::vector<LiftingPoint>& robots) {
+  complete(robots, rules_.near_pairs(robots));
+}
+
+void Best::offer_three_more(const std::vector<LiftingPoint>& robots) {
+  const std::uint32_t near_pairs = rules_.near_pairs(robots);
+  std::vector<LiftingPoint> all = robots;
+  all.emplace_back();
+  for (const LiftingPoint& stand : rules_.stands()) {
+    all.back() = stand;
+    complete(all, near_pairs + rules_.near_pairs(robots, robots.size(), stand));
+  }
+}
+
+void Best::complete(const std::vector<LiftingPoint>& robots, std::uint32_t near_pairs) {
+  // More pairs do not make a set better.
+  if (set_ && near_pairs > set_->near_pairs) return;
+  for (const Candidate& candidate : pairs_to_complete(rules_, robots)) {
+    const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
+    offered_.robots = robots;
+    offered_.robots.push_back(r1);
+    const std::uint32_t pairs = near_pairs + rules_.near_pairs(robots, robots.size(), r1) +
+                                rules_.near_pairs(offered_.robots, offered_.robots.size(), r2);
+    offered_.robots.push_back(r2);
+    offered_.begin(pairs);
+    if (set_ && !rules_.better(offered_, *set_)) continue;
+    set_ = std::exchange(offered_, {});
+    completed_ = true;
+  }
+}
+
+}  // namespace evenlift::balanced

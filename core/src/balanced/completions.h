@@ -1,0 +1,38 @@
+// The sets that complete some robots so that the centroid of all is C.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "balanced/rules.h"
+
+namespace evenlift::balanced {
+
+// The even candidates whose two ends, with these robots, have the centroid C.
+std::vector<Candidate> pairs_to_complete(const Rules& rules,
+                                         const std::vector<LiftingPoint>& robots);
+
+// Keeps the best of the sets that are offered to it; of equal ones the first.
+class Best {
+ public:
+  explicit Best(const Rules& rules) : rules_(rules) {}
+
+  // Offers robots with two more, or with three more, in their order.
+  void offer(const RatedSet& set) { set_ = set; }
+  void offer_two_more(const std::vector<LiftingPoint>& robots);
+  void offer_three_more(const std::vector<LiftingPoint>& robots);
+
+  const std::optional<RatedSet>& set() const { return set_; }
+  // Whether a set that was completed is the best.
+  bool completed() const { return completed_; }
+
+ private:
+  void complete(const std::vector<LiftingPoint>& robots, std::uint32_t near_pairs);
+
+  const Rules& rules_;
+  std::optional<RatedSet> set_;
+  bool completed_ = false;
+  RatedSet offered_;  // its memory is used again and again
+};
+
+}  // namespace evenlift::balanced

@@ -1,0 +1,146 @@
+#include "balanced/cover.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace evenlift::balanced {
+
+// The area of the intersection of P and H is that of a closed curve: the outline of P with all that
+// is outside of H drawn in along the rays to C, onto the rim of H. A stretch inside H adds what it
+// spans with C, and one outside adds the sector of H between the directions of its ends. All points
+// are relative to C.
+class Cover::Sum {
+ public:
+  Sum(const Cover& cover, const SmallHull& hull)
+      : cover_(cover), polygon_(cover.polygon_), hull_(hull) {
+    for (std::size_t i = 0; i < hull.size; ++i) {
+      const Vec2 &a = hull.corners[i], along = next_corner(i) - a;
+      normals_[i] = {along.y(), -along.x()};
+      bounds_[i] = dot(normals_[i], a);
+      sectors_[i + 1] = sectors_[i] + cross(a, next_corner(i));
+    }
+  }
+
+  // Whether C is inside H.
+  bool is_sound() const {
+    return hull_.size >= 3 &&
+           std::all_of(bounds_.begin(), bounds_.begin() + static_cast<std::ptrdiff_t>(hull_.size),
+                       [](double bound) { return bound > 0; });
+  }
+
+  double area() {
+    visit(0);
+    return std::fabs(doubled_area_) / 2;
+  }
+
+ private:
+  enum class Side { inside, outside, both };
+
+  const Vec2& next_corner(std::size_t i) const {
+    return hull_.corners[i + 1 == hull_.size ? 0 : i + 1];
+  }
+
+  Vec2 vertex(std::size_t i) const { return polygon_.vertex(i) - cover_.centre_; }
+
+  Side side_of(const Box& box) const {
+    const Vec2 middle = (box.low + box.high) / 2 - cover_.centre_, half = (box.high - box.low) / 2;
+    Side side = Side::inside;
+    for (std::size_t i = 0; i < hull_.size; ++i) {
+      const double at = dot(normals_[i], middle) - bounds_[i];
+      const double reach =
+          std::fabs(normals_[i].x()) * half.x() + std::fabs(normals_[i].y()) * half.y();
+      if (at >= reach) return Side::outside;
+      if (at > -reach) side = Side::both;
+    }
+    return side;
+  }
+
+  void visit(std::uint32_t i) {
+    const EdgeTree::Node& node = cover_.tree_.node(i);
+    switch (side_of(node.box)) {
+      case Side::inside:
+        doubled_area_ += cover_.doubled_areas_[node.end] - cover_.doubled_areas_[node.begin];
+        return;
+      case Side::outside:
+        return add_sector(vertex(node.begin), end_of(node.end - 1));
+      case Side::both:
+        break;
+    }
+    if (!node.is_leaf()) {
+      visit(node.left);
+      return visit(node.right);
+    }
+    for (std::uint32_t edge = node.begin; edge < node.end; ++edge)
+      add_edge(vertex(edge), end_of(edge));
+  }
+
+  Vec2 end_of(std::uint32_t edge) const { return vertex(polygon_.next(edge)); }
+
+  // The part of the edge in H is from a + enter (b - a) to a + leave (b - a).
+  void add_edge(const Vec2& a, const Vec2& b) {
+    double enter = 0, leave = 1;
+    for (std::size_t i = 0; i < hull_.size; ++i) {
+      const double at_a = dot(normals_[i], a) - bounds_[i], at_b = dot(normals_[i], b) - bounds_[i];
+      if (at_a >= 0 && at_b >= 0) return add_sector(a, b);
+      if (at_a > 0) enter = std::max(enter, at_a / (at_a - at_b));
+      if (at_b > 0) leave = std::min(leave, at_a / (at_a - at_b));
+    }
+    if (enter >= leave) return add_sector(a, b);
+    const Vec2 first = enter > 0 ? Vec2(a + enter * (b - a)) : a,
+               last = leave < 1 ? Vec2(a + leave * (b - a)) : b;
+    if (enter > 0) add_sector(a, first);
+    doubled_area_ += cross(first, last);
+    if (leave < 1) add_sector(last, b);
+  }
+
+  // Of a stretch outside of H, which C sees under less than 180 degrees.
+  void add_sector(const Vec2& a, const Vec2& b) {
+    const double turn = cross(a, b), all = sectors_[hull_.size];
+    // Stretch follows stretch.
+    const double before_a = a == last_ ? before_last_ : sector_before(a);
+    last_ = b;
+    before_last_ = sector_before(b);
+    double sector = before_last_ - before_a;
+    constexpr double rounding = 1e-12;  // of a sector between directions that are nearly the same
+    if (turn >= 0 && sector < -rounding * all) sector += all;
+    if (turn <= 0 && sector > rounding * all) sector -= all;
+    doubled_area_ += sector;
+  }
+
+  // Twice the area of H between the first corner and a direction, counter-clockwise.
+  double sector_before(const Vec2& direction) const {
+    std::size_t i = 0;
+    while (i + 1 < hull_.size &&
+           !(cross(hull_.corners[i], direction) >= 0 && cross(direction, next_corner(i)) > 0))
+      ++i;
+    const Vec2 on_rim = bounds_[i] / dot(normals_[i], direction) * direction;
+    return sectors_[i] + cross(hull_.corners[i], on_rim);
+  }
+
+  const Cover& cover_;
+  const Polygon& polygon_;
+  const SmallHull& hull_;
+  std::array<Vec2, most_robots> normals_;  // of the sides of H, outward
+  std::array<double, most_robots> bounds_{};
+  std::array<double, most_robots + 1> sectors_{};  // twice the area before each corner
+  double doubled_area_ = 0;
+  Vec2 last_ = Vec2::Zero();  // the end of the last stretch outside, and the sector before it
+  double before_last_ = 0;
+};
+
+Cover::Cover(const Polygon& polygon, const Vec2& centre)
+    : polygon_(polygon), centre_(centre), tree_(polygon), doubled_areas_{0} {
+  for (std::size_t edge = 0; edge < polygon.size(); ++edge)
+    doubled_areas_.push_back(doubled_areas_.back() + cross(polygon.edge_start(edge) - centre,
+                                                           polygon.edge_end(edge) - centre));
+}
+
+double Cover::of(const SmallHull& hull) const {
+  Sum sum(*this, hull);
+  if (!sum.is_sound()) return 0;
+  return std::clamp(sum.area() / polygon_.area(), 0.0, 1.0);
+}
+
+}  // namespace evenlift::balanced

@@ -1,0 +1,32 @@
+// The coverage of many lifting bases of one object.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "balanced/small_hull.h"
+#include "evenlift/polygon.h"
+#include "polygon/edge_tree.h"
+
+namespace evenlift::balanced {
+
+class Cover {
+ public:
+  // The polygon must outlive it. O(n).
+  Cover(const Polygon& polygon, const Vec2& centre);
+
+  // The same as coverage(polygon, hull), up to rounding. C must be inside H; otherwise, and for a
+  // hull without area, it is 0. For each place where the outline crosses H O(h log n), and O(n h) at
+  // worst.
+  double of(const SmallHull& hull) const;
+
+ private:
+  class Sum;
+
+  const Polygon& polygon_;
+  Vec2 centre_;
+  EdgeTree tree_;
+  std::vector<double> doubled_areas_;  // by edge: of the triangles of C and the edges before it
+};
+
+}  // namespace evenlift::balanced

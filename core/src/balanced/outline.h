@@ -1,0 +1,38 @@
+// The outline of P as balanced robots see it: a walk from v*, which does not depend on the vertex
+// with which the list begins, and the stands along it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "evenlift/chords.h"
+#include "evenlift/polygon.h"
+
+namespace evenlift::balanced {
+
+class Outline {
+ public:
+  // The polygon must outlive it. O(n).
+  Outline(const Polygon& polygon, const Vec2& centre);
+
+  // Lambda.
+  double length() const { return starts_.back(); }
+
+  // The way from v* counter-clockwise to a point on one of the edges, in [0, Lambda). A point within
+  // tau Lambda of the end of the walk is at its beginning. O(1).
+  double place(const LiftingPoint& point) const;
+
+  // The stands, in their order. O(n).
+  std::vector<LiftingPoint> stands() const;
+
+ private:
+  std::vector<LiftingPoint> even_stands(std::uint32_t number) const;
+  std::vector<LiftingPoint> reflex_stands(std::uint32_t most) const;
+
+  const Polygon& polygon_;
+  std::vector<std::uint32_t> vertices_;  // from v* counter-clockwise
+  std::vector<std::uint32_t> steps_;     // by edge: the step of the walk along it
+  std::vector<double> starts_;           // by step: the way before it; then Lambda
+};
+
+}  // namespace evenlift::balanced

@@ -1,0 +1,177 @@
+#include "balanced/rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "evenlift/failures.h"
+#include "evenlift/tolerance.h"
+#include "grasp/grasp.h"
+
+namespace evenlift::balanced {
+namespace {
+
+constexpr double coverage_tie = 1e-9, spread_tie = 1e-9;  // algorithm.md, Balanced robots
+constexpr double least_margin = 0.001, halfway = 0.4;
+constexpr std::uint32_t best_level = 3;
+constexpr double usual_apart = 0.12;  // in units of R
+
+Points positions(const std::vector<LiftingPoint>& robots) {
+  Points points;
+  points.reserve(robots.size());
+  for (const LiftingPoint& robot : robots) points.push_back(robot.position);
+  return points;
+}
+
+// 1 if a is larger by more than the slack, -1 if b is, else 0.
+int compare(double a, double b, double slack) { return a > b + slack ? 1 : b > a + slack ? -1 : 0; }
+
+int compare_spreads(double a, double b) { return compare(a, b, spread_tie * std::max(a, b)); }
+
+// 1 if the places of a come first.
+int compare_places(const std::vector<double>& a, const std::vector<double>& b, double slack) {
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    if (const int order = compare(b[i], a[i], slack)) return order;
+  return 0;
+}
+
+}  // namespace
+
+void RatedSet::begin(std::uint32_t pairs) {
+  near_pairs = pairs;
+  steady.reset();
+  level.reset();
+  hull.reset();
+  coverage.reset();
+  spread.reset();
+  places.reset();
+}
+
+Rules::Rules(Polygon polygon, const Vec2& centre, const Settings& settings)
+    : polygon_(std::move(polygon)),
+      centre_(centre),
+      robots_(settings.robots),
+      holds_(goal_of(settings) == Goal::hold),
+      min_margin_(settings.min_margin),
+      survive_(static_cast<int>(settings.survive)),
+      outline_(polygon_, centre),
+      stands_(outline_.stands()),
+      triples_(triples_of(settings.robots)),
+      chords_(polygon_),
+      coarse_cover_(polygon_, centre),
+      cover_(polygon_, centre),
+      margins_(polygon_, centre) {
+  const double apart = settings.apart.value_or(usual_apart * farthest_vertex(polygon_, centre));
+  const double near = std::max(0.0, apart - near_distance(polygon_.diagonal()));
+  near_square_ = near * near;
+}
+
+std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,
+                                const LiftingPoint& other) const {
+  std::uint32_t pairs = 0;
+  for (std::size_t i = 0; i < number; ++i) {
+    const Vec2 between = robots[i].position - other.position;
+    pairs += dot(between, between) < near_square_ ? 1u : 0u;
+  }
+  return pairs;
+}
+
+std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots) const {
+  std::uint32_t pairs = 0;
+  for (std::size_t i = 0; i < robots.size(); ++i) pairs += near_pairs(robots, i, robots[i]);
+  return pairs;
+}
+
+int Rules::steady(RatedSet& set) const {
+  if (!set.steady)
+    set.steady =
+        std::min(survive_, failures_steady(positions(set.robots), centre_, polygon_.diagonal()));
+  return *set.steady;
+}
+
+std::uint32_t Rules::level(RatedSet& set) const {
+  if (!set.level) {
+    const std::optional<double> margin = margins_.of(set.robots);
+    set.level = 0;
+    for (const double bound : {least_margin, halfway * min_margin_, min_margin_})
+      if (margin && *margin >= bound) ++*set.level;
+  }
+  return *set.level;
+}
+
+const SmallHull& Rules::hull(RatedSet& set) const {
+  if (!set.hull) set.hull = small_hull(set.robots, centre_);
+  return *set.hull;
+}
+
+// Whether the coverage is surely below a bound.
+bool Rules::covers_less(RatedSet& set, double bound) const {
+  constexpr double rounding = 1 + 1e-12;
+  return rounding * hull(set).area / polygon_.area() < bound ||
+         coarse_cover_.most(hull(set)) < bound || coverage(set) < bound;
+}
+
+double Rules::coverage(RatedSet& set) const {
+  if (!set.coverage) set.coverage = cover_.of(hull(set));
+  return *set.coverage;
+}
+
+double Rules::spread(RatedSet& set) const {
+  if (!set.spread) {
+    double sum = 0;
+    for (const LiftingPoint& robot : set.robots) {
+      const Vec2 arm = robot.position - centre_;
+      sum += dot(arm, arm);
+    }
+    set.spread = sum;
+  }
+  return *set.spread;
+}
+
+const std::vector<double>& Rules::places(RatedSet& set) const {
+  if (!set.places) {
+    std::vector<double> places;
+    for (const LiftingPoint& robot : set.robots) places.push_back(outline_.place(robot));
+    std::sort(places.begin(), places.end());
+    set.places = std::move(places);
+  }
+  return *set.places;
+}
+
+// Whether coverage decides against a, because no key before it can decide for a.
+bool Rules::surely_loses_by_coverage(RatedSet& a, RatedSet& b) const {
+  if (survive_ > 0 && steady(b) < survive_) return false;
+  if (holds_ && level(b) < best_level) return false;
+  return covers_less(a, coverage(b) - coverage_tie);
+}
+
+bool Rules::better(RatedSet& a, RatedSet& b) const {
+  if (a.near_pairs != b.near_pairs) return a.near_pairs < b.near_pairs;
+  if (surely_loses_by_coverage(a, b)) return false;
+  if (survive_ > 0 && steady(a) != steady(b)) return steady(a) > steady(b);
+  if (holds_ && level(a) != level(b)) return level(a) > level(b);
+  if (const int order = compare(coverage(a), coverage(b), coverage_tie)) return order > 0;
+  if (const int order = compare_spreads(spread(a), spread(b))) return order > 0;
+  return compare_places(places(a), places(b), tau * outline_.length()) > 0;
+}
+
+BalancedKeys Rules::keys(RatedSet& set) const {
+  return {set.near_pairs,
+          survive_ > 0 ? steady(set) : 0,
+          holds_ ? level(set) : 0,
+          coverage(set),
+          spread(set),
+          places(set)};
+}
+
+RatedSet Rules::in_order(const RatedSet& set) const {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < set.robots.size(); ++i)
+    order.emplace_back(outline_.place(set.robots[i]), i);
+  std::sort(order.begin(), order.end());
+  RatedSet ordered = set;
+  for (std::size_t i = 0; i < order.size(); ++i) ordered.robots[i] = set.robots[order[i].second];
+  return ordered;
+}
+
+}  // namespace evenlift::balanced

@@ -1,0 +1,90 @@
+// What is asked of balanced robots, and which of two sets is better. The keys of a set are computed
+// only when a comparison needs them, the cheap ones first: nearly all sets lose by a bound.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "balanced/coarse_cover.h"
+#include "balanced/cover.h"
+#include "balanced/outline.h"
+#include "balanced/small_hull.h"
+#include "balanced/triples.h"
+#include "candidates/even_chords.h"
+#include "evenlift/balanced.h"
+#include "grasp/margins.h"
+
+namespace evenlift::balanced {
+
+// Robots, and those of their keys that are known.
+struct RatedSet {
+  std::vector<LiftingPoint> robots;
+  std::uint32_t near_pairs = 0;
+  std::optional<int> steady;
+  std::optional<std::uint32_t> level;
+  std::optional<SmallHull> hull;
+  std::optional<double> coverage, spread;
+  std::optional<std::vector<double>> places;
+
+  // Forgets the keys, for other robots.
+  void begin(std::uint32_t pairs);
+};
+
+class Rules {
+ public:
+  Rules(Polygon polygon, const Vec2& centre, const Settings& settings);
+  Rules(const Rules&) = delete;
+  Rules& operator=(const Rules&) = delete;
+
+  const Polygon& polygon() const { return polygon_; }
+  const Vec2& centre() const { return centre_; }
+  std::uint32_t robots() const { return robots_; }
+  const EvenChords& chords() const { return chords_; }
+  const std::vector<LiftingPoint>& stands() const { return stands_; }
+  const std::vector<Triple>& triples() const { return triples_; }
+
+  // The number of pairs of a robot among `robots`, of which the first `number` count, and `other`
+  // that are nearer to each other than they should be. O(number).
+  std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,
+                           const LiftingPoint& other) const;
+
+  // The same of all pairs. O(m^2).
+  std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots) const;
+
+  // Whether a is better than b.
+  bool better(RatedSet& a, RatedSet& b) const;
+
+  // All keys, as values.
+  BalancedKeys keys(RatedSet& set) const;
+
+  // The robots in their order along the outline, with their keys.
+  RatedSet in_order(const RatedSet& set) const;
+
+ private:
+  int steady(RatedSet& set) const;
+  std::uint32_t level(RatedSet& set) const;
+  const SmallHull& hull(RatedSet& set) const;
+  bool covers_less(RatedSet& set, double bound) const;
+  double coverage(RatedSet& set) const;
+  double spread(RatedSet& set) const;
+  const std::vector<double>& places(RatedSet& set) const;
+  bool surely_loses_by_coverage(RatedSet& a, RatedSet& b) const;
+
+  Polygon polygon_;
+  Vec2 centre_;
+  std::uint32_t robots_;
+  bool holds_;  // whether the goal is to hold
+  double min_margin_;
+  double near_square_;  // robots whose squared distance is below are too near to each other
+  int survive_;
+  Outline outline_;
+  std::vector<LiftingPoint> stands_;
+  std::vector<Triple> triples_;
+  EvenChords chords_;
+  CoarseCover coarse_cover_;
+  Cover cover_;
+  Margins margins_;
+};
+
+}  // namespace evenlift::balanced

@@ -1,0 +1,128 @@
+#include "evenlift/balanced.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "balanced/completions.h"
+#include "balanced/triples.h"
+
+namespace evenlift {
+namespace {
+
+using balanced::Best;
+using balanced::RatedSet;
+using balanced::Rules;
+
+RatedSet rated(const Rules& rules, const std::vector<LiftingPoint>& robots) {
+  RatedSet set;
+  set.robots = robots;
+  set.begin(rules.near_pairs(robots));
+  return set;
+}
+
+// The sets of the start, by their number of robots.
+using Sets = std::vector<std::optional<RatedSet>>;
+
+std::optional<RatedSet> next_set(const Rules& rules, const Sets& sets) {
+  const std::size_t number = sets.size();
+  Best best(rules);
+  if (sets[number - 2]) best.offer_two_more(sets[number - 2]->robots);
+  if (number >= 3 && sets[number - 3]) best.offer_three_more(sets[number - 3]->robots);
+  if (number == 4 && (rules.robots() == 4 || !best.set()))
+    for (const LiftingPoint& stand : rules.stands()) best.offer_three_more({stand});
+  if (!best.set()) return std::nullopt;
+  return rules.in_order(*best.set());
+}
+
+BalancedSearch ended(BalancedSearch search, std::size_t triples) {
+  if (search.next < triples) return search;
+  ++search.round;
+  search.finished = !search.changed || search.round == most_rounds;
+  search.next = 0;
+  search.changed = false;
+  return search;
+}
+
+}  // namespace
+
+BalancedProblem::BalancedProblem(Polygon polygon, const Vec2& centre, const Settings& settings)
+    : rules_(std::make_shared<const Rules>(std::move(polygon), centre, settings)) {}
+
+BalancedKeys balanced_keys(const BalancedProblem& problem,
+                           const std::vector<LiftingPoint>& robots) {
+  RatedSet set = rated(problem.rules(), robots);
+  return problem.rules().keys(set);
+}
+
+bool is_better(const BalancedProblem& problem, const std::vector<LiftingPoint>& a,
+               const std::vector<LiftingPoint>& b) {
+  RatedSet first = rated(problem.rules(), a), second = rated(problem.rules(), b);
+  return problem.rules().better(first, second);
+}
+
+std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem) {
+  const Rules& rules = problem.rules();
+  Sets sets{RatedSet{}, std::nullopt};
+  while (sets.size() <= rules.robots()) sets.push_back(next_set(rules, sets));
+  if (!sets.back()) return std::nullopt;
+  BalancedSearch search;
+  search.robots = sets.back()->robots;
+  search.finished = rules.robots() < 3;
+  return search;
+}
+
+bool is_quick_to_start(const BalancedProblem& problem) {
+  // A step is about a microsecond. A candidate costs one, and more the more the outline winds, since
+  // the coverage of its set is added up along it.
+  constexpr std::size_t most_steps = 100'000, most_candidates = 2'000, winding = 50;
+  const Rules& rules = problem.rules();
+  const std::size_t stands = rules.stands().size(), robots = rules.robots();
+  const std::size_t completions = stands * (robots - 1) + (robots == 4 ? stands * stands : 0);
+  const std::size_t candidates = rules.chords().count_about(rules.centre(), most_candidates);
+  return completions * candidates * (1 + candidates / winding) <= most_steps;
+}
+
+BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch search) {
+  if (search.finished) return {std::move(search), std::nullopt};
+  const Rules& rules = problem.rules();
+  const std::vector<balanced::Triple>& triples = rules.triples();
+  const balanced::Triple& triple = triples[search.next++];
+  Best best(rules);
+  best.offer(rated(rules, search.robots));
+  best.offer_three_more(balanced::others(search.robots, triple));
+  std::optional<BalancedExchange> exchange;
+  if (best.completed()) {
+    exchange.emplace();
+    exchange->numbers = triple;
+    // The three that came are the last ones.
+    const std::vector<LiftingPoint>& robots = best.set()->robots;
+    for (std::size_t i = 0; i < triple.size(); ++i) {
+      exchange->from[i] = search.robots[triple[i]];
+      exchange->to[i] = robots[robots.size() - triple.size() + i];
+    }
+    search.robots = rules.in_order(*best.set()).robots;
+    search.changed = true;
+  }
+  return {ended(std::move(search), triples.size()), exchange};
+}
+
+BalancedStep next_exchange(const BalancedProblem& problem, BalancedSearch search) {
+  BalancedStep step{std::move(search), std::nullopt};
+  while (!step.search.finished && !step.exchange)
+    step = try_next_triple(problem, std::move(step.search));
+  return step;
+}
+
+BalancedSearch finish_round(const BalancedProblem& problem, BalancedSearch search) {
+  const std::uint32_t round = search.round;
+  while (!search.finished && search.round == round)
+    search = try_next_triple(problem, std::move(search)).search;
+  return search;
+}
+
+BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search) {
+  while (!search.finished) search = finish_round(problem, std::move(search));
+  return search;
+}
+
+}  // namespace evenlift

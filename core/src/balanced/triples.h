@@ -1,0 +1,21 @@
+// Which three robots an exchange may replace.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "evenlift/chords.h"
+
+namespace evenlift::balanced {
+
+using Triple = std::array<std::uint32_t, 3>;  // increasing
+
+// The triples of m robots in lexicographic order: all of up to 12 robots, those of which two are
+// neighbours along the outline of up to 24, and three in a row of more. O(m^3).
+std::vector<Triple> triples_of(std::uint32_t robots);
+
+// The robots that are not in the triple. O(m).
+std::vector<LiftingPoint> others(const std::vector<LiftingPoint>& robots, const Triple& triple);
+
+}  // namespace evenlift::balanced

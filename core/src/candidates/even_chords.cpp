@@ -1,0 +1,188 @@
+#include "candidates/even_chords.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "candidates/candidate_order.h"
+#include "candidates/duplicates.h"
+#include "candidates/pair_candidate.h"
+#include "chords/opposite_vertices.h"
+#include "chords/radial_view.h"
+#include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+// The ends of an edge in the counter-clockwise order in which C sees them.
+struct SeenEnds {
+  std::uint32_t first, last;
+};
+
+// The range of directions in which C sees edge a before it and edge b behind it, if it is open.
+// With b' the mirror image of b, the ranges of a and b' are below 180 degrees each, so the signs of
+// the turns between their ends decide everything.
+std::optional<EdgePair> common_range(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
+                                     SeenEnds of_a, std::uint32_t b, SeenEnds of_b) {
+  const Vec2 &p = polygon.vertex(of_a.first), &q = polygon.vertex(of_a.last);
+  const Vec2 &r = polygon.vertex(of_b.first), &s = polygon.vertex(of_b.last);
+  // Each is positive if the direction of the first point comes before that of the second one.
+  const double p_r = -orient(centre, p, r), p_s = -orient(centre, p, s),
+               r_q = -orient(centre, r, q), q_s = -orient(centre, q, s);
+  const bool begins_at_p = p_r <= 0 && p_s > 0, begins_at_r = p_r >= 0 && r_q > 0;
+  if (!begins_at_p && !begins_at_r) return std::nullopt;
+  EdgePair pair;
+  pair.a = a;
+  pair.b = b;
+  if (begins_at_p) pair.begin_a = of_a.first;
+  if (begins_at_r) pair.begin_b = of_b.first;
+  if (q_s >= 0) pair.end_a = of_a.last;
+  if (q_s <= 0) pair.end_b = of_b.last;
+  return pair;
+}
+
+// The same pair with a and b exchanged.
+EdgePair exchanged(const EdgePair& pair) {
+  return {pair.b, pair.a, pair.begin_b, pair.begin_a, pair.end_b, pair.end_a};
+}
+
+}  // namespace
+
+// Finds the places where the outline meets its mirror image, and the chords there.
+class EvenChords::Search {
+ public:
+  // Stops as soon as `most` chords are found.
+  Search(const EvenChords& chords, const Vec2& centre, std::size_t most)
+      : tree_(chords.tree_),
+        polygon_(chords.polygon_),
+        centre_(centre),
+        twice_(2 * centre),
+        most_(most) {
+    // Even chords within tolerance reach as far as 3 tau L from the mirror image; the rest is for
+    // the rounding of coordinates.
+    near_ = near_distance(polygon_.diagonal());
+    constexpr double rounding = 0x1p-48;
+    slack_ = 4 * near_ + rounding * (chords.size_ + centre.cwiseAbs().maxCoeff());
+  }
+
+  std::vector<Candidate> run() {
+    visit(0, 0);
+    return std::move(found_);
+  }
+
+ private:
+  bool can_meet(const Box& a, const Box& b) const {
+    return a.low.x() + b.low.x() <= twice_.x() + slack_ &&
+           a.low.y() + b.low.y() <= twice_.y() + slack_ &&
+           a.high.x() + b.high.x() >= twice_.x() - slack_ &&
+           a.high.y() + b.high.y() >= twice_.y() - slack_;
+  }
+
+  void visit(std::uint32_t i, std::uint32_t j) {
+    const EdgeTree::Node &a = tree_.node(i), &b = tree_.node(j);
+    if (found_.size() >= most_ || !can_meet(a.box, b.box)) return;
+    if (i == j) {
+      if (a.is_leaf()) return compare_edges(a, b);
+      visit(a.left, a.left);
+      visit(a.left, a.right);
+      return visit(a.right, a.right);
+    }
+    if (a.is_leaf() && b.is_leaf()) return compare_edges(a, b);
+    const bool split_a = b.is_leaf() || (!a.is_leaf() && a.end - a.begin >= b.end - b.begin);
+    if (split_a) {
+      visit(a.left, j);
+      visit(a.right, j);
+    } else {
+      visit(i, b.left);
+      visit(i, b.right);
+    }
+  }
+
+  void compare_edges(const EdgeTree::Node& a, const EdgeTree::Node& b) {
+    for (std::uint32_t i = a.begin; i < a.end; ++i)
+      for (std::uint32_t j = &a == &b ? i + 1 : b.begin; j < b.end; ++j)
+        if (may_meet(i, j)) {
+          add_pair(i, j);
+          add_opposite(i, j);
+        }
+  }
+
+  // Whether an edge and the mirror image of another may come within `slack_` of each other.
+  bool may_meet(std::uint32_t a, std::uint32_t b) const {
+    const Vec2 p = polygon_.edge_start(a) - centre_, q = polygon_.edge_end(a) - centre_;
+    const Vec2 r = centre_ - polygon_.edge_start(b), s = centre_ - polygon_.edge_end(b);
+    return !apart(p, q, r, s) && !apart(r, s, p, q);
+  }
+
+  // Whether the points r and s lie on one side of the line p q, farther from it than `slack_`.
+  bool apart(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) const {
+    const Vec2 along = q - p;
+    const double to_r = cross(along, r - p), to_s = cross(along, s - p);
+    if ((to_r > 0) != (to_s > 0)) return false;
+    const double least = std::min(std::fabs(to_r), std::fabs(to_s));
+    return least > slack_ * (std::fabs(along.x()) + std::fabs(along.y()));
+  }
+
+  // The edge as C sees it, unless it is radial.
+  std::optional<SeenEnds> ends_of(std::uint32_t edge) const {
+    const Vec2 &p = polygon_.edge_start(edge), &q = polygon_.edge_end(edge);
+    const double side = orient(centre_, p, q);
+    if (std::fabs(side) <= near_ * length(q - p)) return std::nullopt;
+    const auto next = static_cast<std::uint32_t>(polygon_.next(edge));
+    return side > 0 ? SeenEnds{edge, next} : SeenEnds{next, edge};
+  }
+
+  void add_pair(std::uint32_t a, std::uint32_t b) {
+    const auto of_a = ends_of(a), of_b = ends_of(b);
+    if (!of_a || !of_b) return;
+    auto pair = common_range(polygon_, centre_, a, *of_a, b, *of_b);
+    if (!pair) return;
+    // The sweep that lists all pairs calls the edge a that it meets with the line's forward half.
+    const bool a_is_ahead = pair->begin_a != inside_edge
+                                ? is_forward(centre_, polygon_.vertex(pair->begin_a))
+                                : !is_forward(centre_, polygon_.vertex(pair->begin_b));
+    if (!a_is_ahead) pair = exchanged(*pair);
+    const auto verdict = examine_pair(polygon_, centre_, *pair, 1);
+    if (verdict.candidate) found_.push_back(*verdict.candidate);
+  }
+
+  // Each vertex is the start of one edge.
+  void add_opposite(std::uint32_t v, std::uint32_t w) {
+    if (!are_opposite(polygon_.vertex(v) - centre_, polygon_.vertex(w) - centre_, near_)) return;
+    const Candidate candidate = opposite_chord(polygon_, centre_, {std::min(v, w), std::max(v, w)});
+    if (reaches(candidate.chord, 1)) found_.push_back(candidate);
+  }
+
+  const EdgeTree& tree_;
+  const Polygon& polygon_;
+  Vec2 centre_, twice_;
+  std::size_t most_;
+  double near_ = 0, slack_ = 0;
+  std::vector<Candidate> found_;
+};
+
+EvenChords::EvenChords(const Polygon& polygon) : polygon_(polygon), tree_(polygon) {
+  for (const Vec2& v : polygon.vertices()) size_ = std::max(size_, v.cwiseAbs().maxCoeff());
+}
+
+std::vector<Candidate> EvenChords::about(const Vec2& centre) const {
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  const std::vector<Candidate> found = Search(*this, centre, all).run();
+  std::vector<SlopeKey> keys;
+  keys.reserve(found.size());
+  for (std::uint32_t i = 0; i < found.size(); ++i) keys.push_back(slope_key(found[i].direction, i));
+  sort_keys(keys);
+  std::vector<Candidate> ordered;
+  ordered.reserve(found.size());
+  for (const SlopeKey key : keys) ordered.push_back(found[number_of(key)]);
+  settle_order(ordered);
+  return merge_duplicates(std::move(ordered), near_distance(polygon_.diagonal())).candidates;
+}
+
+std::size_t EvenChords::count_about(const Vec2& centre, std::size_t most) const {
+  return std::min(most, Search(*this, centre, most).run().size());
+}
+
+}  // namespace evenlift

@@ -1,0 +1,75 @@
+#include "grasp/grasp.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
+
+namespace evenlift {
+namespace {
+
+void keep_extremes(Grasp& grasp) {
+  const std::vector<Grasp::Touch>& touches = grasp.touches;
+  std::vector<double> place(touches.size());
+  for (std::size_t i = 0; i < touches.size(); ++i) place[i] = along(grasp, touches[i]);
+  const auto order = sorted_indices(touches.size(), [&](std::uint32_t i, std::uint32_t j) {
+    if (touches[i].edge != touches[j].edge) return touches[i].edge < touches[j].edge;
+    return place[i] < place[j];
+  });
+  std::vector<std::uint32_t> kept;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::uint32_t edge = touches[order[k]].edge;
+    const bool is_first = k == 0 || touches[order[k - 1]].edge != edge;
+    const bool is_last = k + 1 == order.size() || touches[order[k + 1]].edge != edge;
+    if (is_first || is_last) kept.push_back(order[k]);
+  }
+  std::sort(kept.begin(), kept.end());
+  std::vector<Grasp::Touch> extremes;
+  extremes.reserve(kept.size());
+  for (const std::uint32_t i : kept) extremes.push_back(touches[i]);
+  grasp.touches = std::move(extremes);
+}
+
+}  // namespace
+
+double farthest_vertex(const Polygon& polygon, const Vec2& centre) {
+  double farthest = 0;
+  for (const Vec2& v : polygon.vertices()) farthest = std::max(farthest, length(v - centre));
+  return farthest;
+}
+
+double along(const Grasp& grasp, const Grasp::Touch& touch) {
+  return dot_of_differences(touch.from, touch.to, grasp.centre, touch.position);
+}
+
+Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
+                 const std::vector<Contact>& contacts) {
+  Grasp grasp{centre, polygon.diagonal(), near_distance(polygon.diagonal()), radius, {}};
+  for (const Contact& contact : contacts) {
+    Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
+    if (!polygon.counter_clockwise()) std::swap(from, to);
+    grasp.touches.push_back({from, to, contact.position, contact.edge});
+  }
+  keep_extremes(grasp);
+  return grasp;
+}
+
+std::vector<Wrench> wrenches(const Grasp& grasp) {
+  std::vector<Wrench> all;
+  for (const Grasp::Touch& touch : grasp.touches) {
+    const Vec2 n = touch.inward();
+    all.emplace_back(n.x(), n.y(), cross(touch.position - grasp.centre, n) / grasp.radius);
+  }
+  std::vector<Wrench> ordered;
+  for (const std::uint32_t i : sorted_indices(all.size(), [&](std::uint32_t a, std::uint32_t b) {
+         if (grasp.touches[a].edge != grasp.touches[b].edge)
+           return grasp.touches[a].edge < grasp.touches[b].edge;
+         return all[a].z() < all[b].z();
+       }))
+    ordered.push_back(all[i]);
+  return ordered;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,45 @@
+// The object and the contacts of its robots, as closure and margin look at them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "evenlift/closure.h"
+#include "grasp/wrench_margin.h"
+
+namespace evenlift {
+
+// Each contact's edge is directed so that the interior is on its left, so the inward normal is the
+// edge's direction turned by +90 degrees.
+struct Grasp {
+  struct Touch {
+    Vec2 from, to;  // the ends of the edge, as directed
+    Vec2 position;
+    std::uint32_t edge;
+    Vec2 direction() const { return to - from; }
+    Vec2 inward() const { return left_normal(to - from) / length(to - from); }
+  };
+  Vec2 centre;
+  double diagonal = 0;
+  double near = 0;
+  double radius = 0;  // R: the largest distance of a vertex from C
+  std::vector<Touch> touches;
+};
+
+// R. O(n).
+double farthest_vertex(const Polygon& polygon, const Vec2& centre);
+
+// The grasp with the contacts, of those on one edge only the first and the last. The wrenches and
+// the normal lines of the others lie between theirs and add nothing. `radius` is R. O(m log m).
+Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
+                 const std::vector<Contact>& contacts);
+
+// The position of a touch along its edge, from the foot of the perpendicular from C, times the
+// edge's length. O(1).
+double along(const Grasp& grasp, const Grasp::Touch& touch);
+
+// The wrenches of the contacts, with torques in units of R. They are sorted by edge and torque, so
+// that the margin does not depend on the order of the robots. O(m log m).
+std::vector<Wrench> wrenches(const Grasp& grasp);
+
+}  // namespace evenlift

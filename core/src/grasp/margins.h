@@ -1,0 +1,27 @@
+// The margins of many grasps of one object.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "evenlift/closure.h"
+#include "grasp/vertex_finder.h"
+
+namespace evenlift {
+
+class Margins {
+ public:
+  // The polygon must outlive it. O(n log n).
+  Margins(const Polygon& polygon, const Vec2& centre);
+
+  // The same as analyse_closure(polygon, centre, points).margin. O(m log n + m^2).
+  std::optional<double> of(const std::vector<LiftingPoint>& points) const;
+
+ private:
+  const Polygon& polygon_;
+  Vec2 centre_;
+  double radius_;
+  VertexFinder finder_;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,303 @@
+// Columns of numbers: a table's CSV, what a spreadsheet puts on the clipboard, or lines "x, y".
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "evenlift/numbers.h"
+#include "formats/readers.h"
+#include "import/gathering.h"
+#include "import/readers.h"
+#include "numbers/text_cursor.h"
+
+namespace evenlift {
+namespace {
+
+using Fields = std::vector<std::string_view>;
+
+// What no table of coordinates has.
+constexpr std::size_t most_fields = 1000;
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space_in_line(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space_in_line(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string_view unquoted(std::string_view field) {
+  field = trimmed(field);
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
+    field = trimmed(field.substr(1, field.size() - 2));
+  return field;
+}
+
+// Whether the line begins as a number does, perhaps in quotes: no heading does.
+bool has_number_first(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t\"+-.,;|"), line.size()));
+  return !line.empty() && line[0] >= '0' && line[0] <= '9';
+}
+
+// A line that is neither blank nor a comment.
+struct Line {
+  std::string_view text;
+  bool after_blank = false;  // a blank line stands before it
+};
+
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : text_(text) {}
+
+  std::optional<Line> next() {
+    bool blank = false;
+    while (at_ < text_.size()) {
+      const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+      const std::string_view line = trimmed_of_commas(text_.substr(at_, end - at_));
+      at_ = end + 1;
+      if (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n') ++at_;
+      if (line.empty())
+        blank = true;
+      else if (line.front() != '#')
+        return Line{line, blank};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // A spreadsheet writes an empty row as separators alone.
+  static std::string_view trimmed_of_commas(std::string_view line) {
+    const bool nothing = line.find_first_not_of(" \t,;|") == std::string_view::npos;
+    return nothing ? std::string_view() : line;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+class ColumnReader {
+ public:
+  ColumnReader(std::string_view text, const ImportOptions& options)
+      : text_(text), gathering_(options) {}
+  Result<Import> read();
+
+ private:
+  InputError error(const Line& line, ErrorCode code, std::string_view message) const;
+  Fields split(std::string_view line) const;
+  std::optional<double> number(std::string_view field) const;
+  std::optional<InputError> heading(const Line& line, const Fields& fields);
+  std::optional<InputError> row(const Line& line);
+  std::optional<InputError> choose_columns(const Line& line, const Fields& fields);
+  InputError not_a_number(const Line& line, std::string_view field) const;
+  void end_shape();
+
+  std::string_view text_;
+  Gathering gathering_;
+  char separator_ = ' ';
+  bool decimal_comma_ = false;  // allowed
+  std::optional<std::size_t> x_, y_;
+  bool named_ = false;  // the heading chose the columns
+  bool more_columns_ = false;
+  std::string name_;
+  Points points_;
+};
+
+InputError ColumnReader::error(const Line& line, ErrorCode code, std::string_view message) const {
+  const auto offset = static_cast<std::size_t>(line.text.data() - text_.data());
+  return text_error(code, std::string(message), text_, offset);
+}
+
+// The first of these that the line has.
+char separator_of(std::string_view line) {
+  for (const char c : {'\t', ';', '|', ','})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+Fields ColumnReader::split(std::string_view line) const {
+  Fields fields;
+  for (std::size_t at = 0; at <= line.size() && fields.size() < most_fields;) {
+    if (separator_ == ' ') {
+      at = std::min(line.find_first_not_of(" \t", at), line.size());
+      if (at == line.size()) break;
+    }
+    // A quoted field may hold the separator.
+    const bool quoted = at < line.size() && line[at] == '"';
+    const std::size_t quote = quoted ? line.find('"', at + 1) : std::string_view::npos;
+    const std::size_t from = quote == std::string_view::npos ? at : quote;
+    const std::string_view separators =
+        separator_ == ' ' ? std::string_view(" \t") : std::string_view(&separator_, 1);
+    const std::size_t end = std::min(line.find_first_of(separators, from), line.size());
+    fields.push_back(unquoted(line.substr(at, end - at)));
+    at = end + 1;
+  }
+  while (!fields.empty() && fields.back().empty()) fields.pop_back();
+  return fields;
+}
+
+std::optional<double> ColumnReader::number(std::string_view field) const {
+  const std::size_t comma = field.find(',');
+  if (comma == std::string_view::npos) return read_number(field);
+  const bool one_mark = field.find_first_of(".,", comma + 1) == std::string_view::npos &&
+                        field.find('.') == std::string_view::npos;
+  if (!decimal_comma_ || !one_mark) return std::nullopt;
+  std::string with_point(field);
+  with_point[comma] = '.';
+  return read_number(with_point);
+}
+
+// "x", "X", "x_mm", "x (m)", but not "xml" or "share_of_x".
+bool names_column(std::string_view field, char name) {
+  if (field.empty() || lower_case(field[0]) != name) return false;
+  return field.size() == 1 || (!is_letter(field[1]) && static_cast<unsigned char>(field[1]) < 0x80);
+}
+
+bool has_field(const Fields& fields, std::string_view name) {
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](std::string_view field) { return same_word(field, name); });
+}
+
+std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& fields) {
+  if (has_field(fields, "robot") && has_field(fields, "load"))
+    return error(line, ErrorCode::unsupported,
+                 "this is a table of robots, a result and no polygon: open the JSON that was saved "
+                 "with it, which holds the polygon and all settings");
+  if (has_field(fields, "polygon") && has_field(fields, "method"))
+    return error(line, ErrorCode::unsupported,
+                 "this is a table of an experiment, a result and no polygon: open the polygons "
+                 "themselves");
+  x_.reset();
+  y_.reset();
+  for (std::size_t i = fields.size(); i-- > 0;) {
+    if (names_column(fields[i], 'x')) x_ = i;
+    if (names_column(fields[i], 'y')) y_ = i;
+  }
+  named_ = x_ && y_;
+  if (named_) return std::nullopt;
+  x_.reset();
+  y_.reset();
+  // A line of words before a shape is its name.
+  if (fields.size() == 1 || separator_ == ' ') name_ = std::string(trimmed(line.text));
+  return std::nullopt;
+}
+
+InputError ColumnReader::not_a_number(const Line& line, std::string_view field) const {
+  const std::string quoted = "\"" + clean_name(field.substr(0, 60)) + "\"";
+  if (separator_ == ',' && field.find(' ') != std::string_view::npos)
+    return error(line, ErrorCode::bad_syntax,
+                 quoted +
+                     " is no number: write decimals with a point (1.5, 2.3), or with a comma and a "
+                     "semicolon between x and y (1,5; 2,3)");
+  if (field.find(',') != std::string_view::npos || field.find('.') != std::string_view::npos)
+    return error(line, ErrorCode::bad_syntax,
+                 quoted +
+                     " is no number: a number has one mark, a point or a comma, before its "
+                     "decimals and none between its thousands");
+  return error(line, ErrorCode::bad_syntax, quoted + " is no number");
+}
+
+// The first two columns with numbers.
+std::optional<InputError> ColumnReader::choose_columns(const Line& line, const Fields& fields) {
+  // "1,5 2,3" may mean 1.5 and 2.3, or three numbers.
+  for (const std::string_view field : fields)
+    if (!number(field) &&
+        field.find_first_not_of("0123456789+-.,eE \t") == std::string_view::npos && !field.empty())
+      return not_a_number(line, field);
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!number(fields[i])) continue;
+    ++numbers;
+    if (!x_)
+      x_ = i;
+    else if (!y_)
+      y_ = i;
+  }
+  if (numbers < 2) {
+    const auto wrong = std::find_if(fields.begin(), fields.end(), [&](std::string_view field) {
+      return !field.empty() && !number(field);
+    });
+    if (wrong != fields.end()) return not_a_number(line, *wrong);
+    return error(line, ErrorCode::bad_syntax, "a line has two numbers, x and y");
+  }
+  more_columns_ = numbers > 2;
+  return std::nullopt;
+}
+
+std::optional<InputError> ColumnReader::row(const Line& line) {
+  const Fields fields = split(line.text);
+  if (!x_)
+    if (auto wrong = choose_columns(line, fields)) return wrong;
+  double values[2];
+  const std::size_t columns[2] = {*x_, *y_};
+  for (int i = 0; i < 2; ++i) {
+    if (columns[i] >= fields.size() || fields[columns[i]].empty())
+      return error(line, ErrorCode::bad_syntax, i == 0 ? "the line has no x" : "the line has no y");
+    const std::optional<double> value = number(fields[columns[i]]);
+    if (!value) return not_a_number(line, fields[columns[i]]);
+    values[i] = *value;
+  }
+  if (points_.size() > max_vertices)  // one more may close it
+    return error(line, ErrorCode::too_many_vertices, no_more_vertices);
+  points_.push_back({values[0], values[1]});
+  return std::nullopt;
+}
+
+void ColumnReader::end_shape() {
+  if (points_.empty()) return;
+  Document document;
+  document.vertices = std::exchange(points_, {});
+  gathering_.add(std::move(document), std::exchange(name_, ""), "points");
+}
+
+Result<Import> ColumnReader::read() {
+  gathering_.import.format = "columns";
+  // The separator is that of the first line with a number in it; a heading before it has the same.
+  // In a table whose first column are names it is that of the first line with a digit.
+  bool decided = false;
+  Lines scout(text_);
+  for (std::optional<Line> line = scout.next(); line; line = scout.next()) {
+    const bool number_first = has_number_first(line->text);
+    if (!number_first &&
+        (decided || line->text.find_first_of("0123456789") == std::string_view::npos))
+      continue;
+    separator_ = separator_of(line->text);
+    decided = true;
+    if (number_first) break;
+  }
+  decimal_comma_ = separator_ != ',' && separator_ != ' ';
+
+  Lines lines(text_);
+  bool first = true, any = false;
+  for (std::optional<Line> line = lines.next(); line && !gathering_.full(); line = lines.next()) {
+    if (line->after_blank) end_shape();
+    const bool begins = first || (line->after_blank && points_.empty());
+    first = false;
+    const Fields fields = split(line->text);
+    const bool words = std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
+      return number(field).has_value();
+    });
+    if (begins && words && !has_number_first(line->text)) {
+      if (auto wrong = heading(*line, fields)) return *std::move(wrong);
+      first = true;  // a name may stand above a heading
+      continue;
+    }
+    if (auto wrong = row(*line)) return *std::move(wrong);
+    any = true;
+  }
+  end_shape();
+  const std::size_t shapes = gathering_.import.shapes.size();
+  if (!any) {
+    return InputError{ErrorCode::bad_syntax,
+                      joined({"this text is in no format that is known here: ", known_formats}),
+                      {}};
+  }
+  if (more_columns_ && !named_)
+    gathering_.note("the first two columns with numbers were taken as x and y");
+  if (shapes > 1) gathering_.note("blank lines part the shapes");
+  return gathering_.finish(text_error(ErrorCode::too_few_vertices, no_vertices, text_, 0));
+}
+
+}  // namespace
+
+Result<Import> read_columns(std::string_view text, const ImportOptions& options) {
+  return ColumnReader(text, options).read();
+}
+
+}  // namespace evenlift

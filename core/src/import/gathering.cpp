@@ -1,0 +1,218 @@
+#include "import/gathering.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/numbers.h"
+#include "formats/readers.h"
+#include "numbers/number_text.h"
+
+namespace evenlift {
+namespace {
+
+constexpr std::size_t longest_name = 80;  // in characters
+
+// The length of the UTF-8 character at the front, or 0 if there is none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
+  if (length == 0 || length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
+  const bool surrogate = first == 0xed && byte(1) >= 0xa0;
+  const bool beyond = first == 0xf4 && byte(1) >= 0x90;
+  return overlong || surrogate || beyond ? 0 : length;
+}
+
+double default_tolerance(double side) {
+  // A shape of no size has no curves; any number above 0 will do.
+  if (!(side > 0)) return 1;
+  const Decimal decimal = shortest_decimal(side / 1000);
+  std::uint64_t digits = decimal.digits;
+  int exponent = decimal.exponent;
+  for (; digits >= 10; digits /= 10) ++exponent;
+  const char* round = digits >= 5 ? "5e" : digits >= 2 ? "2e" : "1e";
+  return read_number(round + std::to_string(exponent)).value_or(side / 1000);
+}
+
+bool within_bounds(const Box& box) {
+  const auto small = [](double x) { return std::abs(x) <= max_coordinate; };
+  return small(box.low.x()) && small(box.low.y()) && small(box.high.x()) && small(box.high.y());
+}
+
+// Minima and maxima leave out what is not a number.
+bool all_finite(const Outline& outline) {
+  const auto finite = [](const CurvePiece& p) {
+    return p.end.allFinite() && p.first.allFinite() && p.second.allFinite();
+  };
+  return outline.start.allFinite() &&
+         std::all_of(outline.pieces.begin(), outline.pieces.end(), finite);
+}
+
+}  // namespace
+
+double larger_side(const Box& box) { return std::max(box.size().x(), box.size().y()); }
+
+std::string short_number(double value) {
+  const Decimal decimal = shortest_decimal(value);
+  std::uint64_t digits = decimal.digits;
+  int exponent = decimal.exponent;
+  for (; digits >= 100000; digits /= 10) ++exponent;
+  if (digits >= 10000) {
+    digits = (digits + 5) / 10;
+    ++exponent;
+  }
+  const auto number = read_number((decimal.negative ? "-" : "") + std::to_string(digits) + "e" +
+                                  std::to_string(exponent));
+  return shortest(number.value_or(value));
+}
+
+std::string joined(std::initializer_list<std::string_view> texts) {
+  std::string whole;
+  for (const std::string_view text : texts) whole += text;
+  return whole;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
+}
+
+std::string clean_name(std::string_view name) {
+  std::string clean;
+  std::size_t characters = 0;
+  while (!name.empty() && characters < longest_name) {
+    const std::size_t length = character_length(name);
+    const bool plain = length > 1 || (length == 1 && name[0] > ' ' && name[0] != 0x7f);
+    if (plain) {
+      clean += name.substr(0, length);
+      ++characters;
+    } else if (!clean.empty() && clean.back() != ' ') {  // what is no character parts words
+      clean += ' ';
+      ++characters;
+    }
+    name.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  while (!clean.empty() && clean.back() == ' ') clean.pop_back();
+  return clean;
+}
+
+void LeftOut::add(std::string_view one, std::string_view many) {
+  for (Kind& kind : counts_) {
+    if (kind.one != one) continue;
+    ++kind.count;
+    return;
+  }
+  // A text may make up names without end.
+  if (counts_.size() < 20)
+    counts_.push_back({std::string(one), std::string(many), 1});
+  else
+    ++counts_.back().count;
+}
+
+std::string LeftOut::list() const {
+  std::string text;
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    if (i > 0) text += i + 1 == counts_.size() ? " and " : ", ";
+    text += counted(counts_[i].count, counts_[i].one, counts_[i].many);
+  }
+  return text;
+}
+
+std::size_t LeftOut::total() const {
+  std::size_t all = 0;
+  for (const Kind& kind : counts_) all += kind.count;
+  return all;
+}
+
+bool Gathering::has_room(std::size_t vertices) {
+  if (full_) return false;
+  if (import.shapes.size() == max_shapes)
+    full_ = InputError{ErrorCode::unsupported, "the text has more than 10000 shapes", {}};
+  else if (vertices > max_vertices - vertices_)
+    full_ = InputError{
+        ErrorCode::too_many_vertices, "the shapes have more than 1048576 vertices together", {}};
+  static_assert(max_shapes == 10000 && max_vertices == 1048576, "the messages name the numbers");
+  return !full_;
+}
+
+void Gathering::add(const Outline& outline, std::string_view name, std::string_view kind) {
+  if (full_) return;
+  const Box box = control_box(outline);
+  if (!all_finite(outline) || !within_bounds(box))
+    return add_problem({ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000", {}});
+  const double side = larger_side(box);
+  ImportedShape shape;
+  double tolerance = 1;
+  if (outline.curved()) {
+    tolerance = options_.tolerance.value_or(default_tolerance(side));
+    shape.tolerance = tolerance;
+  }
+  const std::size_t room = max_vertices - vertices_;
+  std::optional<Points> points = flatten(outline, tolerance, room + 1);  // one more may close it
+  if (!points) {
+    const bool curved = outline.curved();
+    full_ = InputError{
+        ErrorCode::too_many_vertices,
+        curved ? "the shapes have more than 1048576 vertices together; with a greater distance "
+                 "between curves and edges they have fewer"
+               : "the shapes have more than 1048576 vertices together",
+        {}};
+    return;
+  }
+  while (points->size() > 1 &&
+         larger_side(bounding_box({points->front(), points->back()})) <= same_point * side)
+    points->pop_back();
+  if (points->size() < 3) {
+    ++without_area_;
+    return;
+  }
+  if (!has_room(points->size())) return;
+  vertices_ += points->size();
+  shape.document.vertices = *std::move(points);
+  shape.name = clean_name(name);
+  shape.kind = kind;
+  import.shapes.push_back(std::move(shape));
+}
+
+void Gathering::add(Document document, std::string_view name, std::string_view kind) {
+  drop_closing_vertex(document.vertices);
+  if (!has_room(document.vertices.size())) return;
+  vertices_ += document.vertices.size();
+  import.shapes.push_back({std::move(document), clean_name(name), std::string(kind), {}});
+}
+
+void Gathering::add_problem(InputError error) {
+  ++problems_;
+  if (!first_problem_) first_problem_ = std::move(error);
+}
+
+void Gathering::note(std::string sentence) {
+  if (import.notes.size() < 20) import.notes.push_back(std::move(sentence));
+}
+
+Result<Import> Gathering::finish(InputError nothing) {
+  if (full_) return *std::move(full_);
+  if (import.shapes.empty()) {
+    if (first_problem_) return *std::move(first_problem_);
+    return nothing;
+  }
+  if (!left_out.empty())
+    note(left_out.list() + (left_out.total() == 1 ? " was left out" : " were left out"));
+  if (without_area_ > 0)
+    note(counted(without_area_, "line without an area was", "lines without an area were") +
+         " left out");
+  if (problems_ > 0) {
+    const std::string place = describe(first_problem_->place);
+    note(counted(problems_, "shape was", "shapes were") + " left out, the first because of " +
+         (place.empty() ? "this: " : place + ": ") + first_problem_->message);
+  }
+  return std::move(import);
+}
+
+}  // namespace evenlift

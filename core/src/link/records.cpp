@@ -1,0 +1,62 @@
+#include "link/records.h"
+
+#include <optional>
+#include <string_view>
+
+#include "evenlift/numbers.h"
+#include "evenlift/settings_text.h"
+#include "exact/bits.h"
+
+namespace evenlift {
+namespace {
+
+// The values that a link of version 2 leaves out. They stay as they are even if the defaults of
+// Settings change (test_link.cpp compares the two).
+constexpr double usual_min_margin = 0.05;
+constexpr std::uint32_t usual_survive = 0;
+
+std::optional<Setting> setting_of(Tag tag) {
+  switch (tag) {
+    case Tag::robots:
+      return Setting::robots;
+    case Tag::goal:
+      return Setting::goal;
+    case Tag::min_margin:
+      return Setting::min_margin;
+    case Tag::apart:
+      return Setting::apart;
+    case Tag::survive:
+      return Setting::survive;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+bool is_known(Tag tag) { return setting_of(tag).has_value(); }
+
+Records records_of(const Settings& settings) {
+  Records records;
+  if (settings.method != Method::balanced) return records;
+  records.push_back({Tag::robots, std::to_string(settings.robots)});
+  if (settings.goal) records.push_back({Tag::goal, std::string(name(*settings.goal))});
+  if (!same_bits(settings.min_margin, usual_min_margin))
+    records.push_back({Tag::min_margin, shortest(settings.min_margin)});
+  if (settings.apart) records.push_back({Tag::apart, shortest(*settings.apart)});
+  if (settings.survive != usual_survive)
+    records.push_back({Tag::survive, std::to_string(settings.survive)});
+  return records;
+}
+
+bool take_records(const Records& records, Document& document) {
+  document.settings.min_margin = usual_min_margin;
+  document.settings.survive = usual_survive;
+  for (const Record& record : records) {
+    if (record.tag == Tag::robots) document.settings.method = Method::balanced;
+    if (read_setting(*setting_of(record.tag), record.payload, document)) return false;
+  }
+  return true;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,77 @@
+// The records of share links of version 2: the settings that came after version 1. Each is a tag, the
+// number of bytes of its payload, and the payload, which for a setting is its text as read_setting()
+// takes it. Records come in the order of their tags, and tag 0 ends them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "evenlift/document.h"
+#include "link/range_coder.h"
+
+namespace evenlift {
+
+// What a record holds. The tags are fixed for ever; those that no writer knows yet are reserved, so
+// that two later versions never mean different things by one. docs/link-format.md lists them, too.
+enum class Tag : std::uint8_t {
+  end = 0,
+  robots = 1,  // and with it the method balanced
+  goal = 2,
+  min_margin = 3,
+  apart = 4,
+  survive = 5,
+  // Reserved.
+  positions = 6,
+  com_radius = 7,
+  capacity = 8,
+  robot = 9,
+  no_go = 10,
+  units = 11,
+  cargo = 12,
+  holes = 13,
+  regions = 14,
+  com_height = 15,
+  friction = 16,
+  capacities = 17,
+};
+
+struct Record {
+  Tag tag = Tag::end;
+  std::string payload;
+};
+using Records = std::vector<Record>;
+
+// The records that these settings need; none if a link of version 1 can hold all of them. O(1).
+Records records_of(const Settings& settings);
+
+// Takes over what the records say, which must be of known tags. Returns whether each of them has a
+// value that its setting may have. O(bytes).
+bool take_records(const Records& records, Document& document);
+
+// Codes the records. A decoder replaces them; it fails at a payload that is longer than any known
+// setting, and stops at an unknown tag, which it leaves as the last record. O(bytes).
+inline constexpr int widest_tag = 8, widest_length = 20;
+inline constexpr std::size_t longest_value = 32;  // bytes; a number has at most 24
+bool is_known(Tag tag);
+
+template <class Coder>
+void code_records(Coder& coder, Records& records) {
+  for (std::size_t i = 0; !coder.failed(); ++i) {
+    const bool given = !Coder::decoding && i < records.size();
+    const auto tag = static_cast<Tag>(
+        code_integer(coder, given ? static_cast<std::uint64_t>(records[i].tag) : 0, widest_tag));
+    if (tag == Tag::end || coder.failed()) return;
+    if constexpr (Coder::decoding) records.push_back({tag, {}});
+    if (!is_known(tag)) return;
+    std::string& payload = records[i].payload;
+    const std::uint64_t length = code_integer(coder, payload.size(), widest_length);
+    if (length > longest_value) return coder.fail();
+    payload.resize(static_cast<std::size_t>(length));
+    for (char& byte : payload)
+      byte = static_cast<char>(coder.code_uniform(static_cast<unsigned char>(byte), 256));
+  }
+}
+
+}  // namespace evenlift

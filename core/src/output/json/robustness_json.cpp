@@ -1,0 +1,87 @@
+#include "output/json/robustness_json.h"
+
+#include "evenlift/doubt.h"
+#include "output/json/json_text.h"
+
+namespace evenlift::json {
+namespace {
+
+std::string number_or_null(const std::optional<double>& value) {
+  return value ? number(*value) : "null";
+}
+
+std::string ranges(const std::vector<double>& loads, const SpringLoads& springs,
+                   double com_radius) {
+  std::vector<std::string> items;
+  for (const LoadRange& range : load_ranges(loads, springs, com_radius))
+    items.push_back(array({number(range.least), number(range.greatest)}));
+  return array(items);
+}
+
+std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest) {
+  const auto if_carried = [&](const std::string& value) { return rest ? value : "null"; };
+  const RestOfRobots known = rest.value_or(RestOfRobots{});
+  return object({{"robot", std::to_string(robot)},
+                 {"carried", boolean(rest.has_value())},
+                 {"steady", boolean(known.steady)},
+                 {"com_margin", if_carried(number(known.tipping_distance))},
+                 {"coverage", if_carried(number(known.coverage))},
+                 {"form_closure", if_carried(boolean(known.form_closure))},
+                 {"margin", number_or_null(known.margin)},
+                 {"plan_max", number_or_null(known.greatest_by_plan)},
+                 {"springs_max", if_carried(number(known.greatest_by_springs))},
+                 {"best_max", if_carried(number(known.least_greatest))}});
+}
+
+}  // namespace
+
+// While robots have no size, what touches the object is the robot itself.
+std::string robots(const Placement& placement, int depth) {
+  std::vector<std::string> items;
+  for (const PlacedRobot& robot : placed_robots(placement))
+    items.push_back(object({{"at", pair(robot.at)},
+                            {"team", std::to_string(robot.team)},
+                            {"load", number(robot.load)},
+                            {"contact", pair(robot.at)},
+                            {"stand", pair(robot.at)},
+                            {"heading", number(robot.heading_deg)}}));
+  return long_array(items, depth);
+}
+
+std::string models(const std::optional<ModelLoads>& models, int depth) {
+  if (!models) return "null";
+  return long_object({{"springs", numbers(models->springs.loads)},
+                      {"best", number(models->best)},
+                      {"worst", numbers(models->worst)}},
+                     depth);
+}
+
+std::string robustness(const Placement& placement, const std::optional<ModelLoads>& models,
+                       double com_radius, int depth) {
+  const Robustness known = evenlift::robustness(placement);
+  std::vector<Member> members = {
+      {"com_margin", number(known.tipping_distance)},
+      {"failures_carried", std::to_string(known.failures_carried)},
+      {"failures_steady", std::to_string(known.failures_steady)},
+      {"load_per_length", models ? numbers(models->springs.per_length) : "null"}};
+  if (com_radius > 0) {
+    members.push_back({"com_radius", number(com_radius)});
+    members.push_back({"exact_within", models ? number(models->springs.same_within) : "null"});
+    if (models) {
+      const SpringLoads& springs = models->springs;
+      members.push_back(
+          {"plan_ranges", ranges(planned_loads(placement.teams), springs, com_radius)});
+      members.push_back({"springs_ranges", ranges(springs.loads, springs, com_radius)});
+    }
+  }
+  return long_object(members, depth);
+}
+
+std::string failures(const std::vector<std::optional<RestOfRobots>>& failures, int depth) {
+  std::vector<std::string> items;
+  for (std::size_t robot = 0; robot < failures.size(); ++robot)
+    items.push_back(failure(robot, failures[robot]));
+  return long_array(items, depth);
+}
+
+}  // namespace evenlift::json

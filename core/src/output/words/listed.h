@@ -1,0 +1,24 @@
+// Numbers one after another in a sentence.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace evenlift {
+
+// "1, 2 and 5" with "and" as the last word; of more than eight numbers the first seven, "and 3
+// more".
+inline std::string listed(const std::vector<std::size_t>& numbers, const std::string& last_word) {
+  constexpr std::size_t most_named = 8;
+  const std::size_t named = numbers.size() > most_named ? most_named - 1 : numbers.size();
+  std::string text;
+  for (std::size_t i = 0; i < named; ++i) {
+    if (i > 0) text += i + 1 == numbers.size() ? " " + last_word + " " : ", ";
+    text += std::to_string(numbers[i]);
+  }
+  if (named < numbers.size()) text += " and " + std::to_string(numbers.size() - named) + " more";
+  return text;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,130 @@
+#include "evenlift/output/robustness_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "evenlift/doubt.h"
+#include "output/words/listed.h"
+
+namespace evenlift {
+namespace {
+
+using Robots = std::vector<std::size_t>;
+
+// A length by itself.
+std::string length_in_words(double length) { return amount(length, length); }
+
+std::string springs_in_words(const SpringLoads& springs) {
+  const auto [least, greatest] = std::minmax_element(springs.loads.begin(), springs.loads.end());
+  std::string text = "If all robots are equally stiff they bear " +
+                     kilograms(*least, *greatest, *greatest) + " each.";
+  Robots idle;
+  for (std::size_t i = 0; i < springs.loads.size(); ++i)
+    if (springs.loads[i] == 0) idle.push_back(i + 1);
+  if (idle.empty()) return text;
+  return text + (idle.size() == 1 ? " Robot " : " Robots ") + listed(idle, "and") +
+         (idle.size() == 1 ? " lets go." : " let go.");
+}
+
+// "five", or the digits of what is no small number.
+std::string in_letters(std::size_t number) {
+  constexpr std::array<const char*, 13> words = {"no",   "one",    "two",   "three", "four",
+                                                 "five", "six",    "seven", "eight", "nine",
+                                                 "ten",  "eleven", "twelve"};
+  return number < words.size() ? words[number] : std::to_string(number);
+}
+
+std::string robots_or(const Robots& robots) {
+  return (robots.size() == 1 ? "robot " : "one of the robots ") + listed(robots, "or");
+}
+
+}  // namespace
+
+std::string model_in_words(LoadModel model, const ModelLoads& loads) {
+  switch (model) {
+    case LoadModel::plan:
+      return {};
+    case LoadModel::springs:
+      return springs_in_words(loads.springs);
+    case LoadModel::best:
+      return "However well the weight is shared, some robot bears at least " +
+             kilograms(loads.best, loads.best) + ".";
+    case LoadModel::worst: {
+      const double greatest = *std::max_element(loads.worst.begin(), loads.worst.end());
+      return "If the robots' heights are unequal, a robot may come to bear up to " +
+             kilograms(greatest, greatest) + ".";
+    }
+  }
+  return {};
+}
+
+std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness,
+                           double com_radius) {
+  const SpringLoads& springs = loads.springs;
+  const double change = greatest_change(springs, com_radius);
+  std::string text = "If the centre of mass is off by up to " + plain(com_radius) +
+                     ", loads change by up to " + kilograms(change, change) + ".";
+  if (robustness.tipping_distance == 0)
+    return text + " The object can tip however little it is off.";
+  if (com_radius >= robustness.tipping_distance)
+    return text + " From " + length_in_words(robustness.tipping_distance) +
+           " on the object can tip.";
+  if (com_radius > springs.same_within)
+    return text + " From " + length_in_words(springs.same_within) +
+           " on other robots bear something, and the ranges are too narrow.";
+  return text;
+}
+
+std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
+                                       double capacity) {
+  const std::string limit = plain(capacity) + "\u00A0kg";
+  const auto radius = radius_within_capacity(loads.springs, robustness.tipping_distance, capacity);
+  if (!radius) return "If all robots are equally stiff, some bear more than " + limit + ".";
+  return "Equally stiff robots stay within " + limit + " as long as it is off by no more than " +
+         length_in_words(*radius) + ".";
+}
+
+std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures) {
+  Robots needed, for_steadiness;
+  double greatest = 0;
+  for (std::size_t i = 0; i < failures.size(); ++i) {
+    if (!failures[i]) {
+      needed.push_back(i + 1);
+      continue;
+    }
+    if (!failures[i]->steady) for_steadiness.push_back(i + 1);
+    greatest = std::max(greatest, failures[i]->greatest_by_springs);
+  }
+  if (needed.size() == failures.size()) return "The object falls whichever robot fails.";
+  const std::string most = "at most " + kilograms(greatest, greatest) + " each if equally stiff.";
+  std::string text = needed.empty() ? "Whichever robot fails, the others carry the object, " + most
+                                    : "The object falls if " + robots_or(needed) +
+                                          " fails. If another fails, the others carry it, " + most;
+  if (!for_steadiness.empty()) text += " It can tip if " + robots_or(for_steadiness) + " fails.";
+  return text;
+}
+
+std::string failure_in_words(std::size_t robot, std::size_t robots,
+                             const std::optional<RestOfRobots>& rest) {
+  const std::string fails = "Robot " + std::to_string(robot + 1) + " fails: ";
+  const std::string others = "the other " + in_letters(robots - 1);
+  if (!rest) return fails + others + " cannot hold it.";
+  const double greatest = rest->greatest_by_springs;
+  return fails + "held by " + others + ", at most " + kilograms(greatest, greatest) +
+         (rest->steady ? "." : ", but it can tip.");
+}
+
+std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness) {
+  if (placement.teams.empty()) return {};
+  const int carried = robustness.failures_carried, steady = robustness.failures_steady;
+  std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);
+  if (carried > 0 && steady < 1) may_fail += "; it can tip then";
+  if (carried > 0 && steady > 0 && steady < carried)
+    may_fail += "; any " + std::to_string(steady) + " without tipping";
+  return {{"Robots that may fail", may_fail,
+           "How many may let go at once, whichever they are, so that the others carry the object"},
+          {"Centre of mass may be off by", length_in_words(robustness.tipping_distance),
+           "The distance at which the object tips, if robots can only push"}};
+}
+
+}  // namespace evenlift

@@ -1,0 +1,97 @@
+#include "evenlift/placed_robots.h"
+
+#include "evenlift/angles.h"
+#include "evenlift/closure.h"
+#include "evenlift/doubt.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+Points positions(const Placement& placement) {
+  Points positions;
+  for (const LiftingPoint& point : lifting_points(placement.teams))
+    positions.push_back(point.position);
+  return positions;
+}
+
+double diagonal(const Placement& placement) { return placement.polygon.diagonal(); }
+
+// The object's boundary, for the directions in which robots face.
+class Outline {
+ public:
+  explicit Outline(const Points& vertices)
+      : vertices_(vertices),
+        counter_clockwise_(is_counter_clockwise(vertices)),
+        near_(near_distance(bounding_box(vertices).diagonal())) {}
+
+  // Towards the object; of any length.
+  Vec2 inward_at(const LiftingPoint& point) const {
+    const std::size_t n = vertices_.size(), edge = point.edge, next = (edge + 1) % n;
+    if (length(point.position - vertices_[edge]) <= near_)
+      return inward_between((edge + n - 1) % n, edge);
+    if (length(point.position - vertices_[next]) <= near_) return inward_between(edge, next);
+    return normal(edge);
+  }
+
+ private:
+  Vec2 normal(std::size_t edge) const {
+    return inward_normal(vertices_[edge], vertices_[(edge + 1) % vertices_.size()],
+                         counter_clockwise_);
+  }
+
+  // The middle between two normals. The first sum vanishes if they are opposite, the second if they
+  // are equal; both point the same way.
+  Vec2 inward_between(std::size_t edge, std::size_t next) const {
+    const Vec2 a = normal(edge), b = normal(next);
+    const Vec2 apart = left_normal(a) - left_normal(b);
+    return (a + b) + (cross(a, b) < 0 ? Vec2(-apart) : apart);
+  }
+
+  const Points& vertices_;
+  bool counter_clockwise_;
+  double near_;
+};
+
+}  // namespace
+
+std::vector<PlacedRobot> placed_robots(const Placement& placement) {
+  const Outline outline(placement.vertices());
+  std::vector<PlacedRobot> robots;
+  robots.reserve(count_robots(placement.teams));
+  for (std::size_t t = 0; t < placement.teams.size(); ++t) {
+    for (const Robot& robot : placement.teams[t].robots) {
+      const Vec2 inward = outline.inward_at(robot.point);
+      const double heading_deg = arctangent2(inward.y() + 0.0, inward.x()) * (180 / pi);
+      robots.push_back(
+          {robot.point.position, static_cast<std::uint32_t>(t), robot.load, heading_deg});
+    }
+  }
+  return robots;
+}
+
+std::optional<ModelLoads> model_loads(const Placement& placement) {
+  const Points robots = positions(placement);
+  const Vec2& centre = placement.centre_of_mass;
+  const double size = diagonal(placement), weight = placement.settings.weight;
+  const auto springs = spring_loads(robots, centre, size, weight);
+  const auto best = best_load(robots, centre, size, weight);
+  const auto worst = worst_loads(robots, centre, size, weight);
+  if (!springs || !best || !worst) return std::nullopt;
+  return ModelLoads{*springs, *best, *worst};
+}
+
+Robustness robustness(const Placement& placement) {
+  const Points robots = positions(placement);
+  const Vec2& centre = placement.centre_of_mass;
+  const double size = diagonal(placement);
+  return {failures_carried(robots, centre, size), failures_steady(robots, centre, size),
+          tipping_distance(placement.lifting_base, centre, size)};
+}
+
+std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement) {
+  return single_failures(placement.polygon, placement.centre_of_mass, placement.settings.weight,
+                         placement.teams);
+}
+
+}  // namespace evenlift

@@ -1,0 +1,33 @@
+// A tree of boxes over the outline of a polygon: each node has the edges of a stretch of it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "evenlift/polygon.h"
+
+namespace evenlift {
+
+class EdgeTree {
+ public:
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0, end = 0;   // its edges are begin .. end - 1
+    std::uint32_t left = 0, right = 0;  // the nodes that share them; 0 in a leaf, since the root is
+                                        // nobody's child
+    bool is_leaf() const { return left == 0; }
+  };
+
+  // O(n).
+  explicit EdgeTree(const Polygon& polygon);
+
+  // The root is node 0.
+  const Node& node(std::uint32_t i) const { return nodes_[i]; }
+
+ private:
+  std::uint32_t build(const Polygon& polygon, std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Node> nodes_;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,88 @@
+// How deep C lies among the robots, by a line through C that turns once around.
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/failures.h"
+#include "evenlift/tolerance.h"
+#include "exact/pseudo_angle.h"
+#include "exact/sorted_indices.h"
+#include "robustness/known_size.h"
+
+namespace evenlift {
+namespace {
+
+// Whether a robot within tolerance of the line counts as being on the side in question.
+enum class OnTheLine { counts, does_not };
+
+// Looking along the unit vector u, a robot at d from C is on the side if u . d >= -near (counts) or
+// u . d > near (does not). The directions u of one robot form an arc: closed and a little more than
+// half a turn, or open and a little less. It is given by pseudo-angles.
+struct Arc {
+  double begin, end;
+};
+
+Arc arc_of(const Vec2& d, double near, OnTheLine on_the_line) {
+  const double distance = length(d);
+  // The ends are where u . d is -near or near: u has this part along d, and `across` beside it.
+  const double along = on_the_line == OnTheLine::counts ? -near : near;
+  const double across = std::sqrt((distance - near) * (distance + near));
+  const Vec2 side = across * left_normal(d);
+  return {pseudo_angle(along * d - side), pseudo_angle(along * d + side)};
+}
+
+// The least number of arcs that overlap in one direction.
+int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
+  // Event 2 i is the beginning of arc i, event 2 i + 1 its end.
+  const auto angle = [&](std::uint32_t event) {
+    const Arc& arc = arcs[event / 2];
+    return event % 2 == 0 ? arc.begin : arc.end;
+  };
+  // Where closed arcs meet they overlap, where open arcs meet there is a gap.
+  const std::uint32_t first_of_equal = on_the_line == OnTheLine::counts ? 0 : 1;
+  const SortedIndices events =
+      sorted_indices(2 * arcs.size(), [&](std::uint32_t i, std::uint32_t j) {
+        if (angle(i) != angle(j)) return angle(i) < angle(j);
+        return i % 2 == first_of_equal && j % 2 != first_of_equal;
+      });
+  int overlap = 0;
+  for (const Arc& arc : arcs) overlap += arc.begin > arc.end ? 1 : 0;
+  int least = overlap;
+  for (const std::uint32_t event : events) {
+    overlap += event % 2 == 0 ? 1 : -1;
+    least = std::min(least, overlap);
+  }
+  return least;
+}
+
+// The least number of robots on one side of a line through C.
+//
+// C and each robot lie at most L apart, so an arc differs from half a turn by at least tau on either
+// side, and the rounding of directions, some 1e-16, decides only what is at the tolerance's own edge.
+int depth(const Points& robots, const Vec2& centre, double diagonal, OnTheLine on_the_line) {
+  const double near = near_distance(known_size(robots, centre, diagonal));
+  std::vector<Arc> arcs;
+  arcs.reserve(robots.size());
+  int at_centre = 0;
+  for (const Vec2& robot : robots) {
+    const Vec2 d = robot - centre;
+    if (length(d) <= near) {
+      ++at_centre;
+    } else {
+      arcs.push_back(arc_of(d, near, on_the_line));
+    }
+  }
+  const int always = on_the_line == OnTheLine::counts ? at_centre : 0;
+  return always + least_overlap(arcs, on_the_line);
+}
+
+}  // namespace
+
+int failures_carried(const Points& robots, const Vec2& centre, double diagonal) {
+  return depth(robots, centre, diagonal, OnTheLine::counts) - 1;
+}
+
+int failures_steady(const Points& robots, const Vec2& centre, double diagonal) {
+  return depth(robots, centre, diagonal, OnTheLine::does_not) - 1;
+}
+
+}  // namespace evenlift

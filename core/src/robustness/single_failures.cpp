@@ -1,0 +1,105 @@
+// What happens if one robot fails.
+#include <algorithm>
+
+#include "evenlift/closure.h"
+#include "evenlift/doubt.h"
+#include "evenlift/failures.h"
+#include "evenlift/hull.h"
+#include "evenlift/load_models.h"
+#include "evenlift/stability.h"
+#include "robustness/known_size.h"
+
+namespace evenlift {
+namespace {
+
+// The robots of all teams in one row, with what does not depend on who fails.
+class Crew {
+ public:
+  Crew(const Polygon& polygon, const Vec2& centre, double weight, const std::vector<Team>& teams)
+      : polygon_(polygon),
+        centre_(centre),
+        weight_(weight),
+        teams_(teams),
+        contacts_(contacts(polygon, lifting_points(teams))) {
+    for (const LiftingPoint& point : lifting_points(teams)) positions_.push_back(point.position);
+    const Points hull = convex_hull(positions_, near());
+    if (hull.size() >= 3) coverage_.emplace(polygon, hull);
+  }
+
+  std::optional<RestOfRobots> without(std::size_t robot) const;
+
+ private:
+  double near() const {
+    return near_distance(known_size(positions_, centre_, polygon_.diagonal()));
+  }
+
+  Points positions_without(std::size_t robot) const {
+    Points rest = positions_;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(robot));
+    return rest;
+  }
+
+  std::vector<Contact> contacts_without(std::size_t robot) const {
+    std::vector<Contact> rest;
+    for (const Contact& contact : contacts_)
+      if (contact.point != robot) rest.push_back(contact);
+    return rest;
+  }
+
+  // The other teams bear the weight in proportion to what they bore.
+  std::optional<double> greatest_by_plan(std::size_t robot) const {
+    const std::size_t failed = find_robot(teams_, robot).team;
+    double greatest = 0, borne = 0;
+    for (std::size_t t = 0; t < teams_.size(); ++t) {
+      if (t == failed) continue;
+      for (const Robot& other : teams_[t].robots) {
+        greatest = std::max(greatest, other.load / weight_);
+        borne += other.load / weight_;
+      }
+    }
+    if (teams_.size() < 2) return std::nullopt;
+    return weight_ * (greatest / borne);
+  }
+
+  const Polygon& polygon_;
+  Vec2 centre_;
+  double weight_;
+  const std::vector<Team>& teams_;
+  std::vector<Contact> contacts_;
+  Points positions_;
+  std::optional<CoverageWithin> coverage_;  // none if not even all robots have a hull with an area
+};
+
+std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
+  const Points positions = positions_without(robot);
+  const double diagonal = polygon_.diagonal();
+  const auto springs = spring_loads(positions, centre_, diagonal, weight_);
+  const auto best = best_load(positions, centre_, diagonal, weight_);
+  if (!springs || !best) return std::nullopt;
+  const Points hull = convex_hull(positions, near());
+  const Hold hold = analyse_hold(polygon_, centre_, contacts_without(robot));
+  RestOfRobots rest;
+  rest.tipping_distance = tipping_distance(hull, centre_, diagonal);
+  rest.steady = rest.tipping_distance > 0;
+  rest.coverage = coverage_ ? coverage_->of(hull) : 0;
+  rest.form_closure = hold.form_closure;
+  rest.margin = hold.margin;
+  rest.greatest_by_plan = greatest_by_plan(robot);
+  rest.greatest_by_springs = *std::max_element(springs->loads.begin(), springs->loads.end());
+  rest.least_greatest = *best;
+  return rest;
+}
+
+}  // namespace
+
+std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon, const Vec2& centre,
+                                                         double weight,
+                                                         const std::vector<Team>& teams) {
+  const Crew crew(polygon, centre, weight, teams);
+  std::vector<std::optional<RestOfRobots>> failures;
+  for (std::size_t robot = 0; robot < count_robots(teams); ++robot)
+    failures.push_back(crew.without(robot));
+  return failures;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,198 @@
+// The loads of equally stiff robots that only push.
+//
+// The loads f with the least sum of squares that balance the weight, with f >= 0, are max(0, g) for
+// a function g(q) = a + b . q of the robot's place. It is the g for which 1/2 sum max(0, g)^2 - m g(C)
+// is least, in units of weight / m: a convex function of (a, b), whose slope is the lack of balance.
+// Newton's step is the g that balances the weight with the robots that bear something, some of which
+// may have to pull. They let go, others take hold, and so on until that repeats itself.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "evenlift/load_models.h"
+#include "evenlift/tolerance.h"
+#include "robustness/standard_frame.h"
+#include "robustness/support.h"
+
+namespace evenlift {
+namespace {
+
+// A linear function of the plane, as seen from C.
+struct Linear {
+  double at_centre = 0;
+  Vec2 slope = Vec2::Zero();
+  double operator()(const Vec2& q) const { return at_centre + dot(slope, q); }
+};
+
+// The function with these values: at the centroid, and how it grows along the axes of the frame.
+Linear in_frame(const StandardFrame& frame, double at_mean, const Vec2& along_axes) {
+  const Vec2 slope = along_axes.x() * frame.axis[0] + along_axes.y() * frame.axis[1];
+  return {at_mean - dot(slope, frame.mean), slope};
+}
+
+class Springs {
+ public:
+  explicit Springs(const Points& robots)
+      : robots_(robots), m_(static_cast<double>(robots.size())), frame_(standard_frame(robots)) {
+    pressure_ = in_frame(frame_, 1, frame_(Vec2::Zero()));  // the solution if no robot lets go
+    settle();
+  }
+
+  // The load of the robot in units of weight / m; below 0, how far it is from bearing anything.
+  // Within tolerance of 0 it is 0.
+  double pressure(std::size_t i) const {
+    const double value = pressure_(robots_[i]);
+    return std::fabs(value) <= tau ? 0 : value;
+  }
+
+ private:
+  // How much the loads max(0, g) fail to balance the weight, of 1 and in the robots' own frame.
+  double lack_of_balance() const {
+    double sum = 0;
+    Vec2 moment = Vec2::Zero();
+    for (const Vec2& q : robots_) {
+      const double load = std::max(0.0, pressure_(q));
+      sum += load;
+      moment += load * frame_(q);
+    }
+    const Vec2 off = moment / m_ - frame_(Vec2::Zero());
+    return std::max(std::fabs(sum / m_ - 1), off.cwiseAbs().maxCoeff());
+  }
+
+  // The slope of the convex function along the step, after `times` of it.
+  double slope_along(const Linear& step, double times) const {
+    double sum = 0;
+    for (const Vec2& q : robots_) {
+      const double change = step(q);
+      sum += std::max(0.0, pressure_(q) + times * change) * change;
+    }
+    return sum - m_ * step.at_centre;
+  }
+
+  // From the present function to the one that balances the weight with those that bear something.
+  Linear newton_step(const Points& bearing, const StandardFrame& frame) const {
+    double sum = 0;
+    Vec2 moment = Vec2::Zero();
+    for (const Vec2& q : bearing) {
+      sum += pressure_(q);
+      moment += pressure_(q) * frame(q);
+    }
+    const double k = static_cast<double>(bearing.size());
+    return in_frame(frame, (m_ - sum) / k, (m_ * frame(Vec2::Zero()) - moment) / k);
+  }
+
+  // If those that bear something are on one line, or at one place, and C is not, they cannot balance
+  // the weight. The function turns about them, up on the side of C, until others take hold.
+  static std::optional<Linear> turn(const StandardFrame& frame) {
+    if (frame.axis[1] != Vec2::Zero()) return std::nullopt;
+    Vec2 beside = -frame.mean;  // from the line, or the place, to C
+    if (frame.axis[0] != Vec2::Zero()) {
+      const Vec2 along = frame.axis[0] / length(frame.axis[0]);
+      beside -= dot(beside, along) * along;
+    }
+    const double distance = length(beside);
+    if (distance <= tau) return std::nullopt;
+    return Linear{distance, beside / distance};
+  }
+
+  Linear next_step(const Points& bearing) const {
+    if (bearing.empty()) return {1, Vec2::Zero()};
+    const StandardFrame frame = standard_frame(bearing);
+    return turn(frame).value_or(newton_step(bearing, frame));
+  }
+
+  // How many times the step is taken: so often that the slope along it is halved at least, on either
+  // side of 0.
+  double stride(const Linear& step, double slope) const {
+    double low = 0, high = std::numeric_limits<double>::infinity(), times = 1;
+    for (int i = 0; i < 100; ++i) {
+      const double here = slope_along(step, times);
+      if (here < slope / 2) {
+        low = times;
+      } else if (here > -slope / 2) {
+        high = times;
+      } else {
+        break;
+      }
+      times = std::isfinite(high) ? low + (high - low) / 2 : 2 * times;
+    }
+    return times;
+  }
+
+  void settle() {
+    constexpr int most_steps = 200;
+    constexpr double settled = 0x1p-42;
+    for (int i = 0; i < most_steps && lack_of_balance() > settled; ++i) {
+      Points bearing;
+      for (const Vec2& q : robots_)
+        if (pressure_(q) > 0) bearing.push_back(q);
+      const Linear step = next_step(bearing);
+      const double slope = slope_along(step, 0);
+      if (!(slope < 0)) break;
+      const double times = stride(step, slope);
+      pressure_.at_centre += times * step.at_centre;
+      pressure_.slope += times * step.slope;
+    }
+  }
+
+  const Points& robots_;
+  double m_;
+  StandardFrame frame_;
+  Linear pressure_;
+};
+
+// How the loads of the robots change as C moves, for a weight of 1.
+class Changes {
+ public:
+  // `bearing` are the robots that bear something.
+  Changes(const Points& bearing, bool on_a_line)
+      : frame_(standard_frame(bearing)),
+        parts_(static_cast<double>(bearing.size())),
+        determined_(frame_.axis[on_a_line ? 0 : 1] != Vec2::Zero()) {}
+
+  // Whether the robots that bear something resist every motion of C. If not, others take hold.
+  bool determined() const { return determined_; }
+
+  // The length of S^-1 (p - mean), with S the sum of (p - mean) (p - mean)' over the robots that
+  // bear something.
+  double per_length(const Vec2& p) const {
+    const Vec2 q = frame_(p);
+    return length(q.x() * frame_.axis[0] + q.y() * frame_.axis[1]) / parts_;
+  }
+
+ private:
+  StandardFrame frame_;
+  double parts_;
+  bool determined_;
+};
+
+double finite(double value) { return std::min(value, std::numeric_limits<double>::max()); }
+
+}  // namespace
+
+std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diagonal,
+                                        double weight) {
+  const std::optional<Support> support = find_support(robots, centre, diagonal);
+  if (!support) return std::nullopt;
+  const Springs springs(support->at);
+  const std::size_t m = support->at.size();
+  const double even = 1 / static_cast<double>(m);
+  Points bearing;
+  for (std::size_t i = 0; i < m; ++i)
+    if (springs.pressure(i) > 0) bearing.push_back(support->at[i]);
+  const Changes changes(bearing, support->on_a_line);
+
+  std::vector<double> loads, per_length;
+  double same_within = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < m; ++i) {
+    const double share = springs.pressure(i) * even, rate = changes.per_length(support->at[i]);
+    loads.push_back(weight * std::max(0.0, share));
+    per_length.push_back(share > 0 ? finite(rate / support->unit * weight) : 0);
+    if (rate > 0) same_within = std::min(same_within, std::fabs(share) / rate);
+  }
+  return SpringLoads{spread_out(*support, loads, robots.size()),
+                     spread_out(*support, per_length, robots.size()),
+                     changes.determined() ? finite(same_within * support->unit) : 0};
+}
+
+}  // namespace evenlift

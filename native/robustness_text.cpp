@@ -1,0 +1,135 @@
+#include "robustness_text.h"
+
+#include <algorithm>
+
+#include "evenlift/output/robustness_words.h"
+#include "failure.h"
+#include "options.h"
+#include "table.h"
+
+namespace evenlift::native {
+namespace {
+
+const char* heading(LoadModel model) {
+  switch (model) {
+    case LoadModel::plan:
+    case LoadModel::springs:
+      return "bears";
+    case LoadModel::best:
+      return "at most";
+    case LoadModel::worst:
+      return "at worst";
+  }
+  return "";
+}
+
+std::vector<double> loads_of(LoadModel model, const Placement& placement,
+                             const ModelLoads& models) {
+  switch (model) {
+    case LoadModel::plan:
+      break;
+    case LoadModel::springs:
+      return models.springs.loads;
+    case LoadModel::best:
+      return std::vector<double>(models.worst.size(), models.best);
+    case LoadModel::worst:
+      return models.worst;
+  }
+  return planned_loads(placement.teams);
+}
+
+std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
+
+Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfRobots>& rest,
+                double largest) {
+  Row row = {std::to_string(robot + 1), std::to_string(team + 1), yes_or_no(rest.has_value())};
+  if (!rest) {
+    row.resize(10, "-");
+    return row;
+  }
+  const double distance = rest->tipping_distance;
+  for (const std::string& cell :
+       {yes_or_no(rest->steady), amount(distance, distance), percentage(rest->coverage, 1),
+        yes_or_no(rest->form_closure),
+        rest->greatest_by_plan ? amount(*rest->greatest_by_plan, largest) : std::string("-"),
+        amount(rest->greatest_by_springs, largest), amount(rest->least_greatest, largest)})
+    row.push_back(cell);
+  return row;
+}
+
+}  // namespace
+
+void RobustnessOptions::declare(CommandLine& line) {
+  line.value(loads, "--loads", "MODEL",
+             "which loads the table shows: plan (default), springs, best or worst");
+  line.value(com_radius, "--com-radius", "E",
+             "the centre of mass is known within E only: loads as ranges");
+  line.flag(failures, "--failures", "what happens if one robot fails, for each of them");
+}
+
+RobustnessAsked::RobustnessAsked(const RobustnessOptions& options) : failures(options.failures) {
+  if (options.loads) model = loads_option(*options.loads);
+  if (options.com_radius) com_radius = com_radius_option(*options.com_radius);
+  if (com_radius > 0 && (model == LoadModel::best || model == LoadModel::worst))
+    throw Failure{bad_input_status, "--com-radius",
+                  "ranges are known of the loads by plan and by springs only"};
+}
+
+RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted)
+    : asked(wanted) {
+  if (placement.teams.empty()) return;
+  robustness = evenlift::robustness(placement);
+  if (asked.model != LoadModel::plan || asked.com_radius > 0) models = model_loads(placement);
+  if (asked.failures) failures = single_failures(placement);
+}
+
+ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known) {
+  const LoadModel model = known.models ? known.asked.model : LoadModel::plan;
+  const std::vector<double> loads =
+      known.models ? loads_of(model, placement, *known.models) : planned_loads(placement.teams);
+  std::vector<LoadRange> ranges;
+  if (known.models && known.asked.com_radius > 0) {
+    ranges = load_ranges(loads, known.models->springs, known.asked.com_radius);
+  } else {
+    for (const double load : loads) ranges.push_back({load, load});
+  }
+  ShownLoads shown{heading(model), {}, {}};
+  for (const LoadRange& range : ranges) shown.greatest.push_back(range.greatest);
+  const double largest = *std::max_element(shown.greatest.begin(), shown.greatest.end());
+  for (const LoadRange& range : ranges) {
+    const std::string from = amount(range.least, largest), to = amount(range.greatest, largest);
+    shown.text.push_back(from == to ? from : from + "–" + to);
+  }
+  return shown;
+}
+
+std::string robustness_lines(const RobustnessKnown& known, const std::optional<double>& capacity) {
+  const RobustnessAsked& asked = known.asked;
+  std::string text;
+  if (known.models && asked.model != LoadModel::plan)
+    text += model_in_words(asked.model, *known.models) + "\n";
+  if (known.models && asked.com_radius > 0) {
+    text += doubt_in_words(*known.models, known.robustness, asked.com_radius);
+    if (capacity)
+      text += " " + doubt_of_capacity_in_words(*known.models, known.robustness, *capacity);
+    text += "\n";
+  }
+  if (!known.failures.empty()) text += failures_in_words(known.failures) + "\n";
+  return text;
+}
+
+std::string failure_table(const Placement& placement, const RobustnessKnown& known) {
+  if (known.failures.empty()) return {};
+  double largest = 0;
+  for (const auto& rest : known.failures)
+    if (rest)
+      largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_by_springs});
+  std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tips at", "coverage",
+                            "closure", "by plan", "springs", "best"}};
+  for (std::size_t robot = 0; robot < known.failures.size(); ++robot)
+    rows.push_back(failure_row(robot, find_robot(placement.teams, robot).team,
+                               known.failures[robot], largest));
+  return table(rows);
+}
+
+}  // namespace evenlift::native

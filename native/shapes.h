@@ -1,0 +1,32 @@
+// Which shape of a file is meant, and how near its edges stay to curves.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "command_line.h"
+#include "evenlift/import.h"
+
+namespace evenlift::native {
+
+// What was typed. An option that was not given is empty.
+struct ShapeOptions {
+  std::optional<std::string> shape, flatten;
+  bool offered = false;  // the command has these options
+
+  void declare(CommandLine& line);
+};
+
+// What a command reads from a text.
+struct ChosenShape {
+  Document document;
+  std::optional<double> capacity;  // of a robot, if the text is a result with one
+};
+
+// Reads the text and takes the shape that is meant, or the only one. What was left out or decided is
+// said on standard error, a line each. Throws Failure; if no shape is named and there are several, it
+// lists them.
+ChosenShape choose_shape(const std::string& text, const std::string& source,
+                         const ShapeOptions& options);
+
+}  // namespace evenlift::native

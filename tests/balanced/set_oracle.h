@@ -1,0 +1,48 @@
+// Sets of robots judged by their definition, in plain doubles and by brute force. It shares no code
+// with the core.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace set_oracle {
+
+using Point = std::array<double, 2>;
+
+struct Object {
+  std::vector<Point> vertices;  // in either orientation
+  Point centre;
+};
+
+// L and R.
+double diagonal(const Object& object);
+double radius(const Object& object);
+
+// Whether a point is inside the convex hull, not only within tolerance.
+bool inside_hull(const Object& object, const Point& p);
+
+// How far a point is from the outline.
+double away_from_outline(const Object& object, const Point& p);
+
+// The robots' centroid less C: its length.
+double imbalance(const Object& object, const std::vector<Point>& robots);
+
+// The part of the object in the robots' convex hull.
+double coverage(const Object& object, const std::vector<Point>& robots);
+
+// The least distance of the origin from a facet of the contacts' wrenches, negative if it is outside;
+// nothing if they have no volume. It is the margin if it is not negative.
+std::optional<double> margin(const Object& object, const std::vector<Point>& robots);
+
+// The least distance between two robots.
+double least_distance(const std::vector<Point>& robots);
+
+// The stands of an object with at most 1,000 vertices.
+std::vector<Point> stands(const Object& object);
+
+// The ends of the chords whose middle is M, one of each two edges that have any.
+std::vector<std::array<Point, 2>> even_chords(const Object& object, const Point& m);
+
+}  // namespace set_oracle

@@ -1,0 +1,234 @@
+// The search for balanced robots: its steps, what it ends with, and that the same object gets the
+// same robots.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "balanced/set_oracle.h"
+#include "evenlift/angles.h"
+#include "evenlift/balanced.h"
+#include "evenlift/closure.h"
+#include "evenlift/hull.h"
+#include "evenlift/stability.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/polygons.h"
+#include "shapes/problem_document.h"
+#include "shapes/small_polygons.h"
+
+using namespace evenlift;
+
+namespace {
+
+Settings settings_of(std::uint32_t robots) {
+  Settings settings;
+  settings.method = Method::balanced;
+  settings.robots = robots;
+  return settings;
+}
+
+struct Task {
+  Polygon polygon;
+  Vec2 centre;
+  BalancedProblem problem;
+};
+
+Task task_of(const Document& document, std::uint32_t robots) {
+  const Polygon polygon = testing::polygon(document.vertices);
+  const Vec2 centre = *check_centre_of_mass(polygon, document.centre_of_mass);
+  return {polygon, centre, BalancedProblem(polygon, centre, settings_of(robots))};
+}
+
+Points positions(const std::vector<LiftingPoint>& robots) {
+  Points points;
+  for (const LiftingPoint& robot : robots) points.push_back(robot.position);
+  return points;
+}
+
+std::vector<set_oracle::Point> plain(const std::vector<LiftingPoint>& robots) {
+  std::vector<set_oracle::Point> points;
+  for (const LiftingPoint& robot : robots)
+    points.push_back({robot.position.x(), robot.position.y()});
+  return points;
+}
+
+int level_of(std::optional<double> margin) {
+  const double least = margin.value_or(-1);
+  return (least >= 0.001) + (least >= 0.02) + (least >= 0.05);
+}
+
+// Looks by brute force for an exchange of three robots that makes the set clearly better.
+class Improver {
+ public:
+  Improver(const Task& task, std::vector<set_oracle::Point> robots) : robots_(std::move(robots)) {
+    for (const Vec2& v : task.polygon.vertices()) object_.vertices.push_back({v.x(), v.y()});
+    object_.centre = {task.centre.x(), task.centre.y()};
+    apart_ = 0.12 * set_oracle::radius(object_);
+    coverage_ = set_oracle::coverage(object_, robots_);
+    level_ = level_of(set_oracle::margin(object_, robots_));
+  }
+
+  bool finds_one() const {
+    const std::vector<set_oracle::Point> stands = set_oracle::stands(object_);
+    for (std::size_t i = 0; i < robots_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (std::size_t k = 0; k < j; ++k)
+          for (const set_oracle::Point& stand : stands)
+            if (improves(i, j, k, stand)) return true;
+    return false;
+  }
+
+ private:
+  bool improves(std::size_t i, std::size_t j, std::size_t k, const set_oracle::Point& stand) const {
+    std::vector<set_oracle::Point> robots{stand};
+    for (std::size_t r = 0; r < robots_.size(); ++r)
+      if (r != i && r != j && r != k) robots.push_back(robots_[r]);
+    set_oracle::Point middle{0, 0};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      middle[axis] = static_cast<double>(robots_.size()) * object_.centre[axis];
+      for (const set_oracle::Point& p : robots) middle[axis] -= p[axis];
+      middle[axis] /= 2;
+    }
+    if (!set_oracle::inside_hull(object_, middle)) return false;
+    const auto better = [&](const std::array<set_oracle::Point, 2>& chord) {
+      std::vector<set_oracle::Point> all = robots;
+      all.insert(all.end(), chord.begin(), chord.end());
+      return is_better(all);
+    };
+    const auto chords = set_oracle::even_chords(object_, middle);
+    return std::any_of(chords.begin(), chords.end(), better);
+  }
+
+  // Surely: not within the tolerances of its keys.
+  bool is_better(const std::vector<set_oracle::Point>& robots) const {
+    constexpr double surely = 1e-6;
+    if (set_oracle::least_distance(robots) < apart_ * (1 + surely)) return false;
+    const bool wider = set_oracle::coverage(object_, robots) > coverage_ + surely;
+    if (!wider && level_ == 3) return false;
+    const double margin = set_oracle::margin(object_, robots).value_or(-1);
+    const int level = level_of(margin - surely);
+    return level > level_ || (wider && level == level_);
+  }
+
+  set_oracle::Object object_;
+  std::vector<set_oracle::Point> robots_;
+  double apart_, coverage_;
+  int level_;
+};
+
+}  // namespace
+
+TEST_CASE("no exchange makes the balanced robots of a small object better", "[balanced]") {
+  int looked_at = 0;
+  for (std::uint64_t number = 0; number < 60; ++number) {
+    const Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
+    if (document.vertices.size() > 9) continue;
+    INFO("case " << number);
+    const Task task = task_of(document, 4 + number % 2);
+    const auto start = start_balanced(task.problem);
+    if (!start) continue;
+    const BalancedSearch end = finish_search(task.problem, *start);
+    if (end.round == most_rounds) continue;
+    if (balanced_keys(task.problem, end.robots).near_pairs > 0) continue;
+    ++looked_at;
+    CHECK_FALSE(Improver(task, plain(end.robots)).finds_one());
+  }
+  CHECK(looked_at > 8);
+}
+
+TEST_CASE("the oracle finds an exchange that improves a start", "[balanced]") {
+  const Task task = task_of(corpus::polygon("grand-piano"), 5);
+  CHECK(Improver(task, plain(start_balanced(task.problem)->robots)).finds_one());
+}
+
+TEST_CASE("each exchange makes the set better, and says what moved", "[balanced]") {
+  for (const char* name : {"grand-piano", "arrow", "letter-e", "thesis-sample"}) {
+    INFO(name);
+    const Task task = task_of(corpus::polygon(name), 6);
+    BalancedSearch search = *start_balanced(task.problem);
+    const BalancedSearch end = finish_search(task.problem, search);
+    while (!search.finished) {
+      const BalancedStep step = next_exchange(task.problem, search);
+      if (step.exchange) {
+        CHECK(is_better(task.problem, step.search.robots, search.robots));
+        for (std::size_t k = 0; k < 3; ++k) {
+          CHECK(search.robots[step.exchange->numbers[k]].position ==
+                step.exchange->from[k].position);
+          const auto stands = positions(step.search.robots);
+          CHECK(std::find(stands.begin(), stands.end(), step.exchange->to[k].position) !=
+                stands.end());
+        }
+      } else {
+        CHECK(step.search.finished);
+        CHECK(positions(step.search.robots) == positions(search.robots));
+      }
+      search = step.search;
+    }
+    // One by one, round by round or at once, the search ends with the same robots.
+    CHECK(positions(search.robots) == positions(end.robots));
+  }
+}
+
+TEST_CASE("the keys of a set are what the rest of the core says of it", "[balanced]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    const Task task = task_of(corpus::polygon(name), 5);
+    const auto start = start_balanced(task.problem);
+    REQUIRE(start);
+    const BalancedKeys keys = balanced_keys(task.problem, start->robots);
+    const Points robots = positions(start->robots);
+    CHECK(std::fabs(keys.coverage - coverage(task.polygon, convex_hull(robots))) <= 1e-11);
+    const Closure closure = analyse_closure(task.polygon, task.centre, start->robots);
+    CHECK(static_cast<int>(keys.level) == level_of(closure.margin));
+    CHECK(std::is_sorted(keys.places.begin(), keys.places.end()));
+  }
+}
+
+TEST_CASE("the list of vertices may begin anywhere and run either way", "[balanced]") {
+  const std::vector<std::string> names = corpus::polygon_names();
+  for (std::size_t i = 0; i < names.size(); i += 3) {
+    INFO(names[i]);
+    Document document = corpus::polygon(names[i]);
+    const Polygon before = testing::polygon(document.vertices);
+    document.centre_of_mass = *check_centre_of_mass(before, document.centre_of_mass);
+    const Task task = task_of(document, 5);
+    std::rotate(
+        document.vertices.begin(),
+        document.vertices.begin() + static_cast<std::ptrdiff_t>(document.vertices.size() / 3),
+        document.vertices.end());
+    if (i % 2 == 0) std::reverse(document.vertices.begin(), document.vertices.end());
+    const Task other = task_of(document, 5);
+    const Points a = positions(finish_search(task.problem, *start_balanced(task.problem)).robots);
+    const Points b = positions(finish_search(other.problem, *start_balanced(other.problem)).robots);
+    REQUIRE(a.size() == b.size());
+    for (std::size_t k = 0; k < a.size(); ++k)
+      CHECK(length(a[k] - b[k]) <= 1e-8 * before.diagonal());
+  }
+}
+
+TEST_CASE("a turned and scaled object gets the same verdict, and nearly the same coverage",
+          "[balanced]") {
+  const std::vector<std::string> names = corpus::polygon_names();
+  int compared = 0, near = 0;
+  for (std::size_t i = 0; i < names.size(); i += 2) {
+    INFO(names[i]);
+    Document document = corpus::polygon(names[i]);
+    document.centre_of_mass.reset();
+    const Task task = task_of(document, 6);
+    const double angle = 0.37 + static_cast<double>(i);
+    for (Vec2& v : document.vertices)
+      v = 3.7 * Vec2(cosine(angle) * v.x() - sine(angle) * v.y(),
+                     sine(angle) * v.x() + cosine(angle) * v.y());
+    const Task other = task_of(document, 6);
+    const auto result = [](const Task& t) {
+      return balanced_keys(t.problem, finish_search(t.problem, *start_balanced(t.problem)).robots);
+    };
+    const BalancedKeys a = result(task), b = result(other);
+    CHECK(a.level > 0);
+    CHECK((a.level > 0) == (b.level > 0));
+    ++compared;
+    near += std::fabs(a.coverage - b.coverage) <= 0.01;
+  }
+  INFO(near << " of " << compared);
+  CHECK(near >= 0.95 * compared);
+}

@@ -1,0 +1,104 @@
+// Balanced robots: the start, which a page shows at once, and the whole search.
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "bench/bench.h"
+#include "evenlift/balanced.h"
+#include "evenlift/formats.h"
+#include "evenlift/random.h"
+
+namespace evenlift::bench {
+namespace {
+
+enum class Part { start, search };
+
+void run(benchmark::State& state, Document document, Part part) {
+  document.settings.method = Method::balanced;
+  document.settings.robots = static_cast<std::uint32_t>(state.range(0));
+  const Polygon polygon = *Polygon::create(document.vertices);
+  double coverage = 0;
+  for (auto _ : state) {
+    const BalancedProblem problem(polygon, polygon.centroid(), document.settings);
+    BalancedSearch search = *start_balanced(problem);
+    if (part == Part::search) search = finish_search(problem, std::move(search));
+    coverage = balanced_keys(problem, search.robots).coverage;
+    benchmark::DoNotOptimize(coverage);
+  }
+  state.counters["coverage"] = coverage;
+}
+
+// A coast of 20,480 vertices: each side of a pentagon is bent in its middle, by up to a sixth of its
+// length, and so on.
+Document coast() {
+  Rng rng(seed);
+  Document document;
+  document.vertices = {{1000, 0}, {309, 951}, {-809, 588}, {-809, -588}, {309, -951}};
+  for (int level = 0; level < 12; ++level) {
+    Points finer;
+    for (std::size_t i = 0; i < document.vertices.size(); ++i) {
+      const Vec2 &a = document.vertices[i],
+                 &b = document.vertices[(i + 1) % document.vertices.size()];
+      finer.push_back(a);
+      const double bend = (rng.uniform() - 0.5) / 3;
+      finer.push_back(0.5 * (a + b) + bend * left_normal(b - a));
+    }
+    document.vertices = std::move(finer);
+  }
+  return document;
+}
+
+void balanced(benchmark::State& state, Family family, std::int64_t n, Part part) {
+  run(state, document_of(family, n), part);
+}
+
+void balanced_on_coast(benchmark::State& state, Part part) { run(state, coast(), part); }
+
+// The time of each sample: the mean and the worst.
+void balanced_on_samples(benchmark::State& state) {
+  std::vector<Document> documents;
+  for (const auto& entry : std::filesystem::directory_iterator(EVENLIFT_ASSETS_DIR "/polygons")) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    const auto document = read_polygon(std::string(std::istreambuf_iterator<char>(file), {}));
+    if (document) documents.push_back(*document);
+  }
+  double sum = 0, worst = 0, runs = 0;
+  for (auto _ : state) {
+    for (Document& document : documents) {
+      document.settings.method = Method::balanced;
+      document.settings.robots = static_cast<std::uint32_t>(state.range(0));
+      const std::clock_t begin = std::clock();
+      const Polygon polygon = *Polygon::create(document.vertices);
+      const Vec2 centre = *check_centre_of_mass(polygon, document.centre_of_mass);
+      const BalancedProblem problem(polygon, centre, document.settings);
+      benchmark::DoNotOptimize(finish_search(problem, *start_balanced(problem)));
+      const double time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+      sum += time;
+      worst = std::max(worst, time);
+      ++runs;
+    }
+  }
+  state.counters["mean_s"] = sum / runs;
+  state.counters["worst_s"] = worst;
+}
+
+void robots(benchmark::internal::Benchmark* b) {
+  b->ArgName("robots")->Unit(benchmark::kMillisecond)->Arg(4)->Arg(6)->Arg(8)->Arg(12);
+}
+void six_robots(benchmark::internal::Benchmark* b) {
+  b->ArgName("robots")->Unit(benchmark::kMillisecond)->Arg(6);
+}
+
+BENCHMARK(balanced_on_samples)->Apply(six_robots);
+BENCHMARK_CAPTURE(balanced, random_50_start, Family::random, 50, Part::start)->Apply(robots);
+BENCHMARK_CAPTURE(balanced, random_50, Family::random, 50, Part::search)->Apply(robots);
+BENCHMARK_CAPTURE(balanced, comb_50, Family::comb, 50, Part::search)->Apply(six_robots);
+BENCHMARK_CAPTURE(balanced, star_50, Family::star, 50, Part::search)->Apply(six_robots);
+BENCHMARK_CAPTURE(balanced_on_coast, start, Part::start)->Apply(six_robots);
+BENCHMARK_CAPTURE(balanced_on_coast, search, Part::search)->Apply(six_robots);
+
+}  // namespace
+}  // namespace evenlift::bench

@@ -1,0 +1,19 @@
+// The methods that choose among candidates by a metric: what is promised of one is tested of each, also of one to come.
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "evenlift/document.h"
+
+namespace evenlift::testing {
+
+inline std::vector<Method> metrics() {
+  std::vector<Method> found;
+  std::copy_if(std::begin(all_methods), std::end(all_methods), std::back_inserter(found),
+               selects_candidates);
+  return found;
+}
+
+}  // namespace evenlift::testing

@@ -1,0 +1,256 @@
+// Balanced robots in the page: the first answer at once, the search in a worker, and what the panel and the card say.
+import assert from "node:assert/strict";
+import path from "node:path";
+import { test } from "node:test";
+import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, published, root, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
+
+const browser = sharedBrowser();
+
+function program(name, ...options) {
+  return JSON.parse(evenlift("place", path.join(root, "assets/polygons", `${name}.txt`), "--json", "--candidates", "--metric", "balanced", ...options));
+}
+
+const verdict = (page) => page.locator("#summary").textContent();
+
+test("the search ends at the program's answer, bit for bit", async () => {
+  const page = await browser.open();
+  const cases = [["grand-piano", { robots: 6 }], ["grand-piano", { robots: 5, goal: "cover" }], ["thesis-sample", { robots: 3 }],
+    ["guitar", { robots: 4 }], ["thesis-sample", { robots: 7, min_margin: 0.2, apart: 40, survive: 2 }], ["square", { robots: 2 }]];
+  for (const [name, settings] of cases) {
+    await load(page, asset(name));
+    await set(page, { metric: "balanced", ...settings });
+    await idle(page);
+    const options = Object.entries(settings).flatMap(([key, value]) => [`--${key.replace("_", "-")}`, String(value)]);
+    assert.deepEqual(await state(page), program(name, ...options), `${name}, ${JSON.stringify(settings)}`);
+  }
+  await page.done();
+});
+
+test("without workers the search goes on between pictures, to the same answer", async () => {
+  const page = await browser.open({ script: () => { delete globalThis.Worker; } });
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", robots: 6 });
+  await idle(page);
+  assert.deepEqual(await state(page), program("grand-piano", "--robots", "6"));
+  await page.done();
+});
+
+test("the first answer is there at once, and the verdict says that the search goes on", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  const first = await page.evaluate(() => {
+    evenlift.set({ metric: "balanced", robots: 8 });
+    return evenlift.state();
+  });
+  assert.equal(first.teams[0].ends.length, 8);
+  const last = program("grand-piano", "--robots", "8");
+  assert.ok(first.coverage < last.coverage, "the start is shown first");
+  await idle(page);
+  assert.equal((await state(page)).coverage, last.coverage);
+  assert.match(await verdict(page), /^8 robots, each exactly 12\.5\skg of 100\./);
+  assert.doesNotMatch(await verdict(page), /being looked for/);
+  await page.done();
+});
+
+test("where the start is slow, the page does not wait for it", async () => {
+  const page = await browser.open();
+  const name = "comb";
+  await load(page, asset(name));
+  const first = await page.evaluate(() => {
+    evenlift.set({ metric: "balanced", robots: 4 });
+    return evenlift.state();
+  });
+  assert.deepEqual(first.teams, []);
+  // The start that was begun is given up for another one.
+  await set(page, { robots: 4, goal: "cover" });
+  await idle(page);
+  assert.deepEqual(await state(page), program(name, "--robots", "4", "--goal", "cover"));
+  await page.done();
+});
+
+test("undo takes one step, whatever the search found meanwhile", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", robots: 6 });
+  await idle(page);
+  await set(page, { robots: 5 });
+  await idle(page);
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.deepEqual(await state(page), program("grand-piano", "--robots", "6"));
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal((await state(page)).metric, "area");
+  await page.done();
+});
+
+test("what a search finds for another document is dropped", async () => {
+  const page = await browser.open();
+  await page.evaluate(([piano, guitar]) => {
+    evenlift.load(piano);
+    evenlift.set({ metric: "balanced", robots: 8 });
+    evenlift.load(guitar);
+    evenlift.set({ metric: "balanced", robots: 5 });
+    evenlift.set({ robots: 6 });
+  }, [asset("grand-piano"), asset("guitar")]);
+  await idle(page);
+  assert.deepEqual(await state(page), program("guitar", "--robots", "6"));
+  await page.done();
+});
+
+test("after a drag the robots are those of the place where it ended", async () => {
+  const page = await browser.open();
+  await load(page, asset("thesis-sample"));
+  await set(page, { metric: "balanced", robots: 5 });
+  await idle(page);
+  const from = await toScreen(page, [539, 220]);
+  await drag(page, from, [from[0] + 24, from[1] - 12]);
+  const dragged = await state(page);
+  assert.notDeepEqual(dragged.polygon[0], [539, 220]);
+  const shown = await link(page);
+  const again = await browser.open({ address: `#${shown}` });
+  await idle(again);
+  assert.deepEqual(await state(again), dragged);
+  await again.done();
+  await page.done();
+});
+
+test("the method, its robots and its goal are chosen in the panel", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await idle(page);
+  await press(page, "methods");
+  await press(page, "Balanced");
+  await idle(page);
+  let now = await state(page);
+  assert.deepEqual([now.metric, now.teams[0].ends.length], ["balanced", 6]);
+  assert.equal(await controlIfShown(page, "teams"), null);
+  await press(page, "robots -");
+  await idle(page);
+  assert.equal((await state(page)).teams[0].ends.length, 5);
+  await press(page, "robots");
+  await page.keyboard.type("7");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).teams[0].ends.length, 7);
+  await press(page, "robots");
+  await page.keyboard.type("65");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.match(await page.locator("#alert").textContent(), /^robots: the number of robots is a whole number from 2 to 64\.$/);
+  await page.keyboard.press("Escape");
+  await press(page, "goals");
+  await press(page, "Cover");
+  await idle(page);
+  now = await state(page);
+  assert.deepEqual(now, program("grand-piano", "--robots", "7", "--goal", "cover"));
+  assert.equal(await controlIfShown(page, "min margin"), null, "a margin is of a hold");
+  await page.keyboard.press("t");
+  await idle(page);
+  assert.equal((await state(page)).teams[0].ends.length, 8);
+  await page.done();
+});
+
+test("what balanced robots have not is off", async () => {
+  const page = await browser.open();
+  await set(page, { metric: "balanced" });
+  await idle(page);
+  assert.equal(await page.locator('#mirror [aria-label="Candidates"]').getAttribute("aria-disabled") ??
+    String(await page.locator('#mirror [aria-label="Candidates"]').isDisabled()), "true");
+  assert.ok(await control(page, "Chords"));
+  await page.keyboard.press("b");
+  await idle(page);
+  assert.match(await page.locator("#alert").textContent(), /steps of balanced robots cannot be shown one by one yet/i);
+  await page.done();
+});
+
+test("a robot that is pressed says what it bears and why", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", robots: 6 });
+  await idle(page);
+  const at = (await state(page)).teams[0].ends[1];
+  await page.mouse.click(...await toScreen(page, at));
+  await idle(page);
+  assert.match(await page.locator("#alert").textContent(), /^Robot 2 of 6\. It carries: 16\.7\skg of 100\skg\..*centroid of the 6 robots/);
+  assert.equal(await controlIfShown(page, "show in lesson"), null);
+  await page.done();
+});
+
+test("balanced robots are in the link, and what is typed of them comes back after a reload", async () => {
+  const page = await browser.open();
+  await load(page, asset("thesis-sample"));
+  await set(page, { metric: "balanced", robots: 5, goal: "cover", apart: 30 });
+  await idle(page);
+  await published(page);
+  assert.match(await fragment(page), /^2\./);
+  const before = await state(page);
+  await page.reload();
+  await page.evaluate(() => evenlift.ready);
+  await idle(page);
+  assert.deepEqual(await state(page), before);
+  await set(page, { metric: "area" });
+  assert.match(await link(page), /^1\./);
+  await page.done();
+});
+
+test("balanced robots are compared with teams, on either side", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await press(page, "compared");
+  await press(page, "Balanced");
+  await idle(page);
+  assert.match(await page.locator("#news").textContent(), /Compared with balanced\./);
+  await set(page, { metric: "balanced" });
+  await idle(page);
+  assert.deepEqual(await state(page), program("grand-piano"));
+  assert.match(await page.locator("#news").textContent(), /Compared with area\./);
+  await page.done();
+});
+
+test("set() refuses with a sentence what balanced robots cannot be asked", async () => {
+  const page = await browser.open();
+  const bad = [[{ robots: 1 }, /^robots: the number of robots is a whole number from 2 to 64/], [{ robots: 65 }, /robots/], [{ robots: 2.5 }, /robots/],
+    [{ robots: "6" }, /robots/], [{ goal: "best" }, /^goal: the goal is cover or hold/], [{ goal: "hold" }, /goal: only balanced robots/],
+    [{ min_margin: 2 }, /min_margin/], [{ apart: -1 }, /apart/], [{ metric: "balanced", robots: 6, survive: 2 }, /survive/]];
+  for (const [changes, why] of bad) assert.match(await thrown(page, "set", changes), why);
+  assert.equal((await state(page)).metric, "area");
+  await page.done();
+});
+
+test("one of three balanced robots is dragged along the edge, the others follow, and reset puts them back", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", robots: 3 });
+  await idle(page);
+  const before = await state(page);
+  const from = await toScreen(page, before.teams[0].ends[0]);
+  const to = await toScreen(page, before.teams[0].ends[0].map((x, i) => x + 0.06 * (before.centre_of_mass[i] - x)));
+  await page.mouse.move(...from);
+  assert.equal(await page.locator("#canvas").getAttribute("data-cursor"), "grab");
+  const across = [from[0] + (to[1] - from[1]) * 2, from[1] - (to[0] - from[0]) * 2];
+  await drag(page, from, across, 12);
+  const now = await state(page);
+  const moved = now.teams[0].ends.filter((end, i) => Math.hypot(end[0] - before.teams[0].ends[i][0], end[1] - before.teams[0].ends[i][1]) > 1e-6);
+  assert.equal(moved.length, 3, "one is dragged and two follow");
+  assert.deepEqual(now.teams[0].loads, before.teams[0].loads);
+  for (const axis of [0, 1]) {
+    const centroid = now.teams[0].ends.reduce((sum, end) => sum + end[axis], 0) / 3;
+    assert.ok(Math.abs(centroid - now.centre_of_mass[axis]) < 1e-6);
+  }
+  await press(page, "reset robots");
+  await idle(page);
+  assert.deepEqual(await state(page), before);
+  assert.equal(await controlIfShown(page, "reset robots"), null);
+  await page.done();
+});
+
+test("the picture has no chords but a line from each robot to the centre of mass", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", robots: 5 });
+  await idle(page);
+  const lines = await page.evaluate(() => [...new DOMParser().parseFromString(evenlift.svg(), "image/svg+xml").querySelectorAll(".chord")].length);
+  assert.equal(lines, 5);
+  await page.done();
+});

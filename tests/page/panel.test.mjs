@@ -1,0 +1,386 @@
+// The panel and the toolbar: what is typed, what is reached by keys, and that nothing moves or leaves the window.
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { control, controlIfShown, idle, phone, press, root, sharedBrowser, state, tap } from "./browser.mjs";
+
+const browser = sharedBrowser();
+
+const lShape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
+const touch = { hasTouch: true, isMobile: true };
+const sizes = [
+  [320, 568, touch], [390, 844, touch], [844, 390, touch], [820, 1180, touch], [1180, 820, touch],
+  [820, 1180, {}], [1024, 768, {}], [1440, 900, {}], [3840, 2160, {}],
+];
+
+const mirrored = (page) => page.$$eval("#mirror > div > *", (elements) => elements.map((element) => {
+  const { left, top, right, bottom } = element.getBoundingClientRect();
+  return { label: element.getAttribute("aria-label"), card: element.parentElement.getAttribute("aria-label"), left, top, right, bottom };
+}));
+const field = (page, label) => page.locator(`#mirror input[aria-label="${label}"]`);
+
+test("a number is clicked and typed over, with its unit and a decimal comma or without", async () => {
+  const page = await browser.open();
+  await press(page, "weight");
+  await page.keyboard.type("437");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).weight, 437);
+  await press(page, "weight");
+  await page.keyboard.type("12,5 kg");
+  await page.keyboard.press("Tab");
+  await idle(page);
+  assert.equal((await state(page)).weight, 12.5);
+  await press(page, "com");
+  await page.keyboard.type("300, 250.5");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.deepEqual((await state(page)).centre_of_mass, [300, 250.5]);
+  await press(page, "min ratio");
+  await page.keyboard.type("0.455");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).min_ratio, 0.455);
+  await page.done();
+});
+
+test("a number that is left as it is shown keeps all its digits", async () => {
+  const page = await browser.open();
+  await page.evaluate(() => evenlift.set({ min_ratio: 0.123456789 }));
+  await press(page, "min ratio");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).min_ratio, 0.123456789);
+  await page.done();
+});
+
+test("what cannot be a value is refused with a sentence, and changes nothing", async () => {
+  const page = await browser.open();
+  await press(page, "teams");
+  await page.keyboard.type("many");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.match(await page.locator("#alert").textContent(), /^teams: .*\.$/);
+  assert.equal(await field(page, "Teams").getAttribute("aria-invalid"), "true");
+  assert.equal((await state(page)).requested_teams, 3);
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.equal((await state(page)).requested_teams, 3);
+  await page.done();
+});
+
+test("every setting is reached and changed by keys alone", async () => {
+  const page = await browser.open();
+  await page.evaluate((text) => evenlift.load(text), lShape);
+  await idle(page);
+  await page.focus("#canvas");
+  const reached = [];
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press("Tab");
+    const label = await page.evaluate(() => document.activeElement.closest("#mirror") && document.activeElement.getAttribute("aria-label"));
+    if (!label || reached.includes(label)) continue;
+    reached.push(label);
+    if (label === "Method") {
+      await page.keyboard.press("ArrowDown");
+      await idle(page);
+      assert.equal((await state(page)).metric, "circle");
+    }
+    if (label === "Teams") {
+      await page.keyboard.press("ArrowUp");
+      await idle(page);
+      assert.equal((await state(page)).requested_teams, 4);
+    }
+    if (label === "Minimum load ratio, as a slider") {
+      await page.keyboard.press("ArrowLeft");
+      await idle(page);
+      assert.equal((await state(page)).min_ratio, 0.79);
+    }
+    if (label === "Candidates") {
+      await page.keyboard.press("Space");
+      await idle(page);
+      assert.equal(await page.locator('#mirror [aria-label="Candidates"]').getAttribute("aria-pressed"), "true");
+    }
+  }
+  for (const label of ["Samples", "Draw", "Open", "Save", "More", "Method", "Teams", "A team on every candidate chord",
+    "Minimum load ratio", "Weight in kg", "Centre of mass, x and y", "Compare with", "Base", "Tipping"])
+    assert.ok(reached.includes(label), `${label} is not among ${reached.join(" · ")}`);
+  await page.done();
+});
+
+test("each card has its place in the order of reading, and a name only while something is on it", async () => {
+  const panels = path.join(root, "wasm/panels");
+  const sources = readdirSync(panels).map((name) => readFileSync(path.join(panels, name), "utf8")).join("");
+  const begun = [...sources.matchAll(/begin_card\(\s*ui, "([^"]+)"/g)].map(([, card]) => card);
+  const [, listed] = /cards = new Map\(\[(.*?)\]\);/s.exec(readFileSync(path.join(root, "web/mirror/mirror.js"), "utf8"));
+  assert.deepEqual([...listed.matchAll(/\["([^"]+)"/g)].map(([, card]) => card).sort(), begun.sort());
+  const page = await browser.open();
+  const groups = () => page.$$eval("#mirror > div", (all) => all.filter((e) => e.checkVisibility()).map((e) => e.getAttribute("aria-label")));
+  await idle(page);
+  assert.deepEqual(await groups(), ["Toolbar", "Panel", "View"]);
+  await page.keyboard.press("w");
+  await page.keyboard.press("Control+c");  // which a notice tells of
+  await idle(page);
+  assert.deepEqual(await groups(), ["Toolbar", "Tool", "Panel", "View", "Notice"]);
+  await page.done();
+});
+
+test("each value that can be typed has a key", async () => {
+  const page = await browser.open();
+  await idle(page);
+  await page.evaluate(() => evenlift.set({ metric: "random" }));
+  await page.focus("#canvas");
+  for (const [key, typed, name, value] of [["y", "437", "weight", 437], ["R", "0.5", "min_ratio", 0.5], ["U", "77", "seed", 77], ["j", "400 300", "centre_of_mass", [400, 300]]]) {
+    await page.keyboard.press(key);
+    await idle(page);
+    await page.keyboard.type(typed);
+    await page.keyboard.press("Enter");
+    await idle(page);
+    assert.deepEqual((await state(page))[name], value);
+  }
+  await page.keyboard.press("Y");
+  await idle(page);
+  await page.keyboard.type("30");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).capacity.limit, 30);
+  await page.keyboard.press("J");
+  await page.evaluate(() => evenlift.set({ metric: "area" }));
+  await page.keyboard.press("*");
+  await idle(page);
+  const all = await state(page);
+  assert.equal(all.teams.length, all.candidates.length);
+  await page.done();
+});
+
+test("the focus is seen, on the canvas and on each control", async () => {
+  const page = await browser.open();
+  await page.focus("#canvas");
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Shift+Tab");
+  const outline = () => page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+  assert.equal(await outline(), "solid");
+  for (let i = 0; i < 12; ++i) {
+    await page.keyboard.press("Tab");
+    assert.equal(await outline(), "solid");
+  }
+  await page.done();
+});
+
+test("a control that is scrolled out of the panel is brought into it by the focus", async () => {
+  const page = await browser.open({ viewport: { width: 1000, height: 420 } });
+  const element = page.locator('#mirror [aria-label="Team 1: why here?"]');
+  await element.focus();
+  await idle(page);
+  const { y, height } = await element.boundingBox();
+  assert.ok(y >= 0 && y + height <= 420);
+  assert.doesNotMatch(await element.getAttribute("class"), /unseen/);
+  await page.done();
+});
+
+for (const [width, height, options] of sizes) {
+  const name = `${width} × ${height}${options.hasTouch ? ", by finger" : ""}`;
+  test(`everything that can be pressed is in the window, and large enough: ${name}`, async () => {
+    const page = await browser.open({ viewport: { width, height }, ...options });
+    await idle(page);
+    for (const list of [undefined, "more", "methods"]) {
+      const begin = list && await controlIfShown(page, list);
+      if (begin) {
+        if (begin.y + begin.height > height) continue;  // in the part of the sheet that is not pulled up
+        await (options.hasTouch ? tap : press)(page, list);
+        await idle(page);
+      }
+      const outside = (await mirrored(page)).filter(({ card }) => card !== "Panel" || list === "methods")
+        .filter(({ left, right }) => left < 0 || right > width);
+      assert.deepEqual(outside, [], `with ${list ?? "no list"}`);
+      const toolbar = (await mirrored(page)).filter(({ card }) => card === "Toolbar");
+      assert.ok(toolbar.length >= 6);
+      if (options.hasTouch) for (const { right, left } of toolbar) assert.ok(right - left >= 40);
+      await page.keyboard.press("Escape");
+      await idle(page);
+    }
+    await page.done();
+  });
+}
+
+test("a list that is open covers the fields below it", async () => {
+  const page = await browser.open();
+  for (const [name, metric] of [["Random", "random"], ["Distance", "distance"], ["Distributed", "distributed"], ["Circle", "circle"], ["Area", "area"]]) {
+    await press(page, "methods");
+    await press(page, name);
+    await idle(page);
+    assert.equal((await state(page)).metric, metric);
+  }
+  await page.done();
+});
+
+test("no control moves because the result changed", async () => {
+  for (const options of [{}, { viewport: phone, ...touch }]) {
+    const page = await browser.open(options);
+    await page.evaluate((text) => evenlift.load(text), lShape);
+    await idle(page);
+    const settings = async () => Object.fromEntries((await mirrored(page))
+      .filter(({ card, label }) => card === "Panel" && !label.startsWith("Team ") && !/^Lower the ratio/.test(label))
+      .map(({ label, left, top }) => [label, [left, top]]));
+    const at = await settings();
+    for (const change of [{ teams: 4 }, { teams: 1 }, { min_ratio: 1 }, { min_ratio: 0 }, { teams: "max" }, { com: [380, 20], min_ratio: 0.99 },
+      { metric: "distributed", teams: 9 }, { com: null, min_ratio: 0.8, teams: 3, metric: "area" }]) {
+      await page.evaluate((settings) => evenlift.set(settings), change);
+      await idle(page);
+      const now = await settings();
+      for (const label of Object.keys(at)) if (label in now) assert.deepEqual(now[label], at[label], `${label} after ${JSON.stringify(change)}`);
+    }
+    await page.done();
+  }
+});
+
+test("where no chord is even enough, one press lowers the ratio to the best that there is", async () => {
+  const page = await browser.open();
+  await page.evaluate((text) => {
+    evenlift.load(text);
+    evenlift.set({ com: [330, 190], min_ratio: 1 });
+  }, lShape);
+  await idle(page);
+  assert.equal((await state(page)).teams.length, 0);
+  await press(page, "lower ratio");
+  await idle(page);
+  const { teams, min_ratio: ratio } = await state(page);
+  assert.ok(teams.length > 0 && teams[0].ratio >= ratio && teams[0].ratio < ratio + 0.02);
+  await page.done();
+});
+
+test("as many robots as a capacity needs are one press away", async () => {
+  const page = await browser.open();
+  await page.evaluate(() => evenlift.set({ capacity: 9 }));
+  await idle(page);
+  await press(page, "use needed");
+  await idle(page);
+  const { loads, capacity } = await state(page);
+  assert.ok(loads.max <= 9);
+  assert.equal(capacity.limit, 9);
+  await page.done();
+});
+
+test("a robot that is pressed says why it stands there, and leads into the lesson", async () => {
+  const page = await browser.open();
+  const [x, y] = await page.evaluate(() => {
+    const [at] = evenlift.state().teams[1].ends;
+    return [...evenlift.view.to_screen(...at)];
+  });
+  await page.mouse.click(x, y);
+  await idle(page);
+  assert.match(await page.locator("#alert").textContent(), /^A robot of team 2\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. .*Team 2 takes candidate \d+/);
+  await press(page, "show in lesson");
+  await idle(page);
+  assert.match(await page.locator("#summary").textContent(), /Team 2 takes candidate/);
+  await page.done();
+});
+
+test("a candidate that is pressed says why it was not taken; Esc closes the card", async () => {
+  const page = await browser.open();
+  await page.evaluate((text) => {
+    evenlift.load(text);
+    evenlift.set({ overlays: ["candidates"], teams: 1 });
+  }, lShape);
+  await idle(page);
+  const [x, y] = await page.evaluate(() => {
+    const { candidates, teams } = evenlift.state();
+    const free = candidates.find(({ ends }) => JSON.stringify(ends) !== JSON.stringify(teams[0].ends));
+    const [[ax, ay], [bx, by]] = free.ends;
+    return [...evenlift.view.to_screen(ax + (bx - ax) * 0.3, ay + (by - ay) * 0.3)];
+  });
+  await page.mouse.click(x, y);
+  await idle(page);
+  assert.match(await page.locator("#alert").textContent(), /^Candidate \d+ of \d+\. /);
+  await control(page, "close explanation");
+  await page.keyboard.press("Escape");
+  assert.equal(await controlIfShown(page, "close explanation"), null);
+  await page.done();
+});
+
+test("the pointer says what a press would do", async () => {
+  const page = await browser.open();
+  await page.evaluate((text) => evenlift.load(text), lShape);
+  await idle(page);
+  const over = async (x, y) => {
+    const [px, py] = await page.evaluate((at) => [...evenlift.view.to_screen(...at)], [x, y]);
+    await page.mouse.move(px, py);
+    await idle(page);
+    return page.evaluate(() => getComputedStyle(document.getElementById("canvas")).cursor);
+  };
+  assert.equal(await over(400, 150), "grab");
+  assert.equal(await over(275, 0.5), "copy");
+  assert.equal(await over(-40, -40), "default");
+  await page.mouse.down();
+  await page.mouse.move(300, 300);
+  await idle(page);
+  assert.equal(await page.evaluate(() => getComputedStyle(document.getElementById("canvas")).cursor), "grabbing");
+  await page.mouse.up();
+  await page.keyboard.press("d");
+  await page.mouse.move(500, 400);
+  await idle(page);
+  assert.equal(await page.evaluate(() => getComputedStyle(document.getElementById("canvas")).cursor), "crosshair");
+  await page.done();
+});
+
+test("zooming has limits, and an object out of view is one press away", async () => {
+  const page = await browser.open();
+  const width = () => page.evaluate(() => {
+    const { polygon } = evenlift.state();
+    const xs = polygon.map((p) => evenlift.view.to_screen(...p).x);
+    return Math.max(...xs) - Math.min(...xs);
+  });
+  const fitted = await width();
+  for (let i = 0; i < 40; ++i) await page.keyboard.press("-");
+  await idle(page);
+  assert.ok(await width() > fitted / 5);
+  await page.keyboard.press("0");
+  await page.mouse.move(20, 400);
+  for (let i = 0; i < 30; ++i) await page.mouse.wheel(0, -300);
+  await idle(page);
+  await press(page, "show object");
+  await idle(page);
+  assert.ok(Math.abs(await width() - fitted) < 1);
+  await page.done();
+});
+
+test("what is copied is said as it is", async () => {
+  const page = await browser.open();
+  const said = async () => {
+    await page.keyboard.press("Control+c");
+    await idle(page);
+    return page.locator("#alert").textContent();
+  };
+  assert.match(await said(), /It holds the polygon and all settings\. It has \d+ characters\.$/);
+  await page.evaluate(() => evenlift.set({ capacity: 20 }));
+  assert.match(await said(), /It does not hold what a robot carries\. It has \d+ characters\.$/);
+  await page.keyboard.press("d");
+  await page.mouse.click(500, 400);
+  assert.match(await said(), /not closed yet: the link holds the one before\. It has \d+ characters\.$/);
+  await page.done();
+});
+
+test("what is selected and shown is told, and no more than that", async () => {
+  const page = await browser.open();
+  await page.evaluate((text) => evenlift.load(text), lShape);
+  await idle(page);
+  await page.evaluate(() => {
+    globalThis.said = [];
+    const seen = (records) => records.forEach(({ target }) => {
+      const element = (target.nodeType === 1 ? target : target.parentElement).closest("span, p");
+      if (element && element.ariaLive !== "off") globalThis.said.push(element.textContent);
+    });
+    for (const id of ["summary", "news"])
+      new MutationObserver(seen).observe(document.getElementById(id), { childList: true, characterData: true, subtree: true });
+  });
+  await page.focus("#canvas");
+  await page.keyboard.press("v");
+  await idle(page);
+  await page.keyboard.press("a");
+  await idle(page);
+  const said = await page.evaluate(() => globalThis.said);
+  assert.ok(said.includes("Vertex 1 of 6, (0.0, 0.0)."), said.join(" | "));
+  assert.ok(said.some((text) => text.includes("Shown: candidates.")), said.join(" | "));
+  assert.ok(!said.some((text) => /robots carry|Team \d/.test(text)), said.join(" | "));
+  await page.done();
+});

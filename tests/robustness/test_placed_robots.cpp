@@ -1,0 +1,107 @@
+// The robots of a placement one by one.
+#include "evenlift/placed_robots.h"
+
+#include "evenlift/angles.h"
+#include "evenlift/plane.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/placed.h"
+#include "kit/polygons.h"
+
+using namespace evenlift;
+using evenlift::testing::placed;
+
+namespace {
+
+// A robot at the point of the edge.
+double heading(const Points& vertices, const Vec2& at, std::uint32_t edge) {
+  Placement placement(testing::polygon(vertices));
+  placement.teams = {Team{{Robot{{at, edge}, 1, 1}}, 1}};
+  return placed_robots(placement).at(0).heading_deg;
+}
+
+}  // namespace
+
+TEST_CASE("a robot faces the object", "[robustness][robots]") {
+  const Points square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  CHECK(heading(square, {1, 0}, 0) == 90);
+  CHECK(heading(square, {4, 1}, 1) == 180);
+  CHECK(heading(square, {1, 4}, 2) == -90);
+  CHECK(heading(square, {0, 1}, 3) == 0);
+  const Points clockwise{{0, 4}, {4, 4}, {4, 0}, {0, 0}};
+  CHECK(heading(clockwise, {1, 4}, 0) == -90);
+  CHECK(heading(clockwise, {0, 1}, 3) == 0);
+}
+
+TEST_CASE("a robot at a vertex faces the middle between the directions of its edges",
+          "[robustness][robots]") {
+  const Points l_shape{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
+  CHECK(heading(l_shape, {0, 0}, 0) == Approx(45));
+  CHECK(heading(l_shape, {0, 0}, 5) == Approx(45));
+  CHECK(heading(l_shape, {4, 0}, 0) == Approx(135));
+  CHECK(heading(l_shape, {2, 2}, 2) == Approx(-135));  // an inward corner
+  CHECK(heading(l_shape, {2, 2 + 1e-9}, 3) == Approx(-135));
+  CHECK(heading(l_shape, {2, 3}, 3) == Approx(180));
+  const Points clockwise(l_shape.rbegin(), l_shape.rend());
+  CHECK(heading(clockwise, {2, 2}, 2) == Approx(-135));
+  CHECK(heading(clockwise, {0, 0}, 5) == Approx(45));
+}
+
+TEST_CASE("a step ahead of each robot of the samples is the object", "[robustness][robots]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    Document document = corpus::polygon(name);
+    document.settings.method = Method::distributed;
+    document.settings.teams = 6;
+    const Placement placement = placed(document);
+    const double step = 1e-6 * bounding_box(placement.vertices()).diagonal();
+    INFO(name);
+    for (const PlacedRobot& robot : placed_robots(placement)) {
+      const double angle = robot.heading_deg * pi / 180;
+      CHECK(inside(placement.vertices(), robot.at + step * Vec2(cosine(angle), sine(angle))));
+      CHECK_FALSE(inside(placement.vertices(), robot.at - step * Vec2(cosine(angle), sine(angle))));
+      CHECK(robot.heading_deg > -180);
+      CHECK(robot.heading_deg <= 180);
+    }
+  }
+}
+
+TEST_CASE("robots come team after team with their loads", "[robustness][robots]") {
+  Document document = corpus::polygon("grand-piano");
+  const Placement placement = placed(document);
+  const auto robots = placed_robots(placement);
+  REQUIRE(robots.size() == 6);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    CHECK(robots[i].team == i / 2);
+    CHECK(robots[i].at == placement.teams[i / 2].robots[i % 2].point.position);
+    CHECK(robots[i].load == placement.teams[i / 2].robots[i % 2].load);
+  }
+}
+
+TEST_CASE("every sample is carried in every model, by every method", "[robustness][robots]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    for (const Method method : all_methods) {
+      Document document = corpus::polygon(name);
+      document.settings.method = method;
+      const Placement placement = placed(document);
+      INFO(name << " by " << evenlift::name(method));
+      const auto loads = model_loads(placement);
+      REQUIRE(loads.has_value() == !placement.teams.empty());
+      if (!loads) continue;
+      double sum = 0;
+      for (const double load : loads->springs.loads) sum += load;
+      CHECK(sum == Approx(placement.settings.weight).epsilon(1e-9));
+      CHECK(loads->best <= placement.loads->max * (1 + 1e-9));
+    }
+  }
+}
+
+TEST_CASE("even teams share evenly by themselves if the robots are equally stiff",
+          "[robustness][robots]") {
+  Document document = corpus::polygon("grand-piano");
+  document.settings.min_ratio = 1;
+  const Placement placement = placed(document);
+  REQUIRE(placement.teams.size() == 3);
+  const auto loads = model_loads(placement);
+  REQUIRE(loads);
+  for (const double load : loads->springs.loads) CHECK(load == Approx(100.0 / 6).epsilon(1e-9));
+}

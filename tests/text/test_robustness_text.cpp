@@ -1,0 +1,213 @@
+// Who bears what, failures and doubt, in JSON and in words.
+#include <nlohmann/json.hpp>
+
+#include "evenlift/output/json.h"
+#include "evenlift/output/robustness_words.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/polygons.h"
+
+using namespace evenlift;
+using nlohmann::ordered_json;
+using Names = std::vector<std::string>;
+
+namespace {
+
+Placement placed(const std::string& name, std::uint32_t teams) {
+  Document document = corpus::polygon(name);
+  document.settings.teams = teams;
+  Result<Placement> placement = place(document);
+  REQUIRE(placement.ok());
+  return *std::move(placement);
+}
+
+ordered_json json_of(const Placement& placement, const RobustnessInJson& robustness = {},
+                     const std::optional<double>& capacity = std::nullopt) {
+  std::optional<CapacityInJson> limit;
+  if (capacity) limit = CapacityInJson{*capacity, plan_capacity(placement, *capacity)};
+  return ordered_json::parse(placement_json(placement, false, limit, robustness));
+}
+
+Names keys(const ordered_json& json) {
+  Names names;
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  return names;
+}
+
+// What is read has U+00A0 between a number and its unit; here it is written as a space.
+std::string plainly(std::string text) {
+  for (std::size_t at; (at = text.find("\u00A0")) != std::string::npos;) text.replace(at, 2, " ");
+  return text;
+}
+
+RestOfRobots rest(bool steady, double greatest) {
+  RestOfRobots rest;
+  rest.steady = steady;
+  rest.greatest_by_springs = greatest;
+  return rest;
+}
+
+}  // namespace
+
+TEST_CASE("the JSON says of each robot where it stands and faces and what it bears",
+          "[json][robustness]") {
+  const Placement placement = placed("grand-piano", 3);
+  const ordered_json json = json_of(placement);
+  REQUIRE(json["robots"].size() == 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const ordered_json& robot = json["robots"][i];
+    CHECK(keys(robot) == Names{"at", "team", "load", "contact", "stand", "heading"});
+    CHECK(robot["team"] == i / 2);
+    CHECK(robot["at"] == json["teams"][i / 2]["ends"][i % 2]);
+    CHECK(robot["load"] == json["teams"][i / 2]["loads"][i % 2]);
+    CHECK(robot["contact"] == robot["at"]);
+    CHECK(robot["stand"] == robot["at"]);
+  }
+}
+
+TEST_CASE("the JSON always has the loads of all models and the robustness", "[json][robustness]") {
+  const Placement placement = placed("grand-piano", 3);
+  const ordered_json json = json_of(placement);
+  const auto loads = model_loads(placement);
+  REQUIRE(loads);
+  CHECK(keys(json["loads"]["models"]) == Names{"springs", "best", "worst"});
+  CHECK(json["loads"]["models"]["springs"] == loads->springs.loads);
+  CHECK(json["loads"]["models"]["best"] == loads->best);
+  CHECK(json["loads"]["models"]["worst"] == loads->worst);
+  CHECK(keys(json["robustness"]) ==
+        Names{"com_margin", "failures_carried", "failures_steady", "load_per_length"});
+  CHECK(json["robustness"]["failures_carried"] == 2);
+  CHECK(json["robustness"]["failures_steady"] == 1);
+  CHECK(json["robustness"]["load_per_length"] == loads->springs.per_length);
+  CHECK_FALSE(json.contains("failures"));
+  const ordered_json one_team = json_of(placed("grand-piano", 1));
+  CHECK(one_team["robustness"]["com_margin"] == 0);
+  CHECK(one_team["robustness"]["failures_carried"] == 0);
+  CHECK(one_team["robustness"]["failures_steady"] == -1);
+}
+
+TEST_CASE("without teams the JSON has no robots", "[json][robustness]") {
+  Document document;
+  document.vertices = {{-1, -1}, {101, -1}, {101, 60}, {100, 60},
+                       {100, 0}, {0, 0},    {0, 60},   {-1, 60}};
+  document.centre_of_mass = Vec2(10, 50);
+  const Result<Placement> placement = place(document);
+  REQUIRE(placement.ok());
+  REQUIRE(placement->teams.empty());
+  const ordered_json json = json_of(*placement, {1, true}, 20);
+  for (const char* name : {"robots", "robustness", "failures"}) CHECK_FALSE(json.contains(name));
+  CHECK(json["loads"].is_null());
+}
+
+TEST_CASE("with doubt about the centre of mass the JSON has ranges", "[json][robustness]") {
+  const Placement placement = placed("grand-piano", 3);
+  const ordered_json json = json_of(placement, {20, false}, 18.5)["robustness"];
+  CHECK(json["com_radius"] == 20);
+  CHECK(json["exact_within"].get<double>() > 20);
+  const auto loads = model_loads(placement);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double change = 20 * loads->springs.per_length[i];
+    CHECK(json["springs_ranges"][i][0] == Approx(loads->springs.loads[i] - change));
+    CHECK(json["springs_ranges"][i][1] == Approx(loads->springs.loads[i] + change));
+    const double load = placement.teams[i / 2].robots[i % 2].load;
+    CHECK(json["plan_ranges"][i][0] == Approx(load - change));
+    CHECK(json["plan_ranges"][i][1] == Approx(load + change));
+  }
+  // Within the radius that the capacity allows, the greatest load reaches the capacity.
+  const ordered_json capacity = json_of(placement, {}, 18.5)["capacity"];
+  const double radius = capacity["com_radius"].get<double>();
+  double greatest = 0;
+  for (std::size_t i = 0; i < 6; ++i)
+    greatest = std::max(greatest, loads->springs.loads[i] + radius * loads->springs.per_length[i]);
+  CHECK(greatest == Approx(18.5));
+  CHECK(json_of(placement, {}, 17)["capacity"]["com_radius"].is_null());
+}
+
+TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]") {
+  const ordered_json json = json_of(placed("grand-piano", 3), {0, true});
+  REQUIRE(json["failures"].size() == 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const ordered_json& row = json["failures"][i];
+    CHECK(keys(row) == Names{"robot", "carried", "steady", "com_margin", "coverage", "form_closure",
+                             "margin", "plan_max", "springs_max", "best_max"});
+    CHECK(row["robot"] == i);
+    CHECK(row["carried"] == true);
+    CHECK(row["best_max"] <= row["springs_max"]);
+  }
+  const ordered_json one_team = json_of(placed("grand-piano", 1), {0, true});
+  for (const ordered_json& row : one_team["failures"]) {
+    CHECK(row["carried"] == false);
+    CHECK(row["steady"] == false);
+    for (const char* name : {"com_margin", "coverage", "form_closure", "margin", "plan_max",
+                             "springs_max", "best_max"})
+      CHECK(row[name].is_null());
+  }
+}
+
+TEST_CASE("the models of loads are told in a sentence", "[words][robustness]") {
+  ModelLoads loads{{{15.2, 0, 18.1, 0}, {}, 0}, 17.04, {50, 20, 54.04, 10}};
+  const auto words = [&](LoadModel model) { return plainly(model_in_words(model, loads)); };
+  CHECK(words(LoadModel::plan).empty());
+  CHECK(words(LoadModel::springs) ==
+        "If all robots are equally stiff they bear 0.0–18.1 kg each. Robots 2 and 4 let go.");
+  loads.springs.loads = {15.2, 1, 18.1, 0};
+  CHECK(words(LoadModel::springs) ==
+        "If all robots are equally stiff they bear 0.0–18.1 kg each. Robot 4 lets go.");
+  CHECK(words(LoadModel::best) ==
+        "However well the weight is shared, some robot bears at least 17.0 kg.");
+  CHECK(words(LoadModel::worst) ==
+        "If the robots' heights are unequal, a robot may come to bear up to 54.0 kg.");
+}
+
+TEST_CASE("doubt about the centre of mass is told in sentences", "[words][robustness]") {
+  const ModelLoads loads{{{10, 2}, {0.5, 1}, 20}, 6, {}};
+  const auto words = [&](double radius, double tips) {
+    return doubt_in_words(loads, {1, 1, tips}, radius);
+  };
+  const std::string off = "If the centre of mass is off by up to ";
+  CHECK(plainly(words(4, 30)) == off + "4, loads change by up to 4.00 kg.");
+  CHECK(plainly(words(25, 30)) ==
+        off +
+            "25, loads change by up to 25.0 kg. From 20.0 on other robots bear something, and "
+            "the ranges are too narrow.");
+  CHECK(plainly(words(31, 30)) ==
+        off + "31, loads change by up to 31.0 kg. From 30.0 on the object can tip.");
+  CHECK(plainly(words(1, 0)) ==
+        off + "1, loads change by up to 1.00 kg. The object can tip however little it is off.");
+  CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 12)) ==
+        "Equally stiff robots stay within 12 kg as long as it is off by no more than 4.00.");
+  CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 9)) ==
+        "If all robots are equally stiff, some bear more than 9 kg.");
+}
+
+TEST_CASE("failures are told in sentences", "[words][robustness]") {
+  const auto words = [](const std::vector<std::optional<RestOfRobots>>& failures) {
+    return plainly(failures_in_words(failures));
+  };
+  CHECK(words({rest(true, 20), rest(true, 21.34), rest(true, 5)}) ==
+        "Whichever robot fails, the others carry the object, at most 21.3 kg each if equally "
+        "stiff.");
+  CHECK(words({std::nullopt, std::nullopt}) == "The object falls whichever robot fails.");
+  CHECK(words({std::nullopt, rest(true, 20), rest(false, 30), std::nullopt}) ==
+        "The object falls if one of the robots 1 or 4 fails. If another fails, the others carry "
+        "it, at most 30.0 kg each if equally stiff. It can tip if robot 3 fails.");
+  CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34))) ==
+        "Robot 3 fails: held by the other five, at most 21.3 kg.");
+  CHECK(plainly(failure_in_words(0, 14, rest(false, 21.34))) ==
+        "Robot 1 fails: held by the other 13, at most 21.3 kg, but it can tip.");
+  CHECK(failure_in_words(1, 2, std::nullopt) == "Robot 2 fails: the other one cannot hold it.");
+}
+
+TEST_CASE("what may go wrong is told in two facts", "[words][robustness]") {
+  const Placement placement = placed("grand-piano", 3);
+  const auto may_fail = [&](int carried, int steady) {
+    return robustness_facts(placement, {carried, steady, 117.2}).at(0).value;
+  };
+  CHECK(may_fail(2, 1) == "any 2; any 1 without tipping");
+  CHECK(may_fail(2, 2) == "any 2");
+  CHECK(may_fail(1, 0) == "any 1; it can tip then");
+  CHECK(may_fail(0, 0) == "none");
+  CHECK(may_fail(0, -1) == "none");
+  CHECK(robustness_facts(placement, {2, 1, 117.2}).at(1).value == "117");
+  CHECK(robustness_facts(Placement(testing::polygon(testing::square)), {}).empty());
+}

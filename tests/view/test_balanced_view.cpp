@@ -1,0 +1,287 @@
+// Balanced robots in the view: the start at once, and what a search finds later.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/search.h"
+#include "app/update.h"
+#include "evenlift/balanced.h"
+#include "evenlift/output/words.h"
+#include "kit/catch.h"
+#include "panels/summary.h"
+#include "state/method.h"
+#include "state/robots_text.h"
+#include "tools/pick.h"
+#include "view/view_page.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+namespace {
+
+const std::string piano = asset(EVENLIFT_ASSETS_DIR "/polygons/grand-piano.txt");
+
+// A state that shows six balanced robots.
+AppState balanced_state(std::uint32_t robots = 6) {
+  AppState state;
+  Document opened_first = document(piano);
+  opened_first.settings.method = Method::balanced;
+  opened_first.settings.robots = robots;
+  start_with(state, placed(opened_first), std::nullopt);
+  return state;
+}
+
+std::vector<LiftingPoint> shown(const AppState& state) {
+  return lifting_points(state.placement->teams);
+}
+
+// What the search finds in the end.
+std::string last_robots(const AppState& state) {
+  return robots_text(lifting_points(place(state.document)->teams));
+}
+
+void give(AppState& state, Command command) {
+  Commands commands;
+  commands.push_back(std::move(command));
+  apply(state, commands);
+}
+
+}  // namespace
+
+TEST_CASE("the view shows the start of the search and then what it finds", "[view][balanced]") {
+  AppState state = balanced_state();
+  REQUIRE(state.search.under_way);
+  CHECK_FALSE(state.placement->search_ended);
+  CHECK(verdict(state).searching);
+  const double before = state.placement->coverage;
+  const std::uint64_t revision = state.revision;
+  REQUIRE(take_robots(state, state.search.number, last_robots(state), true));
+  CHECK(state.revision > revision);
+  CHECK_FALSE(state.search.under_way);
+  CHECK_FALSE(verdict(state).searching);
+  CHECK(state.placement->coverage > before);
+  CHECK(robots_text(shown(state)) == last_robots(state));
+  CHECK(state.placement->goal_reached == place(state.document)->goal_reached);
+  CHECK_FALSE(state.history.can_undo());
+}
+
+TEST_CASE("where the start is slow, nothing is shown until the search has found it",
+          "[view][balanced]") {
+  AppState state;
+  Document comb = document(asset(EVENLIFT_ASSETS_DIR "/polygons/comb.txt"));
+  comb.settings.method = Method::balanced;
+  comb.settings.robots = 4;
+  start_with(state, placed(comb), std::nullopt);
+  REQUIRE(state.search.under_way);
+  CHECK(state.placement->teams.empty());
+  CHECK(verdict(state).headline == "Places for 4 robots are not found yet.");
+  CHECK(verdict(state).detail == "They are being looked for.");
+  SECTION("the robots are taken over") {
+    REQUIRE(take_robots(state, state.search.number, last_robots(state), true));
+    CHECK(robots_text(shown(state)) == last_robots(state));
+    CHECK_FALSE(state.search.under_way);
+  }
+  SECTION("that there are none is said only at the end") {
+    CHECK_FALSE(take_robots(state, state.search.number, "", false));
+    CHECK(state.search.under_way);
+    REQUIRE(take_robots(state, state.search.number, "", true));
+    CHECK(verdict(state).headline == "No robots can be placed.");
+    CHECK_FALSE(state.search.under_way);
+  }
+}
+
+TEST_CASE("what a search finds for another document is dropped", "[view][balanced]") {
+  AppState state = balanced_state();
+  const std::uint64_t number = state.search.number;
+  const std::string found = last_robots(state);
+  Settings fewer = state.document.settings;
+  fewer.robots = 5;
+  give(state, SetSettings{fewer});
+  CHECK(state.search.number > number);
+  CHECK_FALSE(take_robots(state, number, found, true));
+  CHECK_FALSE(take_robots(state, state.search.number, found, true));  // six of five
+  CHECK(shown(state).size() == 5);
+  CHECK(state.search.under_way);
+}
+
+TEST_CASE("texts that are no robots change nothing", "[view][balanced]") {
+  AppState state = balanced_state(2);
+  // Two robots are found at once.
+  CHECK_FALSE(state.search.under_way);
+  const Polygon& polygon = state.placement->polygon;
+  const std::string good = robots_text(shown(state));
+  REQUIRE(read_robots(good, 2, polygon));
+  for (const std::string& bad :
+       {std::string(), good + " ", good + " 1 2 3", "x" + good, std::string("0 1 2 99999 1 2"),
+        std::string("0 1 2 0 1"), std::string("0 1 2 0 nan 1"), std::string("0 1 2 0 1e300 1"),
+        std::string("-1 1 2 0 1 1")})
+    CHECK_FALSE(read_robots(bad, 2, polygon));
+}
+
+TEST_CASE("during a drag no search goes on, and one begins after it", "[view][balanced]") {
+  AppState state = balanced_state();
+  const std::uint64_t number = state.search.number;
+  const Vec2 to = state.document.vertices[0] + Vec2(1, 1);
+  give(state, MoveVertex{0, to});
+  REQUIRE(state.edit_open);
+  CHECK_FALSE(state.search.under_way);
+  CHECK_FALSE(state.placement->search_ended);
+  give(state, EndEdit{});
+  CHECK(state.search.under_way);
+  CHECK(state.search.number == number + 1);
+}
+
+TEST_CASE("what changes no placement leaves the search alone", "[view][balanced]") {
+  AppState state = balanced_state();
+  const std::uint64_t number = state.search.number;
+  give(state, SetCapacity{20.0});
+  give(state, Compare{Method::area});
+  give(state, Compare{std::nullopt});
+  give(state, Show{Overlays{}});
+  CHECK(state.search.number == number);
+  CHECK(state.search.under_way);
+}
+
+TEST_CASE("the second method is searched for, too", "[view][balanced]") {
+  AppState state;
+  start_with(state, placed(document(piano)), std::nullopt);
+  CHECK_FALSE(state.search.under_way);
+  give(state, Compare{Method::balanced});
+  REQUIRE(state.second);
+  REQUIRE(state.search.under_way);
+  Document other = state.document;
+  other.settings.method = Method::balanced;
+  const Result<Placement> whole = place(other);
+  REQUIRE(take_robots(state, state.search.number, robots_text(lifting_points(whole->teams)), true));
+  CHECK(state.second->coverage == whole->coverage);
+  CHECK(state.placement->settings.method == Method::area);
+  give(state, Compare{std::nullopt});
+  CHECK_FALSE(state.search.under_way);
+}
+
+TEST_CASE("another method takes what it can have of the settings", "[view][balanced]") {
+  Settings settings;
+  settings.teams.reset();
+  CHECK(with_method(settings, Method::random, 4).teams == 4);
+  CHECK_FALSE(with_method(settings, Method::balanced, 4).teams);
+  settings.goal = Goal::hold;
+  settings.method = Method::balanced;
+  CHECK(with_method(settings, Method::balanced, 4).goal == Goal::hold);
+  CHECK_FALSE(with_method(settings, Method::area, 4).goal);
+}
+
+TEST_CASE("every key of a number changes the robots of balanced ones", "[view][balanced]") {
+  AppState state = balanced_state();
+  Commands commands;
+  action(ActionId::more_teams).run(state, commands);
+  apply(state, commands);
+  CHECK(state.placement->settings.robots == 7);
+  CHECK(state.placement->settings.teams == 3);
+  for (int i = 0; i < 9; ++i) {
+    action(ActionId::fewer_teams).run(state, commands);
+    apply(state, commands);
+  }
+  CHECK(state.placement->settings.robots == 2);
+}
+
+TEST_CASE("balanced robots have no chords and no candidates to press", "[view][balanced]") {
+  AppState state = balanced_state();
+  state.document.settings.overlays.candidates = true;
+  frame_view(state);
+  const Vec2 centre = state.placement->centre_of_mass;
+  for (const LiftingPoint& robot : shown(state)) {
+    const Vec2 between = centre + (robot.position - centre) * 0.6;
+    CHECK(pick_explained(state, state.camera.to_screen(between)).kind == Pick::Kind::none);
+    CHECK(pick_explained(state, state.camera.to_screen(robot.position)).kind == Pick::Kind::robot);
+  }
+}
+
+TEST_CASE("one of three balanced robots is moved by hand, and the others follow",
+          "[view][balanced]") {
+  AppState state = balanced_state(3);
+  take_robots(state, state.search.number, last_robots(state), true);
+  const std::string found = robots_text(shown(state));
+  const Points& vertices = state.placement->vertices();
+  const std::vector<LiftingPoint> before = shown(state);
+  const std::uint32_t edge = before[0].edge;
+  const Vec2 along = vertices[(edge + 1) % vertices.size()] - vertices[edge];
+  give(state, MoveRobot{0, before[0].position + along * 0.02});
+  REQUIRE(state.by_hand);
+  const std::vector<LiftingPoint> now = shown(state);
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK((now[i].position - before[i].position).norm() > 0);
+    sum += now[i].position;
+  }
+  const double size = state.placement->polygon.diagonal();
+  CHECK((sum / 3 - state.placement->centre_of_mass).norm() < 1e-9 * size);
+  CHECK(state.placement->loads->spread == 0);
+  CHECK_FALSE(state.history.can_undo());
+  CHECK(link_lacks_in_words(state) == "It does not hold where robots were moved by hand.");
+  CHECK_FALSE(state.search.under_way);
+
+  give(state, ResetRobots{});
+  CHECK_FALSE(state.by_hand);
+  take_robots(state, state.search.number, last_robots(state), true);
+  CHECK(robots_text(shown(state)) == found);
+}
+
+TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balanced]") {
+  AppState state = balanced_state(3);
+  const Vec2 centre = state.placement->centre_of_mass;
+  const Points& vertices = state.placement->vertices();
+  std::size_t stopped = 0, moved = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::vector<LiftingPoint> before = shown(state);
+    give(state, MoveRobot{1, vertices[i]});
+    const bool stays = robots_text(shown(state)) == robots_text(before);
+    ++(stays ? stopped : moved);
+    Vec2 sum = Vec2::Zero();
+    for (const LiftingPoint& robot : shown(state)) sum += robot.position;
+    CHECK((sum / 3 - centre).norm() < 1e-9 * state.placement->polygon.diagonal());
+    if (!stays) CHECK(shown(state)[1].position == vertices[i]);
+  }
+  CHECK(moved > 0);
+  CAPTURE(stopped);
+}
+
+TEST_CASE("two balanced robots and teams cannot be taken", "[view][balanced]") {
+  const auto takes = [](const AppState& state) {
+    const LiftingPoint robot = shown(state)[0];
+    const Pick on{Pick::Kind::robot, 0, 0, robot.position};
+    return can_take_robot(state, on);
+  };
+  CHECK(takes(balanced_state(3)));
+  CHECK_FALSE(takes(balanced_state(2)));
+  AppState teams;
+  start_with(teams, placed(document(piano)), std::nullopt);
+  CHECK_FALSE(takes(teams));
+  AppState embedded = balanced_state(3);
+  embedded.screen.embed = true;
+  CHECK_FALSE(takes(embedded));
+}
+
+TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
+  AppState state = balanced_state(3);
+  frame_view(state);
+  const Vec2 at = shown(state)[0].position;
+  Commands commands;
+  CHECK_FALSE(action(ActionId::up).enabled(state));
+  give(state, Explain{Pick{Pick::Kind::robot, 0, 0, at}});
+  for (const ActionId id : {ActionId::up, ActionId::right, ActionId::down, ActionId::left}) {
+    REQUIRE(action(id).enabled(state));
+    action(id).run(state, commands);
+    apply(state, commands);
+    REQUIRE(state.explanation);
+    CHECK(state.explanation->at == shown(state)[0].position);
+  }
+}
+
+TEST_CASE("the summary names each balanced robot", "[view][balanced]") {
+  const AppState state = balanced_state();
+  const std::string text = summary(state);
+  CHECK(text.find("6 robots, each exactly 16.7\u00A0kg of 100.") == 0);
+  CHECK(text.find("6 robots of 6 asked for, method balanced, goal hold.") != std::string::npos);
+  CHECK(text.find("Robot 6 at (") != std::string::npos);
+}

@@ -1,0 +1,156 @@
+// Undo and redo: what they bring back, what they say, and what is kept of them.
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "actions/actions.h"
+#include "actions/key_list.h"
+#include "app/update.h"
+#include "kit/catch.h"
+#include "state/history.h"
+#include "state/layout.h"
+#include "view/view_page.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+TEST_CASE("steps of undo that were kept outside come back in their order, with all that they hold",
+          "[view][history]") {
+  History history;
+  Document now = document(l_shape);
+  history.record(now, {}, Edit::weight);
+  now.settings.weight = 437;
+  history.record(now, {20.5, Method::circle}, Edit::vertex_moved);
+  now.vertices[0] = Vec2(0.1, -3e-7);
+  history.record(now, {}, Edit::method);
+  now.settings.method = Method::random;
+  now = history.undo(now, {std::nullopt, Method::area}).document;
+
+  History again;
+  for (std::size_t i = 2; i-- > 0;) again.add(false, history.kept(false, i).value());
+  again.add(true, history.kept(true, 0).value());
+  CHECK_FALSE(history.kept(false, 2));
+  CHECK_FALSE(history.kept(true, 1));
+  CHECK(again.depth() == 2);
+  CHECK(again.undoes() == Edit::vertex_moved);
+  CHECK(again.redoes() == Edit::method);
+  const History::Recalled done = again.redo(now);
+  CHECK(done.document.settings.method == Method::random);
+  CHECK(done.beside == Beside{std::nullopt, Method::area});
+  CHECK(again.undo(done.document).document.vertices == now.vertices);
+  const History::Recalled moved = again.undo(now);
+  CHECK(moved.document.vertices == document(l_shape).vertices);
+  CHECK(moved.document.settings.weight == 437);
+  CHECK(moved.beside == Beside{20.5, Method::circle});
+  CHECK(moved.edit == Edit::vertex_moved);
+  CHECK(again.undo(moved.document).document.settings.weight == 100);
+  CHECK_FALSE(again.can_undo());
+}
+
+TEST_CASE(
+    "a kept link that cannot be read adds no step, and a polygon too large for a link has none",
+    "[view][history]") {
+  History history;
+  history.add(false, {Edit::opened, {}, "1.nonsense"});
+  CHECK_FALSE(history.can_undo());
+  Document large;
+  for (std::size_t i = 0; i <= max_link_vertices; ++i)
+    large.vertices.emplace_back(static_cast<double>(i), static_cast<double>(i * i % 7919));
+  history.record(large);
+  REQUIRE(history.kept(false, 0));
+  CHECK(history.kept(false, 0)->link.empty());
+}
+
+TEST_CASE("the tips of undo and redo say what they would do", "[view][history]") {
+  Page page;
+  AppState& state = page.app.state;
+  CHECK(tip(action(ActionId::undo), state) == "Undo (Ctrl+Z)");
+  page.press({"t"});
+  page.app.commands.push_back(RemoveVertex{0});
+  settle(page.app);
+  CHECK(tip(action(ActionId::undo), state) == "Undo: removed a vertex (Ctrl+Z)");
+  page.press({"z", true});
+  CHECK(tip(action(ActionId::undo), state) == "Undo: changed the number of teams (Ctrl+Z)");
+  CHECK(tip(action(ActionId::redo), state) == "Redo: removed a vertex (Ctrl+Shift+Z)");
+  CHECK(tip(action(ActionId::fit), state) == "Show all of the object (0)");
+  page.press({"d"});
+  CHECK(tip(action(ActionId::redo), state) == "Redo (Ctrl+Shift+Z)");
+}
+
+TEST_CASE("every edit has words of its own", "[view][history]") {
+  std::set<std::string> words;
+  for (std::size_t i = 0; i < edit_count; ++i) words.insert(in_words(static_cast<Edit>(i)));
+  CHECK(words.size() == edit_count);
+}
+
+TEST_CASE("capacity and comparison are steps of undo and redo", "[view][history]") {
+  Page page;
+  AppState& state = page.app.state;
+  const auto run = [&](Command command) {
+    page.app.commands.push_back(std::move(command));
+    settle(page.app);
+  };
+  run(SetCapacity{20});
+  run(Compare{Method::circle});
+  run(SetCapacity{30});
+  run(SetCapacity{30});  // no change, no step
+  CHECK(state.history.depth() == 3);
+  run(Undo{});
+  CHECK(state.capacity == 20.0);
+  CHECK(state.plan == plan_capacity(*state.placement, 20));
+  CHECK(state.second_method == Method::circle);
+  CHECK(state.second);
+  run(Undo{});
+  CHECK_FALSE(state.second_method);
+  CHECK_FALSE(state.second);
+  run(Undo{});
+  CHECK_FALSE(state.capacity);
+  CHECK_FALSE(state.plan);
+  for (int i = 0; i < 3; ++i) run(Redo{});
+  CHECK(state.capacity == 30.0);
+  CHECK(state.second_method == Method::circle);
+  keep_capacity(state, 40);
+  CHECK(state.history.depth() == 3);
+}
+
+TEST_CASE("the list of keys has each key of the table once, group after group", "[view][keys]") {
+  std::stringstream lines(key_list());
+  std::vector<std::string> shown;
+  int group = 0;
+  for (std::string line; std::getline(lines, line);) {
+    CHECK(std::count(line.begin(), line.end(), '\t') == 2);
+    CHECK(line[0] - '0' >= group);
+    group = line[0] - '0';
+    shown.push_back(line.substr(2));
+  }
+  std::vector<std::string> expected;
+  for (const Action& a : actions())
+    if (*a.shown) expected.push_back(std::string(a.shown) + '\t' + a.label);
+  std::sort(shown.begin(), shown.end());
+  std::sort(expected.begin(), expected.end());
+  CHECK(shown == expected);
+  CHECK(group == 5);
+}
+
+TEST_CASE("the drawing makes room for what the page lays over it", "[view][layout]") {
+  Page page;
+  AppState& state = page.app.state;
+  for (const auto& [width, height] :
+       {std::pair{320, 568}, {390, 844}, {844, 390}, {820, 1180}, {1440, 900}, {3840, 2160}}) {
+    state.screen.width = width;
+    state.screen.height = height;
+    const Layout before = layout(state);
+    const Rect seat = card_seat(state);
+    CHECK(seat.width() > 200);
+    state.screen.foot = 100;
+    CHECK(layout(state).free.bottom == before.free.bottom - 100);
+    CHECK(layout(state).room.bottom == before.room.bottom - 100);
+    state.screen.foot = 0;
+    state.screen.side = 440;
+    CHECK(layout(state).room.width() >= std::min(before.room.width(), 120.0));
+    state.screen.side = 0;
+    CHECK(layout(state).free == before.free);
+  }
+}

@@ -1,0 +1,283 @@
+// The window of lessons and what belongs to it: the order, what was seen, the end of a lesson, the editor, the handout, the
+// glossary.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { asset, axe, control, idle, link, load, phone, press, root, set, sharedBrowser, state } from "../page/browser.mjs";
+import { allClosed, openWindow } from "../page/windows.mjs";
+
+const order = readFileSync(path.join(root, "assets/lessons/index.txt"), "utf8").split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
+
+const browser = sharedBrowser();
+
+async function violations(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 100)).join(" | ")}`));
+}
+
+async function begin(page, name) {
+  const window = await openWindow(page, "lessons");
+  await window.locator(`[data-name="${name}"]`).click();
+  await allClosed(page);
+}
+
+const end = (page) => page.locator("#lesson-end");
+
+test("lessons have their order, minutes, and a mark once they were played to the end, also after a reload", async () => {
+  const page = await browser.open();
+  let window = await openWindow(page, "lessons");
+  const all = window.locator("ol .choice");
+  assert.deepEqual(await all.evaluateAll((list) => list.map((b) => b.dataset.name)), order);
+  for (const [i, words] of (await all.allTextContents()).entries()) assert.match(words, new RegExp(`^${i + 1}\\. .+ about \\d+ min$`));
+  await page.keyboard.press("Escape");
+  await begin(page, order[0]);
+  await page.keyboard.press("ArrowRight");
+  await idle(page);
+  assert.equal(await end(page).count(), 0, "the end has not come");
+  await page.keyboard.press("End");
+  await idle(page);
+  assert.match(await end(page).textContent(), new RegExp(`The end of lesson 1 of ${order.length}`));
+  assert.deepEqual(await violations(page), []);
+  await page.reload();
+  await page.evaluate(() => evenlift.ready);
+  await idle(page);
+  assert.equal(await end(page).count(), 0, "a reload at the last step is no new end");
+  window = await openWindow(page, "lessons");
+  assert.match(await window.locator(`[data-name="${order[0]}"]`).textContent(), /open now|seen/);
+  assert.match(await window.locator(`[data-name="${order[1]}"]`).textContent(), /next/);
+  await page.done();
+});
+
+test("from the end, one key leads to the next lesson; going back takes the card away", async () => {
+  const page = await browser.open();
+  await begin(page, order[0]);
+  await page.keyboard.press("End");
+  await idle(page);
+  await page.keyboard.press("ArrowLeft");
+  await idle(page);
+  assert.equal(await end(page).count(), 0);
+  await page.keyboard.press("End");
+  await idle(page);
+  await end(page).getByRole("button", { name: /^Next: / }).click();
+  await idle(page);
+  assert.equal(await end(page).count(), 0);
+  assert.equal(await page.evaluate(() => new URLSearchParams(location.search).get("lesson")), order[1]);
+  await page.done();
+});
+
+test("the card at the end covers no control of the player, wide and on a phone", async () => {
+  for (const options of [{}, { viewport: phone, hasTouch: true, isMobile: true }, { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true }]) {
+    const page = await browser.open(options);
+    await begin(page, order[0]);
+    await page.keyboard.press("End");
+    await idle(page);
+    const card = await end(page).boundingBox();
+    // A low screen has the tools of the view in the toolbar's menu.
+    const tools = options.viewport?.height < 480 ? [] : ["Show all of the object"];
+    for (const name of ["timeline", "play", "Next step", "Samples", ...tools]) {
+      const place = await control(page, name);
+      const apart = card.x + card.width <= place.x || place.x + place.width <= card.x || card.y + card.height <= place.y || place.y + place.height <= card.y;
+      assert.ok(apart, `${name}: ${JSON.stringify(card)} ${JSON.stringify(place)}`);
+    }
+    await page.done();
+  }
+});
+
+test("guesses are counted, the first one at each step, and summed up at the end", async () => {
+  const page = await browser.open();
+  await load(page, asset("trapezium"));
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: "As a challenge" }).click();
+  await allClosed(page);
+  // The first choice that is offered, at each question: sometimes it is right.
+  const choices = ["The first end", "take", "Candidate 1", "Candidate 2", "Candidate 3", "Candidate 4"];
+  let asked = 0;
+  while (!(await end(page).count())) {
+    const choice = await page.evaluate((names) => names.find((name) => evenlift.view.control(name)), choices);
+    if (choice) {
+      ++asked;
+      await press(page, choice);
+    } else {
+      await page.locator("#canvas").focus();
+      await page.keyboard.press("ArrowRight");
+    }
+    await idle(page);
+  }
+  assert.ok(asked > 1, String(asked));
+  const [, right, all] = /(\d+) of (\d+) guess(?:es)? w/.exec(await end(page).textContent());
+  assert.equal(Number(all), asked);
+  assert.ok(Number(right) <= asked);
+  await page.done();
+});
+
+test("who leaves a lesson has the settings from before it, unless they were changed in it", async () => {
+  const page = await browser.open();
+  await load(page, asset("violin"));
+  await set(page, { teams: 4, metric: "distance", min_ratio: 0.7, weight: 250 });
+  await begin(page, "opposite");
+  assert.equal((await state(page)).requested_teams, 1);
+  await page.keyboard.press("b");
+  await idle(page);
+  const left = await state(page);
+  assert.deepEqual([left.requested_teams, left.method ?? left.metric, left.min_ratio, left.weight], [4, "distance", 0.7, 250]);
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal((await state(page)).requested_teams, 1, "undo has the lesson's");
+  await begin(page, "opposite");
+  await set(page, { teams: 2 });
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.equal((await state(page)).requested_teams, 2, "what was chosen stays");
+  await page.done();
+});
+
+test("lesson after lesson, the settings from before the first come back", async () => {
+  const page = await browser.open();
+  await set(page, { teams: 5, weight: 77 });
+  await begin(page, order[0]);
+  await page.keyboard.press("End");
+  await idle(page);
+  await end(page).getByRole("button", { name: /^Next: / }).click();
+  await idle(page);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("b");
+  await idle(page);
+  assert.deepEqual([(await state(page)).requested_teams, (await state(page)).weight], [5, 77]);
+  await page.done();
+});
+
+test("the sample of a lesson that there is not: those with nearly that name are told", async () => {
+  const page = await browser.open();
+  await openWindow(page, "open");
+  await page.locator("#open textarea").fill("title: x\npolygon: stone-slap\n\n[centre]\nHere.\n");
+  await page.locator("#open").getByRole("button", { name: "Open", exact: true }).click();
+  await idle(page);
+  assert.match(await page.locator("#open .problem").textContent(), /“stone-slap”, and there is none of that name; near it are “stone-slab”, “.+” and “.+”\.$/);
+  await page.done();
+});
+
+// --- The editor ------------------------------------------------------------------------------------------------------
+
+async function editor(page) {
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: "Write a lesson" }).click();
+  const root = page.locator("#editor");
+  await root.waitFor();
+  await idle(page);
+  return { root, text: root.locator("textarea"), problem: root.locator(".problem") };
+}
+
+const stepOf = (page) => page.evaluate(() => evenlift.view.control("timeline") && document.getElementById("summary").textContent);
+
+test("the editor shows the lesson at the step of the cursor, and its problems with their lines, and undo takes all of it back", async () => {
+  const page = await browser.open();
+  await load(page, asset("horseshoe"));
+  await idle(page);
+  const before = await link(page);
+  const { root: window, text, problem } = await editor(page);
+  assert.match(await text.inputValue(), /^title: My lesson$/m);
+  assert.match(await stepOf(page), /^Step 1 of 5/);
+  const lesson = "title: Mine\npolygon: stone-slab\nteams: 2\n\n[centre]\nFirst words.\n\n[team 2]\nSecond words.\n";
+  await text.fill(lesson);
+  await idle(page);
+  assert.equal(await problem.textContent(), "");
+  assert.match(await stepOf(page), /Step 2 of 2.*Second words\./);
+  await text.evaluate((t) => t.setSelectionRange(t.value.indexOf("First"), t.value.indexOf("First")));
+  await idle(page);
+  assert.match(await stepOf(page), /Step 1 of 2.*First words\./);
+  await text.fill(lesson.replace("[team 2]", "[taem 2]"));
+  await idle(page);
+  assert.match(await problem.textContent(), /^Line 8: /);
+  assert.equal(await text.getAttribute("aria-invalid"), "true");
+  assert.match(await stepOf(page), /Step 1 of 2.*First words\./, "the last good version stays");
+  await text.fill(lesson);
+  await idle(page);
+  assert.equal(await problem.textContent(), "", "what was right before is right again");
+  assert.equal(await text.getAttribute("aria-invalid"), null);
+  await text.fill(lesson.replace("stone-slab", "stone-slub"));
+  await idle(page);
+  assert.match(await problem.textContent(), /^Line 2: .*“stone-slab”/);
+  await text.fill(lesson.replace("[team 2]", "[team 1]"));
+  await idle(page);
+  assert.equal(await problem.textContent(), "");
+  assert.match(await window.locator(".status").textContent(), /^2 steps; /);
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal(await link(page), before, "all previews are one step");
+  const again = await editor(page);
+  assert.equal(await again.text.inputValue(), lesson.replace("[team 2]", "[team 1]"), "the draft is kept");
+  await page.done();
+});
+
+test("a sample is chosen from a list, a lesson begins with a ready-made one, and a file is saved that opens", async () => {
+  const page = await browser.open({ acceptDownloads: true });
+  const { root: window, text, problem } = await editor(page);
+  await window.getByLabel("Sample polygon").selectOption("trapezium");
+  await idle(page);
+  assert.match(await text.inputValue(), /^polygon: trapezium$/m);
+  assert.doesNotMatch(await text.inputValue(), /^link:/m);
+  assert.equal(await problem.textContent(), "");
+  await window.getByLabel("Begin with").selectOption("lesson equal-arms");
+  await idle(page);
+  assert.match(await text.inputValue(), /Equal arms, equal loads/);
+  const coming = page.waitForEvent("download");
+  await window.getByRole("button", { name: "Save as a file" }).click();
+  const file = await coming;
+  assert.equal(file.suggestedFilename(), "equal-arms-equal-loads.txt");
+  assert.equal(readFileSync(await file.path(), "utf8"), await text.inputValue());
+  await page.done();
+});
+
+test("the editor stands clear of the drawing and has no fault that axe finds, light, dark and on a phone", async () => {
+  for (const options of [{}, { colorScheme: "dark" }, { viewport: phone, hasTouch: true, isMobile: true }]) {
+    const page = await browser.open({ ...options, reducedMotion: "reduce" });
+    const { root: window } = await editor(page);
+    assert.deepEqual(await violations(page), []);
+    const { x, y, width, height } = await window.boundingBox();
+    const corners = await page.evaluate(() => [...evenlift.text().matchAll(/^\(([^,]+),([^)]+)\)/gm)].map(([, a, b]) => [...evenlift.view.to_screen(Number(a), Number(b))]));
+    for (const [px, py] of corners) assert.ok(px < x || px > x + width || py < y || py > y + height, `a vertex at ${[px, py]} is behind the window`);
+    await page.done();
+  }
+});
+
+// --- The handout and the glossary -----------------------------------------------------------------------------------
+
+test("the handout has a picture and the words for each stop of the lesson, and only it is printed", async () => {
+  const page = await browser.open();
+  await begin(page, "convex");
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: "Handout" }).click();
+  const figures = page.locator("#handout figure");
+  await figures.first().waitFor();
+  await idle(page);
+  const lesson = readFileSync(path.join(root, "assets/lessons/convex.txt"), "utf8");
+  assert.equal(await figures.count(), lesson.match(/^\[/gm).length);
+  assert.match(await figures.first().textContent(), /Eight vertices, no corner that points inwards/);
+  assert.equal(await page.locator("#handout figure svg .object").count(), await figures.count());
+  const last = figures.last().locator("svg");
+  assert.equal(await last.locator(".robot").count(), 6, "three teams at the end");
+  assert.deepEqual(await violations(page), []);
+  await page.emulateMedia({ media: "print" });
+  const seen = await page.evaluate(() => ({ canvas: document.getElementById("canvas").checkVisibility(), figures: [...document.querySelectorAll("#handout figure")].every((f) => f.checkVisibility()), button: document.querySelector("#handout footer").checkVisibility() }));
+  assert.deepEqual(seen, { canvas: false, figures: true, button: false });
+  const height = await page.evaluate(() => document.documentElement.scrollHeight);
+  assert.ok(height > 1500, "all of it is laid out, not a window's height of it");
+  await page.done();
+});
+
+test("without a lesson the handout has the main steps of the polygon", async () => {
+  const page = await browser.open();
+  await load(page, asset("arrow"));
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: "Handout" }).click();
+  const figures = page.locator("#handout figure");
+  await figures.first().waitFor();
+  const captions = (await figures.allTextContents()).join("\n");
+  assert.ok((await figures.count()) >= 10 && (await figures.count()) <= 25, String(await figures.count()));
+  for (const word of [/Team 1 takes/, /Team 3 takes/, /cover/i]) assert.match(captions, word);
+  await page.done();
+});

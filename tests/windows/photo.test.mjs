@@ -1,0 +1,130 @@
+// A photo or scan behind the drawing, to be traced.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { fragment, idle, sharedBrowser, state } from "../page/browser.mjs";
+
+const browser = sharedBrowser();
+
+// Drops a picture that the browser itself makes, red, so many pixels wide and high.
+const dropPicture = (page, { name = "table.png", type = "image/png", width = 400, height = 200 } = {}) =>
+  page.evaluate(async ([name, type, width, height]) => {
+    const canvas = Object.assign(document.createElement("canvas"), { width, height });
+    const context = canvas.getContext("2d");
+    context.fillStyle = "#FF0000";
+    context.fillRect(0, 0, width, height);
+    const blob = await new Promise((done) => canvas.toBlob(done, type));
+    const data = new DataTransfer();
+    data.items.add(new File([blob], name, { type }));
+    dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+  }, [name, type, width, height]);
+
+async function withPhoto(options) {
+  const page = await browser.open();
+  await idle(page);
+  await dropPicture(page, options);
+  await page.locator("#photo").waitFor();
+  await idle(page);
+  return page;
+}
+
+// The colour of the screen at a point.
+async function colourAt(page, x, y) {
+  const shot = await page.screenshot({ clip: { x, y, width: 1, height: 1 } });
+  return page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const context = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d");
+    context.drawImage(image, 0, 0);
+    return [...context.getImageData(0, 0, 1, 1).data];
+  }, shot.toString("base64"));
+}
+
+const boxOf = (page) => page.locator("#backdrop").evaluate((image) => {
+  const { left, top, width, height } = image.getBoundingClientRect();
+  return { left, top, width, height };
+});
+
+test("a picture that is dropped is seen behind the drawing, and drawing begins", async () => {
+  for (const type of ["image/png", "image/jpeg", "image/webp"]) {
+    const page = await withPhoto({ type, name: `table.${type.slice(6)}` });
+    const { left, top, width, height } = await boxOf(page);
+    const [red, green] = await colourAt(page, Math.round(left + width / 2) + 3, Math.round(top + height / 2) + 3);
+    assert.ok(red > 200 && green < 120, `${type}: ${red}, ${green}`);
+    assert.match(await page.locator("#photo").textContent(), /stays on this device/);
+    assert.equal(await page.evaluate(() => document.querySelector('#mirror [aria-label^="Draw"]').getAttribute("aria-pressed")), "true");
+    await page.done();
+  }
+});
+
+test("it moves with the view, and the link does not hold it", async () => {
+  const page = await withPhoto();
+  const before = await boxOf(page);
+  const world = (x, y) => page.evaluate((p) => evenlift.view.to_world(...p), [x, y]);
+  const corner = await world(before.left, before.top);
+  await page.mouse.move(400, 400);
+  await page.mouse.wheel(0, -300);
+  await idle(page);
+  const after = await boxOf(page);
+  assert.ok(after.width > before.width * 1.2);
+  const now = await world(after.left, after.top);
+  assert.ok(Math.hypot(now[0] - corner[0], now[1] - corner[1]) < 1, `${corner} ${now}`);
+  assert.ok((await fragment(page)).length < 200);
+  await page.done();
+});
+
+test("two points and their distance set the scale, and what is traced has it", async () => {
+  const page = await withPhoto();
+  const { left, top, width, height } = await boxOf(page);
+  await page.getByRole("button", { name: "Set scale" }).click();
+  await page.mouse.click(left + width * 0.25, top + height / 2);
+  await page.mouse.click(left + width * 0.75, top + height / 2);
+  await page.getByLabel("Distance", { exact: true }).first().fill("2,5");
+  await page.keyboard.press("Enter");
+  await page.locator("#photo").waitFor();
+  await idle(page);
+  const scaled = await boxOf(page);
+  const at = (x, y) => [scaled.left + scaled.width * x, scaled.top + scaled.height * y];
+  for (const corner of [[0.2, 0.3], [0.8, 0.3], [0.8, 0.9], [0.2, 0.9]]) await page.mouse.click(...at(...corner));
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Enter");
+  await idle(page);
+  const { polygon } = await state(page);
+  assert.equal(polygon.length, 4);
+  assert.ok(Math.abs(Math.abs(polygon[1][0] - polygon[0][0]) - 3) < 0.03, JSON.stringify(polygon));
+  await page.done();
+});
+
+test("opacity, removal, and the way back by Open", async () => {
+  const page = await withPhoto();
+  await page.getByLabel("Opacity of the picture").fill("0.3");
+  assert.equal(await page.locator("#backdrop").evaluate((image) => image.style.opacity), "0.3");
+  await page.locator("#photo .away").click();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("o");
+  await page.getByRole("button", { name: "Change …" }).click();
+  await page.getByRole("button", { name: "Remove" }).click();
+  assert.equal(await page.locator("#backdrop").count(), 0);
+  assert.equal(await page.locator("#photo").count(), 0);
+  await idle(page);
+  const [red, green, blue] = await colourAt(page, 30, 500);
+  assert.ok(red > 190 && green > 190 && blue > 190, "the ground is opaque again");
+  await page.done();
+});
+
+test("a damaged picture and one of too many pixels are refused, and nothing changes", async () => {
+  const page = await browser.open();
+  await idle(page);
+  const before = await state(page);
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File([new Uint8Array([0x89, 0x50, 0x4E, 0x47, 1, 2, 3, 4])], "broken.png"));
+    dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+  });
+  await page.waitForFunction(() => /“broken\.png” cannot be opened: it is damaged/.test(document.getElementById("alert").textContent));
+  await dropPicture(page, { name: "huge.png", width: 10000, height: 5100 });
+  await page.waitForFunction(() => /51 megapixels/.test(document.getElementById("alert").textContent));
+  assert.equal(await page.locator("#backdrop").count(), 0);
+  assert.deepEqual(await state(page), before);
+  await page.done();
+});

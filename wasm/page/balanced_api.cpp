@@ -1,0 +1,104 @@
+// The search for balanced robots, as a WebAssembly module of its own that web/page/search_loop.js runs
+// in a worker, or between pictures where there is none. It uses the core and nothing of the view.
+#include <emscripten/emscripten.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "evenlift/balanced.h"
+#include "evenlift/formats.h"
+#include "evenlift/settings_text.h"
+#include "page/hand_over.h"
+#include "state/robots_text.h"
+
+namespace evenlift {
+
+using view::hand_over;
+
+namespace {
+
+struct Task {
+  BalancedProblem problem;
+  std::optional<BalancedSearch>
+      search;  // nothing before the start, and if there is no set of robots
+  bool started = false;
+};
+std::optional<Task>& task() {
+  static std::optional<Task> the_task;
+  return the_task;
+}
+
+// Whether every line `name=value` is a setting.
+bool read_lines(std::string_view lines, Document& document) {
+  while (!lines.empty()) {
+    const std::string_view line = lines.substr(0, lines.find('\n'));
+    lines.remove_prefix(std::min(lines.size(), line.size() + 1));
+    const std::size_t equals = line.find('=');
+    const auto setting = setting_from_name(line.substr(0, equals));
+    if (!setting || equals == std::string_view::npos) return false;
+    if (read_setting(*setting, line.substr(equals + 1), document)) return false;
+  }
+  return true;
+}
+
+std::optional<Task> read_task(std::string_view text, std::string_view settings,
+                              std::string_view robots) {
+  Result<Document> document = read_polygon(text);
+  if (!document || !read_lines(settings, *document)) return std::nullopt;
+  document->settings.method = Method::balanced;
+  Result<Polygon> polygon = Polygon::create(std::move(document->vertices));
+  if (!polygon) return std::nullopt;
+  const Result<Vec2> centre = check_centre_of_mass(*polygon, document->centre_of_mass);
+  if (!centre) return std::nullopt;
+  BalancedProblem problem(*polygon, *centre, document->settings);
+  if (robots.empty()) return Task{std::move(problem), std::nullopt};
+  auto start = view::read_robots(robots, document->settings.robots, *polygon);
+  if (!start) return std::nullopt;
+  BalancedSearch search;
+  search.robots = *std::move(start);
+  return Task{std::move(problem), std::move(search), true};
+}
+
+void start(Task& task) {
+  task.search = start_balanced(task.problem);
+  task.started = true;
+}
+
+bool has_ended(const Task& task) { return task.started && (!task.search || task.search->finished); }
+
+}  // namespace
+}  // namespace evenlift
+
+extern "C" {
+
+// Begins the search for a polygon in the thesis's format, with settings as lines `name=value`, from
+// these robots (state/robots_text.h), or from its start if there are none. Returns 0 if one of the
+// texts is wrong.
+EMSCRIPTEN_KEEPALIVE int balanced_begin(const char* polygon, const char* settings,
+                                        const char* robots) {
+  evenlift::task() = evenlift::read_task(polygon, settings, robots);
+  return evenlift::task() ? 1 : 0;
+}
+
+// Goes on for so many milliseconds, or until the search ends; the start may take longer. Returns
+// whether it has ended.
+EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
+  if (!evenlift::task()) return 1;
+  evenlift::Task& task = *evenlift::task();
+  const double end = emscripten_get_now() + milliseconds;
+  if (!task.started) evenlift::start(task);
+  while (!evenlift::has_ended(task) && emscripten_get_now() < end)
+    task.search = evenlift::try_next_triple(task.problem, *std::move(task.search)).search;
+  return evenlift::has_ended(task) ? 1 : 0;
+}
+
+// The robots by now; nothing if there are none.
+EMSCRIPTEN_KEEPALIVE const char* balanced_robots() {
+  const std::optional<evenlift::Task>& task = evenlift::task();
+  return evenlift::hand_over(
+      task && task->search ? evenlift::view::robots_text(task->search->robots) : "");
+}
+
+}  // extern "C"

@@ -1,0 +1,100 @@
+// Drawings and tables as polygons, for the page: a WebAssembly module of its own that
+// web/kit/import.js loads when somebody opens a text that the program itself does not read. It uses
+// the core and nothing of the view.
+#include <emscripten/emscripten.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "evenlift/formats.h"
+#include "evenlift/import.h"
+#include "evenlift/link.h"
+#include "evenlift/numbers.h"
+#include "evenlift/output/words.h"
+#include "page/hand_over.h"
+
+namespace {
+
+using namespace evenlift;
+using view::hand_over;
+
+// So many points show a shape in a small picture.
+constexpr std::size_t most_points = 512;
+
+// What was read last.
+Import& imported() {
+  static Import last;
+  return last;
+}
+
+// An empty shape if there is none with this index.
+const ImportedShape& shape(int index) {
+  static const ImportedShape none;
+  const auto at = static_cast<std::size_t>(index);
+  return at < imported().shapes.size() ? imported().shapes[at] : none;
+}
+
+}  // namespace
+
+extern "C" {
+
+// Reads a text, with the distance between curves and edges, or 0 for the usual one. Returns why it
+// was refused, or nothing; then the functions below tell what it holds, until the next text.
+EMSCRIPTEN_KEEPALIVE const char* import_read(const char* text, double tolerance) {
+  ImportOptions options;
+  if (tolerance != 0) options.tolerance = tolerance;
+  imported() = {};
+  Result<Import> read = read_shapes(text, options);
+  if (!read) return hand_over(sentence(read.error()));
+  imported() = std::move(read).value();
+  return hand_over({});
+}
+
+EMSCRIPTEN_KEEPALIVE const char* import_format() { return hand_over(imported().format); }
+EMSCRIPTEN_KEEPALIVE const char* import_unit() { return hand_over(imported().unit); }
+
+// The notes, one on each line.
+EMSCRIPTEN_KEEPALIVE const char* import_notes() {
+  std::string lines;
+  for (const std::string& note : imported().notes) lines += note + "\n";
+  return hand_over(lines);
+}
+
+// The capacity of a robot as text, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* import_capacity() {
+  return hand_over(imported().capacity ? shortest(*imported().capacity) : "");
+}
+
+EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
+
+// Of the shape with this index, from 0: its name, all in words, the distance between its edges and its
+// curves (0 without curves), and its outline as lines `x y`, thinned out for a small picture.
+EMSCRIPTEN_KEEPALIVE const char* import_name(int index) { return hand_over(shape(index).name); }
+EMSCRIPTEN_KEEPALIVE const char* import_describe(int index) {
+  return hand_over(describe(shape(index)));
+}
+EMSCRIPTEN_KEEPALIVE double import_tolerance(int index) {
+  return shape(index).tolerance.value_or(0);
+}
+EMSCRIPTEN_KEEPALIVE const char* import_outline(int index) {
+  const Points& vertices = shape(index).document.vertices;
+  const std::size_t step = (vertices.size() + most_points - 1) / most_points;
+  std::string lines;
+  for (std::size_t i = 0; i < vertices.size(); i += std::max<std::size_t>(step, 1))
+    lines += shortest(vertices[i].x()) + ' ' + shortest(vertices[i].y()) + '\n';
+  return hand_over(lines);
+}
+
+// What the program opens: a link if the text brought settings, which are wanted and fit into one; else
+// the polygon in the thesis's format.
+EMSCRIPTEN_KEEPALIVE const char* import_text(int index, int with_settings) {
+  const Document& document = shape(index).document;
+  if (with_settings && imported().has_settings) {
+    const Result<std::string> link = encode_link(document);
+    if (link) return hand_over(*link);
+  }
+  return hand_over(write_thesis(document));
+}
+
+}  // extern "C"

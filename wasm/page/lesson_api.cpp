@@ -1,0 +1,88 @@
+// What the page's windows ask of lessons.
+#include <emscripten/emscripten.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/app.h"
+#include "app/open_lesson.h"
+#include "app/update.h"
+#include "evenlift/output/words.h"
+#include "page/hand_over.h"
+#include "page/page_api.h"
+#include "state/browser.h"
+#include "walkthrough/walkthrough.h"
+
+using namespace evenlift::view;
+
+extern "C" {
+
+// The sample that a ready-made lesson names; the text of its polygon is passed to
+// page_open_lesson(). Nothing if the lesson has a link instead, or cannot be read.
+EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
+  const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
+  return hand_over(lesson ? lesson->polygon : std::string());
+}
+
+// Opens a lesson (LessonStart: 0 anew, 1 join, 2 preview). Returns why it cannot be opened, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon,
+                                                  int start) {
+  const std::optional<evenlift::InputError> problem =
+      open_lesson(app().state, text, polygon, static_cast<LessonStart>(start));
+  if (problem) return hand_over(sentence(*problem));
+  frame_view(app().state);
+  browser::request_frame();
+  return hand_over({});
+}
+
+// Goes to a stop of the lesson that is open, from 0.
+EMSCRIPTEN_KEEPALIVE void page_go_to_stop(int stop) {
+  carry_out({GoToStep{step_of(app().state, static_cast<std::uint32_t>(std::max(stop, 0)))}});
+}
+
+// Opens the walkthrough of the open document at the step where it was left; or, with `predict`, as
+// a challenge from its first step.
+EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
+  Commands commands{OpenWalkthrough{}, LeaveScript{}, SetPredict{predict != 0}};
+  if (predict) commands.insert(commands.end(), {ShowAllSteps{false}, GoToStep{0}});
+  carry_out(std::move(commands));
+}
+
+// The reader left full screen.
+EMSCRIPTEN_KEEPALIVE void page_end_presenting() {
+  if (app().state.presenting) carry_out({SetPresenting{false}});
+}
+
+// Asks for a prediction before each choice of the open walkthrough.
+EMSCRIPTEN_KEEPALIVE void page_predict() { carry_out({SetPredict{true}}); }
+
+EMSCRIPTEN_KEEPALIVE int page_walkthrough_is_open() {
+  return walkthrough_is_open(app().state) ? 1 : 0;
+}
+
+// 0 if no ready-made lesson is open, 1 if one is but its polygon was edited since, otherwise 2.
+EMSCRIPTEN_KEEPALIVE int page_script() {
+  const AppState& state = app().state;
+  return !state.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
+}
+
+// What is played: the position from 0, the number of stops, the guesses and how many of them were right,
+// the number of the step, and how many choices were shown without a question since three of their kind had been asked, with
+// spaces between them. Nothing if no walkthrough is open.
+EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
+  const AppState& state = app().state;
+  if (!walkthrough_is_open(state)) return hand_over({});
+  const Timeline now = timeline(state);
+  const Guesses& guesses = state.walkthrough.guesses;
+  std::string text;
+  for (const std::size_t number :
+       {std::size_t{now.at}, std::size_t{now.count}, guesses.steps.size(),
+        std::size_t{guesses.right}, std::size_t{state.walkthrough.at}, guesses.told.size()})
+    text += std::to_string(number) + ' ';
+  return hand_over(std::move(text));
+}
+
+}  // extern "C"

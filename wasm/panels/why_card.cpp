@@ -1,0 +1,80 @@
+// The card that answers "why here?" beside what was pressed.
+#include <algorithm>
+
+#include "panels/panels.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr double widest = 300, away = 26;  // CSS pixels from what it is about
+
+Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
+  Vec2 at = ui.state.camera.to_screen(explanation.at);
+  if (!explanation.second) return at;
+  return at + Vec2(ui.layout.second.left - ui.layout.first.left,
+                   ui.layout.second.top - ui.layout.first.top);
+}
+
+// Beside the spot, away from the centre of mass if there is room; on a narrow screen at the end of the drawing that is
+// farther from the spot.
+struct CardPlace {
+  Rect rect;
+  bool at_bottom;  // the card stands on the bottom of the rectangle
+};
+CardPlace place_of(const Ui& ui, const Vec2& spot) {
+  const Rect& free = ui.layout.free;
+  const double margin = ui.layout.margin, left = free.left + margin, right = free.right - margin,
+               top = free.top + margin, bottom = free.bottom - margin;
+  const bool low = spot.y() >= free.middle().y();
+  if (!ui.layout.wide) return {{left, top, right, bottom}, !low};
+  const double width = std::min(widest, right - left);
+  const double before = spot.x() - away - width, behind = spot.x() + away;
+  const bool outward_left =
+      spot.x() < ui.state.camera.to_screen(ui.state.placement->centre_of_mass).x();
+  const bool at_left = outward_left ? before >= left : behind + width > right;
+  const double x = std::clamp(at_left ? before : behind, left, std::max(left, right - width));
+  if (low) return {{x, top, x + width, std::clamp(spot.y() + 20, top, bottom)}, true};
+  return {{x, std::clamp(spot.y() - 20, top, bottom), x + width, bottom}, false};
+}
+
+void draw_row(const Ui& ui, const Explanation::Row& row) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, Face::label, low, ui.theme.second_text, row.label);
+  const ImVec2 label = text_size(Face::label, row.label),
+               value = text_size(Face::strong_label, row.value);
+  const bool fits = label.x + value.x + 12 <= width;
+  const float top = fits ? low.y : low.y + 18;
+  draw_text(list, Face::strong_label, ImVec2(low.x + width - value.x, top), ui.theme.text,
+            row.value);
+  ImGui::Dummy(ImVec2(width, fits ? 18.0f : 36.0f));
+}
+
+}  // namespace
+
+void draw_why_card(const Ui& ui) {
+  if (!ui.state.explanation || !ui.state.placement || ui.state.screen.embed) return;
+  const Explanation& explanation = *ui.state.explanation;
+  const CardPlace place = place_of(ui, spot_of(ui, explanation));
+  begin_card(ui, "why here", place.rect, {.at_bottom = place.at_bottom, .padding = 14});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
+  text_block(Face::strong, ui.theme.text, explanation.title, ui.control());
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + width - ui.control() + 8, at.y - 8));
+  if (icon_button(ui, "close explanation", Icon::close, true, "Close (Esc)", ui.control()))
+    ui.push(Explain{});
+  ImGui::SetCursorScreenPos(after);
+  for (const Explanation::Row& row : explanation.rows) draw_row(ui, row);
+  if (!explanation.reason.empty()) text_block(Face::label, ui.theme.text, explanation.reason);
+  if (explanation.step &&
+      flat_button(ui, "show in lesson", "Show in the lesson", ImGui::GetContentRegionAvail().x))
+    ui.push(ShowInLesson{*explanation.step});
+  ImGui::PopStyleVar();
+  end_card(ui);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,33 @@
+// What changes with the method besides itself.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "state/state.h"
+
+namespace evenlift::view {
+
+// How many teams are placed; of balanced robots two count as one. 3 if nothing is placed.
+inline std::uint32_t placed_teams(const AppState& state) {
+  if (!state.placement) return 3;
+  return std::max<std::uint32_t>(
+      1, static_cast<std::uint32_t>(count_robots(state.placement->teams) / 2));
+}
+
+// The settings with another method. What it cannot have is as usual again: "max", in whose place come
+// `teams`, and the goal to hold.
+inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
+  const bool balanced = method == Method::balanced;
+  if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;
+  if (!balanced) settings.goal.reset();
+  settings.method = method;
+  return settings;
+}
+
+// Balanced robots: how few there may be.
+inline std::uint32_t fewest_robots(const Settings& settings) {
+  return settings.survive == 0 ? least_robots : 2 * settings.survive + 3;
+}
+
+}  // namespace evenlift::view

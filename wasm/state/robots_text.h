@@ -1,0 +1,22 @@
+// Robots as text, from the page to the search for balanced robots and back, bit for bit: for each an
+// edge and two coordinates, with spaces between all of them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/chords.h"
+#include "evenlift/polygon.h"
+
+namespace evenlift::view {
+
+std::string robots_text(const std::vector<LiftingPoint>& robots);
+
+// The robots; nothing if there are not `number` of them, if one is on no edge of the polygon, or if
+// the text is another. O(bytes).
+std::optional<std::vector<LiftingPoint>> read_robots(std::string_view text, std::size_t number,
+                                                     const Polygon& polygon);
+
+}  // namespace evenlift::view

@@ -1,0 +1,59 @@
+#include "tools/cursor.h"
+
+#include "tools/pick.h"
+#include "tools/transform.h"
+
+namespace evenlift::view {
+namespace {
+
+using browser::Cursor;
+
+Cursor over_frame(FrameGrip grip, bool held) {
+  switch (grip) {
+    case FrameGrip::low_left:
+    case FrameGrip::high_right:
+      return Cursor::resize_rising;
+    case FrameGrip::low_right:
+    case FrameGrip::high_left:
+      return Cursor::resize_falling;
+    case FrameGrip::turn:
+      return held ? Cursor::grabbing : Cursor::grab;
+    case FrameGrip::inside:
+      break;
+  }
+  return Cursor::move;
+}
+
+}  // namespace
+
+Cursor cursor(const AppState& state) {
+  const bool holds = state.held.kind != Pick::Kind::none;
+  if (state.tool == Tool::draw) {
+    if (state.held.kind == Pick::Kind::vertex) return Cursor::grabbing;
+    return state.hover.kind == Pick::Kind::vertex ? Cursor::grab : Cursor::crosshair;
+  }
+  const Pick& at = holds ? state.held : state.hover;
+  switch (at.kind) {
+    case Pick::Kind::vertex:
+    case Pick::Kind::centre:
+      return holds ? Cursor::grabbing : Cursor::grab;
+    case Pick::Kind::frame:
+      return over_frame(static_cast<FrameGrip>(at.index), holds);
+    case Pick::Kind::edge:
+      return state.screen.embed ? Cursor::arrow : Cursor::add;
+    case Pick::Kind::robot:
+      if (can_take_robot(state, at)) return holds ? Cursor::grabbing : Cursor::grab;
+      return Cursor::press;
+    case Pick::Kind::chord:
+    case Pick::Kind::candidate:
+      return Cursor::press;
+    case Pick::Kind::ground:
+      return Cursor::grabbing;
+    case Pick::Kind::object:
+    case Pick::Kind::none:
+      break;
+  }
+  return walkthrough_is_open(state) && state.walkthrough.hovered ? Cursor::press : Cursor::arrow;
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,114 @@
+#include "ui/controls.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "evenlift/numbers.h"
+
+namespace evenlift::view {
+namespace {
+
+struct Request {
+  ControlRequest what;
+  std::string card, name;
+  double value;
+  int passes = 0;  // since it was asked
+};
+
+struct Listed {
+  std::vector<Control> of_pass;
+  std::string card;
+  bool on_list = false;
+  std::vector<Request> requests;  // in the order in which they were asked
+};
+Listed listed;
+
+Rect rectangle(ImVec2 low, ImVec2 high) { return {low.x, low.y, high.x, high.y}; }
+
+// The first request for this control, which is then done.
+std::optional<Request> taken_request(const Control& control) {
+  std::vector<Request>& all = listed.requests;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Request& request) {
+    return request.card == control.card && request.name == control.name;
+  });
+  if (found == all.end()) return std::nullopt;
+  Request request = std::move(*found);
+  all.erase(found);
+  return request;
+}
+
+void append_field(std::string& text, std::string_view field) {
+  text += '\t';
+  for (const char c : field) text += c == '\t' || c == '\n' ? ' ' : c;
+}
+
+void append_rectangle(std::string& text, const Rect& r) {
+  for (const double value : {r.left, r.top, r.width(), r.height()})
+    append_field(text, shortest(value));
+}
+
+}  // namespace
+
+void begin_controls() {
+  listed.of_pass.clear();
+  // What was asked of a control that is not laid out any more is forgotten.
+  for (Request& request : listed.requests) ++request.passes;
+  std::erase_if(listed.requests, [](const Request& request) { return request.passes > 4; });
+}
+
+void enter_list(bool on_list) { listed.on_list = on_list; }
+
+void enter_card(const char* name) { listed.card = name; }
+
+Asked list_control(Control control) {
+  control.card = listed.card;
+  control.place = rectangle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const bool covered = !listed.on_list && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
+                                                                     ImGuiPopupFlags_AnyPopupLevel);
+  if (!covered) control.window = rectangle(low, ImVec2(low.x + size.x, low.y + size.y));
+  Asked asked;
+  if (const std::optional<Request> request = taken_request(control)) {
+    if (request->what == ControlRequest::reveal) ImGui::SetScrollHereY();
+    if (control.enabled) {
+      asked.pressed =
+          request->what == ControlRequest::press || request->what == ControlRequest::enter;
+      if (request->what == ControlRequest::move || request->what == ControlRequest::enter)
+        asked.moved = request->value;
+      if (request->what == ControlRequest::choose && request->value >= 0 &&
+          request->value < static_cast<double>(control.choices.size()))
+        asked.chosen = static_cast<std::size_t>(request->value);
+    }
+  }
+  listed.of_pass.push_back(std::move(control));
+  return asked;
+}
+
+const std::vector<Control>& controls() { return listed.of_pass; }
+
+std::string controls_text() {
+  constexpr std::string_view kinds[] = {"button", "toggle", "number", "slider", "choice"};
+  std::string text;
+  for (const Control& c : listed.of_pass) {
+    text += kinds[static_cast<std::size_t>(c.kind)];
+    for (const std::string* field : {&c.card, &c.name, &c.label, &c.value, &c.setting})
+      append_field(text, *field);
+    append_field(text, c.enabled ? "1" : "0");
+    append_field(text, c.on ? "1" : "0");
+    append_rectangle(text, c.place);
+    append_rectangle(text, c.window);
+    for (const double value : {c.low, c.high, c.step, c.at}) append_field(text, shortest(value));
+    append_field(text, c.current ? std::to_string(*c.current) : std::string());
+    for (const std::string& choice : c.choices) append_field(text, choice);
+    text += '\n';
+  }
+  return text;
+}
+
+void ask_control(ControlRequest what, std::string card, std::string name, double value) {
+  listed.requests.push_back({what, std::move(card), std::move(name), value});
+}
+
+}  // namespace evenlift::view

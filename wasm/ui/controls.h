@@ -1,0 +1,63 @@
+// The controls of the panels as data. The page mirrors them in HTML for keyboards and screen readers, and scripts and tests
+// find them by name. Each pass lays out all controls anew.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "state/camera.h"
+
+namespace evenlift::view {
+
+enum class ControlKind : std::uint8_t { button, toggle, number, slider, choice };
+
+struct Control {
+  ControlKind kind = ControlKind::button;
+  std::string name;   // its id; the ends of a stepper are "id -" and "id +"
+  std::string label;  // what it is, in words
+  bool enabled = true;
+  bool on = false;                   // of a toggle
+  std::string value;                 // of a number or slider: as it is shown
+  std::string setting;               // of a number: which setting it is, see settings_text.h
+  double low = 0, high = 0, at = 0;  // of a slider
+  double step = 0;
+  std::vector<std::string> choices;    // of a choice
+  std::optional<std::size_t> current;  // which of them is chosen
+  std::string card;                    // the card that it is on
+  Rect place;                          // in CSS pixels of the canvas
+  Rect window;  // the part of the card that is seen; empty below an open list
+};
+
+// Forgets the controls of the last pass.
+void begin_controls();
+
+// From now on controls are on this card.
+void enter_card(const char* name);
+
+// From now on controls are, or are not, on an open list, which covers those of the cards below it.
+void enter_list(bool on_list);
+
+// Lists the item that Dear ImGui laid out last. What is asked of the control is returned once.
+struct Asked {
+  bool pressed = false;
+  std::optional<std::size_t> chosen;  // of a choice
+  std::optional<double> moved;        // of a slider, or a number without a setting
+};
+Asked list_control(Control control);
+
+// The controls of the last pass, in the order in which they were laid out.
+const std::vector<Control>& controls();
+
+// All of them as text: a line for each, its fields parted by tabs. web/page/mirror.js reads it.
+std::string controls_text();
+
+// Asks something of the control with this name on this card, to be done in the next pass: to press it; to choose one of its
+// choices or to move it, by `value`; to scroll its card until it is seen; or to move it and press it: a number that is typed
+// and confirmed.
+enum class ControlRequest : std::uint8_t { press, choose, move, reveal, enter };
+void ask_control(ControlRequest what, std::string card, std::string name, double value);
+
+}  // namespace evenlift::view

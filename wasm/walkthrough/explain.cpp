@@ -1,0 +1,134 @@
+#include "walkthrough/explain.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "evenlift/output/trace_words.h"
+#include "evenlift/output/words.h"
+#include "evenlift/why_not.h"
+#include "state/opened.h"
+
+namespace evenlift::view {
+namespace {
+
+std::string number(std::size_t index) { return std::to_string(index + 1); }
+
+void add_chord(Explanation& explanation, const Chord& chord) {
+  const double longer = std::max(chord.arm1, chord.arm2);
+  explanation.rows.push_back({"Distances to the centre of mass",
+                              amount(chord.arm1, longer) + " and " + amount(chord.arm2, longer)});
+  explanation.rows.push_back({"Load ratio", ratio_in_words(chord.ratio)});
+}
+
+// What the method looks for in a further team.
+const char* aim_of(Method method) {
+  switch (method) {
+    case Method::area:
+      return "Of the candidates that were left, it adds the most area to the lifting base.";
+    case Method::circle:
+      return "Of the candidates that were left, it fits the largest circles beyond the lifting base.";
+    case Method::distance:
+      return "Of the candidates that were left, it reduces the leverage of weight at the vertices the most.";
+    case Method::distributed:
+    case Method::random:
+    case Method::balanced:
+      break;
+  }
+  return "";
+}
+
+// What the choice of team `team` says about itself.
+void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team) {
+  explanation.step = trace.find(StepKind::team, team);
+  if (!explanation.step) return;
+  const std::string aim = team > 0 ? aim_of(trace.placement.settings.method) : "";
+  explanation.reason =
+      (aim.empty() ? aim : aim + " ") + caption(trace, look_at(trace, *explanation.step));
+}
+
+// The step at which the candidate was found.
+std::optional<std::uint32_t> step_of_candidate(const Trace& trace, std::uint32_t candidate) {
+  const std::uint32_t source = trace.source_of_candidate[candidate];
+  const auto pairs = static_cast<std::uint32_t>(trace.pairs.size());
+  return source < pairs ? trace.find(StepKind::outcome, source)
+                        : trace.find(StepKind::opposite, source - pairs);
+}
+
+void explain_team(Explanation& explanation, const Placement& placement, const Pick& pick,
+                  const Trace* trace) {
+  const Team& team = placement.teams[pick.index];
+  const TeamInWords words =
+      team_in_words(placement, pick.index, coordinate_decimals(placement.vertices()));
+  const std::string of_all = "\u00A0kg of " + plain(placement.settings.weight) + "\u00A0kg";
+  if (pick.kind == Pick::Kind::robot) {
+    const auto end = static_cast<std::size_t>(pick.end);
+    explanation.title = "A robot of team " + number(pick.index);
+    explanation.rows.push_back({"It carries", words.loads[end] + of_all});
+    explanation.rows.push_back({"The other end carries", words.loads[1 - end] + "\u00A0kg"});
+  } else {
+    explanation.title = "Team " + number(pick.index);
+    explanation.rows.push_back(
+        {"Its robots carry", words.loads[0] + " and " + words.loads[1] + of_all});
+  }
+  add_chord(explanation, chord_of(team));
+  if (trace) add_choice(explanation, *trace, static_cast<std::uint32_t>(pick.index));
+}
+
+// A balanced robot: what it bears, and that the centroid of all is why.
+void explain_balanced(Explanation& explanation, const Placement& placement, const Pick& pick) {
+  const auto robot = static_cast<std::size_t>(pick.end);
+  const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
+  const std::size_t all = words.loads.size();
+  if (!pick.second) explanation.robot = robot;
+  explanation.title = "Robot " + number(robot) + " of " + std::to_string(all);
+  explanation.rows.push_back({"It carries", words.loads[robot] + "\u00A0kg of " +
+                                                plain(placement.settings.weight) + "\u00A0kg"});
+  explanation.rows.push_back({"Each of the others", words.loads[robot] + "\u00A0kg"});
+  explanation.rows.push_back({"It stands at", words.at[robot]});
+  explanation.reason = "The centre of mass is the centroid of the " + std::to_string(all) +
+                       " robots. So equal forces at them add up to the weight and do not turn the "
+                       "object: all robots bear the same.";
+}
+
+void explain_candidate(Explanation& explanation, const Placement& placement, const Pick& pick,
+                       const Trace* trace) {
+  explanation.title =
+      "Candidate " + number(pick.index) + " of " + std::to_string(placement.candidates.size());
+  add_chord(explanation, placement.candidates[pick.index].chord);
+  if (!trace) return;
+  const auto candidate = static_cast<std::uint32_t>(pick.index);
+  explanation.reason = why_not_text(*trace, why_not(*trace, trace->size() - 1, candidate));
+  explanation.step = step_of_candidate(*trace, candidate);
+}
+
+}  // namespace
+
+Explanation explain(const AppState& state, const Pick& pick) {
+  const Placement& placement = pick.second ? *state.second : *state.placement;
+  Explanation explanation;
+  explanation.at = pick.at;
+  explanation.second = pick.second;
+  if (placement.settings.method == Method::balanced) {
+    explain_balanced(explanation, placement, pick);
+    return explanation;
+  }
+  // A placement whose trace would be too long is explained by its numbers alone.
+  const Result<Trace> made = compute_trace(placement);
+  const Trace* trace = made ? &*made : nullptr;
+  if (pick.kind == Pick::Kind::candidate)
+    explain_candidate(explanation, placement, pick, trace);
+  else
+    explain_team(explanation, placement, pick, trace);
+  if (pick.second) explanation.step.reset();  // the walkthrough is the first picture's
+  return explanation;
+}
+
+std::string in_words(const Explanation& explanation) {
+  std::string text = explanation.title + ".";
+  for (const Explanation::Row& row : explanation.rows)
+    text += " " + row.label + ": " + row.value + ".";
+  return text + " " + explanation.reason;
+}
+
+}  // namespace evenlift::view

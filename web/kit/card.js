@@ -1,0 +1,61 @@
+// Cards of HTML over the canvas, at the foot of the drawing: not modal, so that one can go on. The program says where one
+// may stand without covering a control, and gives the polygon the room that is left.
+import { ensureStyles } from "./dialogs.js";
+import { button, el } from "./elements.js";
+
+let open;  // the card that is open; there is one at most
+
+// A button that closes the card on which it stands, and then acts. Attributes are as for el().
+export function closingButton(name, attributes, act) {
+  return button(name, { ...attributes, onclick: () => {
+    open.close();
+    act();
+  } });
+}
+
+// Shows a card of these elements, in place of one that is open. `title` is its name for those who do not see it. `closed(byPerson)` is called when it goes.
+// Returns { root, close }.
+export async function openCard(page, { name, title, body, closed, focus = false }) {
+  await ensureStyles();
+  open?.close();
+  const root = el("section", { id: name, class: "seat-card", role: "region", "aria-label": title }, ...body,
+    button("", { class: "button bare away", "aria-label": "Close", title: "Close", onclick: () => close(true) }, "close"));
+  const leave = new AbortController();
+  const canvas = document.getElementById("canvas");
+  function close(byPerson = false) {
+    if (leave.signal.aborted) return;
+    leave.abort();
+    open = undefined;
+    const within = root.contains(document.activeElement);
+    root.remove();
+    page.program.text("page_seat", 0);
+    if (within) canvas.focus({ preventScroll: true });
+    closed?.(byPerson);
+  }
+  const seat = () => {
+    if (leave.signal.aborted) return;
+    const asked = (height) => page.program.text("page_seat", height).trim().split(" ").map(Number);
+    const [left, right, bottom] = asked(0);
+    root.style.left = `${left}px`;
+    root.style.width = `${right - left}px`;
+    root.classList.toggle("in-a-row", right - left >= 620);
+    const { height } = root.getBoundingClientRect();
+    root.style.top = `${bottom - height}px`;
+    asked(height);
+  };
+  document.body.append(root);
+  seat();
+  const { signal } = leave;
+  // Panels may be folded and windows resized; a frame later the program knows.
+  const later = () => requestAnimationFrame(() => requestAnimationFrame(seat));
+  addEventListener("resize", later, { signal });
+  for (const type of ["pointerup", "keyup"]) canvas.addEventListener(type, later, { signal });
+  root.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    event.preventDefault();
+    close(true);
+  });
+  if (focus) root.querySelector("button").focus({ preventScroll: true });
+  open = { root, close };
+  return open;
+}

@@ -1,0 +1,27 @@
+// Modules of the core, in WebAssembly, that compute beside the page's own.
+import { Program } from "../page/program.js";
+import { underWay } from "../page/under_way.js";
+
+// Returns a function that gives the module as a Program. `load` imports it when it is first needed; if that fails, or if the
+// module stops, the next call begins anew. What cannot be loaded rejects with an Error that says so.
+export function coreModule(load) {
+  let starting;
+  const forget = () => {
+    starting = undefined;
+  };
+  async function start() {
+    const module = await load().then(({ default: createModule }) => createModule()).catch(() => {
+      throw new Error("the server cannot be reached");
+    });
+    const program = new Program(module);
+    program.onStop = forget;
+    return program;
+  }
+  return () => {
+    if (!starting) {
+      starting = underWay(start());
+      starting.catch(forget);
+    }
+    return starting;
+  };
+}

@@ -1,0 +1,43 @@
+// Drawings, tables and results as polygons, by a module of the core that is fetched when one is opened first.
+import { coreModule } from "./core_module.js";
+
+const reader = coreModule(() => import("./import_core.js"));
+
+const lines = (text) => text.split("\n").filter(Boolean);
+
+let last;  // which text the module holds
+
+// Reads a text; `tolerance` is the distance between curves and edges, or 0 for the usual one. Returns { problem }, a
+// sentence, or { format, unit, notes, capacity, shapes }; each shape has its description in words, the tolerance that its
+// curves have (or 0), outline() for a picture, and text() for the program, which with its settings may be a link.
+export async function readShapes(text, tolerance = 0) {
+  let program;
+  try {
+    program = await reader();
+  } catch {
+    return { problem: "What reads drawings and tables cannot be loaded: the server cannot be reached" };
+  }
+  const me = {};
+  const read = () => {
+    last = me;
+    return program.text("import_read", text.replaceAll("\0", "\x01"), tolerance);
+  };
+  // Another text may have been read since.
+  const asked = (name, ...args) => {
+    if (last !== me) read();
+    return program.text(name, ...args);
+  };
+  const problem = read();
+  if (problem) return { problem };
+  const shape = (_, i) => ({
+    name: program.text("import_name", i),
+    description: program.text("import_describe", i),
+    tolerance: program.number("import_tolerance", i),
+    outline: () => lines(asked("import_outline", i)).map((line) => line.split(" ").map(Number)),
+    text: (withSettings) => asked("import_text", i, withSettings ? 1 : 0),
+  });
+  return {
+    format: program.text("import_format"), unit: program.text("import_unit"), notes: lines(program.text("import_notes")), capacity: program.text("import_capacity"),
+    shapes: Array.from({ length: program.number("import_count") }, shape),
+  };
+}

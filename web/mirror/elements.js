@@ -1,0 +1,116 @@
+// An element for each kind of control. It keeps the control that it stands for in its entry, { element, control }.
+import { plainValue, settingValue } from "./typed.js";
+
+function button(entry, actions) {
+  const element = document.createElement("button");
+  element.type = "button";
+  element.addEventListener("click", () => actions.press(entry.control));
+  return element;
+}
+
+function choice(entry, actions) {
+  const element = document.createElement("select");
+  element.addEventListener("change", () => actions.choose(entry.control, element.selectedIndex));
+  return element;
+}
+
+function slider(entry, actions) {
+  const element = document.createElement("input");
+  element.type = "range";
+  element.addEventListener("input", () => actions.move(entry.control, Number(element.value)));
+  return element;
+}
+
+// A field with a value that is typed. It takes the pointer, so that a click or a tap begins to type.
+function field(entry, actions) {
+  const element = document.createElement("input");
+  element.type = "text";
+  element.inputMode = "decimal";
+  element.autocomplete = "off";
+  element.spellcheck = false;
+  let before = "";
+  const begin = () => {
+    before = element.value = plainValue(entry.control.value);
+    element.removeAttribute("aria-invalid");
+    element.select();
+  };
+  // Returns whether what was typed is now in force.
+  const commit = (confirmed = false) => {
+    if (element.value === before && !(confirmed && !entry.control.setting)) return true;
+    const done = actions.set(entry.control, settingValue(element.value), confirmed);
+    if (done) before = element.value;
+    element.setAttribute("aria-invalid", String(!done));
+    return done;
+  };
+  element.addEventListener("focus", begin);
+  element.addEventListener("blur", () => {
+    commit();
+    element.value = entry.control.value;
+  });
+  element.addEventListener("keydown", (event) => {
+    const way = { ArrowUp: "+", ArrowDown: "-" }[event.key];
+    if (event.key === "Enter" && commit(true)) {
+      if (entry.control.setting) actions.leave();
+      else entry.renew = begin;  // the next number can be typed at once
+    }
+    else if (event.key === "Escape") {
+      element.value = before;
+      element.removeAttribute("aria-invalid");
+      actions.leave();
+    } else if (way && entry.control.setting && commit()) {
+      event.preventDefault();
+      actions.press({ ...entry.control, name: `${entry.control.name} ${way}` });
+      entry.renew = begin;
+    }
+  });
+  // Over the field the wheel still moves the panel.
+  element.addEventListener("wheel", (event) => {
+    document.getElementById("canvas").dispatchEvent(new WheelEvent("wheel", event));
+  }, { passive: true });
+  return element;
+}
+
+const makers = { button, toggle: button, choice, slider, number: field };
+
+export function createElement(control, actions) {
+  const entry = { control };
+  entry.element = makers[control.kind](entry, actions);
+  entry.element.addEventListener("focus", () => entry.control.seen || actions.reveal(entry.control));
+  entry.element.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    if (control.kind !== "number") actions.escape();  // a field takes back what was typed in it, and nothing else
+  });
+  return entry;
+}
+
+function setAttribute(element, name, value) {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
+function showChoices(element, { choices, current }) {
+  if (element.length !== choices.length || choices.some((text, i) => element.options[i].text !== text))
+    element.replaceChildren(...choices.map((text) => new Option(text)));
+  element.selectedIndex = Number(current);
+}
+
+export function showControl(entry, control) {
+  const { element } = entry, changed = entry.control.value !== control.value;
+  entry.control = control;
+  setAttribute(element, "aria-label", control.label);
+  element.disabled = !control.enabled;
+  element.classList.toggle("unseen", !control.seen);
+  for (const side of ["left", "top", "width", "height"]) element.style[side] = `${control[side]}px`;
+  if (control.kind === "toggle") setAttribute(element, "aria-pressed", String(control.on === 1));
+  if (control.kind === "choice") showChoices(element, control);
+  if (control.kind === "slider") {
+    Object.assign(element, { min: control.low, max: control.high, step: control.step });
+    if (element.valueAsNumber !== control.at) element.value = control.at;
+  }
+  if (control.kind !== "number") return;
+  if (element !== document.activeElement) element.value = control.value;
+  else if (entry.renew && changed) {
+    entry.renew();
+    entry.renew = undefined;
+  }
+}

@@ -1,0 +1,116 @@
+// The controls of the panels once more, as HTML over the canvas: each in the place of its picture, and invisible until it has
+// the focus. So keyboards and screen readers reach every control, and a number is typed in a field of the browser's own.
+import { createElement, showControl } from "./elements.js";
+import { readControls } from "./controls.js";
+
+// Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for those who cannot see it.
+const cards = new Map([
+  ["toolbar", "Toolbar"], ["bar", "Toolbar"], ["tool bar", "Tool"], ["panel", "Panel"], ["rail", "Panel"], ["sheet", "Panel"],
+  ["player", "Player"], ["why here", "Why here?"], ["tools", "View"], ["way back", "View"], ["notice", "Notice"],
+]);
+
+// Hidden while it is empty.
+function createGroup(name) {
+  const group = document.createElement("div");
+  group.setAttribute("role", "group");
+  group.setAttribute("aria-label", name);
+  group.hidden = true;
+  return group;
+}
+
+// Calls of the program: what is asked of a control (wasm/page/main.cpp).
+const press = 0, choose = 1, move = 2, reveal = 3, enter = 4;
+
+export function createMirror(program, notice) {
+  const canvas = document.getElementById("canvas");
+  const root = document.createElement("div");
+  root.id = "mirror";
+  canvas.after(root);
+  const groups = new Map([...cards].map(([card, name]) => [card, createGroup(name)]));
+  root.append(...groups.values());
+  const shown = new Map();   // by key; see readControls()
+  let last = "";
+
+  // Leads back to the drawing.
+  const leave = () => canvas.focus({ preventScroll: true });
+
+  const actions = {
+    leave,
+    press: ({ card, name }) => program.call("page_ask_control", press, card, name, 0),
+    choose: ({ card, name }, index) => program.call("page_ask_control", choose, card, name, index),
+    move: ({ card, name }, value) => program.call("page_ask_control", move, card, name, value),
+    reveal: ({ card, name }) => program.call("page_ask_control", reveal, card, name, 0),
+    // Returns whether the setting was changed.
+    // A number that is no setting is handed to the control itself; `confirmed` says that Enter was pressed.
+    set({ setting, card, name }, value, confirmed) {
+      if (!setting) {
+        const number = Number(value);
+        if (value === "" || !Number.isFinite(number)) {
+          notice(`“${value}” is not a number.`, true);
+          return false;
+        }
+        program.call("page_ask_control", confirmed ? enter : move, card, name, number);
+        return true;
+      }
+      const problem = program.text("page_set", `${setting}=${value}`);
+      if (problem) notice(`${problem}.`, true);
+      return !problem;
+    },
+    // A key that the page uses, or else the way back to the drawing.
+    escape() {
+      if (!program.number("page_key", "Escape", 0, 0)) leave();
+    },
+  };
+
+  // Puts the elements in order without moving those that stand right, so that the focus stays.
+  function arrange(controls) {
+    const at = new Map();
+    for (const { key, card } of controls) {
+      const group = groups.get(card), element = shown.get(key).element;
+      const before = at.get(card);
+      const next = before ? before.nextSibling : group.firstChild;
+      if (next !== element) group.insertBefore(element, next);
+      at.set(card, element);
+    }
+  }
+
+  function update(controls) {
+    const keys = new Set(controls.map(({ key }) => key));
+    for (const [key, { element }] of shown) {
+      if (keys.has(key)) continue;
+      if (element === document.activeElement) leave();
+      element.remove();
+      shown.delete(key);
+    }
+    for (const control of controls) {
+      let entry = shown.get(control.key);
+      if (!entry) shown.set(control.key, entry = createElement(control, actions));
+      showControl(entry, control);
+    }
+    arrange(controls);
+    for (const group of groups.values()) group.hidden = !group.firstChild;
+  }
+
+  // A key asked for a field, which may not be laid out yet.
+  let awaited = "";
+  document.addEventListener("evenlift-type", ({ detail: name }) => {
+    awaited = name;
+  });
+
+  function focusAwaited() {
+    const field = awaited && [...shown.values()].find(({ control }) => control.kind === "number" && control.name === awaited);
+    if (!field) return;
+    awaited = "";
+    field.element.focus({ preventScroll: true });
+  }
+
+  // Call this after each picture.
+  return function drawn() {
+    const text = program.text("page_controls");
+    if (text !== last) {
+      last = text;
+      update(readControls(text));
+    }
+    focusAwaited();
+  };
+}

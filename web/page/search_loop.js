@@ -1,0 +1,24 @@
+// Goes on with a search for balanced robots (wasm/page/balanced_api.cpp), slice by slice. Between slices others have their
+// turn. Calls `found(robots, ended)` when there are better robots, at most so often, and at the end. `goesOn()` says whether
+// anybody still wants to know. Throws if the problem cannot be read.
+const betweenNews = 100;
+
+const turn = () => new Promise((done) => setTimeout(done));
+
+export async function search(program, { polygon, settings, robots }, { slice, goesOn, found }) {
+  if (!program.number("balanced_begin", polygon, settings, robots)) throw new Error("the search cannot be begun");
+  let told = robots;
+  let toldAt = performance.now();
+  for (let ended = false; !ended;) {
+    await turn();
+    if (!goesOn()) return;
+    ended = program.number("balanced_go_on", slice) === 1;
+    const now = performance.now();
+    if (!ended && now < toldAt + betweenNews) continue;
+    const better = program.text("balanced_robots");
+    if (!ended && better === told) continue;
+    told = better;
+    toldAt = now;
+    found(better, ended);
+  }
+}

@@ -1,0 +1,36 @@
+// The words that the page uses, with the meaning that docs/algorithm.md gives them.
+import { openWindow } from "../kit/dialogs.js";
+import { el } from "../kit/elements.js";
+
+const words = [
+  ["Arm", "The distance of a robot from the centre of mass. In a team the robot with the shorter arm bears more."],
+  ["Candidate", "A chord whose load ratio is at least the minimum, found where two edges face each other or two vertices are opposite each other across C. Teams are chosen among the candidates."],
+  ["Centre of mass, C", "The point at which the object could be balanced. It is the centroid of the area unless you move it, and must lie strictly inside the convex hull, though it may lie outside the object."],
+  ["Chord", "A segment through C with one end on the outline on either side of C. It may leave the object on its way."],
+  ["Contact", "Where a robot touches an edge from outside, and pushes along the edge's inward normal. A robot at a vertex that points inwards makes two contacts, one at a vertex that points outwards none."],
+  ["Coverage", "The part of the object's area that lies inside the lifting base, from 0 to 100 %. A push down there cannot tip the object."],
+  ["Edges that face each other", "Two edges form a pair if some lines through C meet one on one side and the other on the other side. Each pair can give one candidate."],
+  ["Even chord", "A chord that C halves, so that both robots bear the same. Every convex object has one."],
+  ["Form closure", "The contacts alone keep the object from every small turn and slide. Both regions of free rotation are empty then, and no translation is free."],
+  ["Lifting base, H", "The convex hull of all robots: what a rubber band round them would enclose. A push down inside it changes the loads but cannot tip the object."],
+  ["Load", "What one robot bears. Each team bears an equal part of the weight, and in a team each robot the part of it that the other robot's arm is of the chord."],
+  ["Load ratio", "The shorter arm of a chord divided by the longer one. At 1 both robots bear the same."],
+  ["Method", "How the teams are chosen. By area, circle or distance the next team is the candidate that adds most to the lifting base, as measured by that method; distributed and random know nothing of candidates, and are there to compare with. Balanced places robots instead of teams, so that all of them bear the same."],
+  ["Balanced robots", "Robots, any number of them, whose centroid is the centre of mass. Equal forces at them add up to the weight and do not turn the object, so each bears exactly the same."],
+  ["Minimum load ratio", "The least load ratio that you accept, from 0 to 1. A higher one makes the loads more even and leaves fewer candidates."],
+  ["Regions of free rotation", "The points about which the object can begin to turn: clockwise in red, counter-clockwise in blue. Each contact cuts a part of them away."],
+  ["Section", "The part of an edge that faces another edge across C. Along a section the load ratio only rises or only falls, on either side of 1."],
+  ["Second order", "The object could begin to move if only straight lines counted, but the curvature of the motion runs into a contact. Such an object is held, though not in form closure."],
+  ["Team", "Two robots, one at each end of a chord. The two discs of a team have the same number."],
+  ["Tipping", "A push down outside of the lifting base tips the object if it is strong enough. The colours show how strong it must be at each point."],
+];
+
+export async function show() {
+  const list = el("dl", { class: "glossary" }, ...words.flatMap(([word, meaning]) => [el("dt", {}, word), el("dd", {}, meaning)]));
+  await openWindow({
+    name: "glossary",
+    title: "Glossary",
+    over: true,
+    body: [el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "Words and their meanings" }, list)],
+  });
+}

@@ -1,0 +1,51 @@
+// The list of keys, by groups, from the program's own table (wasm/actions/key_list.h).
+import { buttonTo, openWindow } from "../kit/dialogs.js";
+import { el } from "../kit/elements.js";
+import { show as showAbout } from "./about.js";
+import { show as showGlossary } from "./glossary.js";
+import { show as showTour } from "./tour.js";
+
+const groups = ["Files and sharing", "Drawing and editing", "Teams and method", "What is shown", "Lesson", "Help"];
+const onMac = /Mac|iPhone|iPad/.test(navigator.platform);
+
+function rows(program) {
+  return program.text("page_keys").trimEnd().split("\n").map((line) => line.split("\t"))
+    .map(([group, key, label]) => ({ group: groups[group], key: onMac ? key.replace("Ctrl", "Cmd") : key, label }));
+}
+
+// "Ctrl+Z" as <kbd>Ctrl</kbd>+<kbd>Z</kbd>.
+function keyed(key) {
+  return key.split(/(\+(?=.)|, | (?=.$))/).filter(Boolean).map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, part)));
+}
+
+export async function show(page) {
+  const all = rows(page.program);
+  const filter = el("input", { type: "search", class: "field", placeholder: "Filter", "aria-label": "Filter the keys", autocomplete: "off", spellcheck: "false" });
+  const count = el("p", { class: "for-readers", role: "status" });
+  const none = el("p", { class: "second", hidden: true }, "No key does that.");
+  const sections = groups.map((group) => el("section", {}, el("h3", {}, group), el("dl", {},
+    ...all.filter((row) => row.group === group).map(({ key, label }) => el("div", { "data-words": `${label} ${key} ${group}`.toLowerCase() },
+      el("dt", {}, label), el("dd", {}, ...keyed(key)))))));
+  filter.addEventListener("input", () => {
+    const words = filter.value.toLowerCase().split(/\s+/);
+    let found = 0;
+    for (const section of sections) {
+      for (const row of section.querySelectorAll("dl > div")) {
+        row.hidden = !words.every((word) => row.dataset.words.includes(word));
+        if (!row.hidden) ++found;
+      }
+      section.hidden = !section.querySelector("dl > div:not([hidden])");
+    }
+    none.hidden = found > 0;
+    count.textContent = `${found} keys`;
+  });
+  await openWindow({
+    name: "keys",
+    title: "Keys",
+    tools: [filter],
+    body: [el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The list of keys" }, el("div", { class: "key-groups" }, ...sections), none,
+      el("p", { class: "second" }, "By hand: drag a vertex or the centre of mass; drag the ground to move the view; scroll or pinch to zoom; double-click an edge to add a vertex."),
+      count), el("footer", {}, buttonTo("Take the tour", page, showTour), buttonTo("Glossary", page, showGlossary), buttonTo("About", page, showAbout))],
+    focus: matchMedia("(pointer: fine)").matches ? filter : undefined,
+  });
+}

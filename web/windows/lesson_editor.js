@@ -1,0 +1,217 @@
+// The editor of lessons: the text in a window beside the canvas, and the lesson on the canvas, at the step in which the cursor
+// is. What is wrong is said with its line while one types.
+import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
+import { button, download, el, lowered } from "../kit/elements.js";
+import { fetchJson } from "../kit/fetched.js";
+import { lasting, read, write } from "../page/storage.js";
+import { unreadable } from "../page/lesson_text.js";
+import { underWay } from "../page/under_way.js";
+import { noSample, titleOf } from "./lesson_source.js";
+import { openLessonOf, watch } from "./lesson_watch.js";
+
+const draftKey = "evenlift.lesson-draft";
+const pause = 350;  // ms after the last letter
+
+// A lesson to begin with: about the polygon that is open, unless its link is long.
+function template(program) {
+  const link = program.text("page_link");
+  return `# Lines that begin with # are for those who write.
+title: My lesson
+${link && link.length < 2000 ? `link: ${link}` : "polygon: trapezium"}
+
+[centre]
+What is to be seen here? Ask before you tell.
+
+[vertex 1]
+A chord from the first vertex through C.
+
+[candidates]
+All chords that are even enough.
+
+[team 1]
+The first team, and why it is this one.
+
+[end]
+What should they remember?
+`;
+}
+
+const option = (value, name) => el("option", { value }, name);
+
+export async function show(page) {
+  if (document.getElementById("editor")) return;
+  const samples = await fetchJson("polygons.json").catch(() => ({}));
+  const lessons = await fetchJson("lessons.json").catch(() => []);
+  const editor = new Editor(page, samples, lessons);
+  const root = await openWindow({
+    name: "editor",
+    title: "Write a lesson",
+    modal: false,
+    body: [el("div", { class: "row" }, editor.beginWith, editor.aboutSample), editor.field, editor.problem, editor.status, el("footer", {}, editor.help, editor.save)],
+    focus: editor.field,
+    closed: () => editor.close(),
+  });
+  if (root) editor.connect(root);
+}
+
+class Editor {
+  #page;
+  #samples;  // texts by their names
+  #due;  // the look that is to come: { timer, done }
+  #shown = {};  // what the canvas shows: { text, stop }
+  #leave = new AbortController();
+
+  constructor(page, samples, lessons) {
+    this.#page = page;
+    this.#samples = samples;
+    this.field = el("textarea", { class: "field", spellcheck: "true", "aria-label": "The lesson’s text", "aria-describedby": "editor-problem", wrap: "soft" });
+    this.field.value = read(lasting, draftKey) || template(page.program);
+    this.problem = problemLine({ id: "editor-problem", role: "status" });
+    this.status = el("p", { class: "second status", role: "status" });
+    this.beginWith = this.#beginWith(lessons);
+    this.aboutSample = el("select", { class: "field", "aria-label": "Sample polygon", onchange: () => this.#insertSample() },
+      option("", "About a sample …"), ...Object.keys(samples).map((name) => option(name, name)));
+    this.save = button("Save as a file", { class: "button primary", onclick: () => this.#save() }, "save");
+    this.help = el("a", { class: "second", href: new URL("docs-lessons.txt", import.meta.url).href, target: "_blank", rel: "noopener" }, "How to write a lesson");
+  }
+
+  // The list of texts with which one can begin.
+  #beginWith(lessons) {
+    const open = openLessonOf(this.#page.program);
+    const texts = [
+      { name: "template", title: "A template", text: () => template(this.#page.program) },
+      ...(open ? [{ name: "open", title: "The lesson that is open", text: () => open.text }] : []),
+      ...lessons.map(({ name, title, text }) => ({ name: `lesson ${name}`, title, text: () => text })),
+    ];
+    const list = el("select", { class: "field", "aria-label": "Begin with", onchange: () => {
+      const chosen = texts.find(({ name }) => name === list.value);
+      list.value = "";
+      if (chosen) this.#replace(0, this.field.value.length, chosen.text());
+    } }, option("", "Begin with …"), ...texts.map(({ name, title }) => option(name, title)));
+    return list;
+  }
+
+  connect(root) {
+    const { signal } = this.#leave;
+    this.field.addEventListener("input", () => this.#soon(), { signal });
+    document.addEventListener("selectionchange", () => document.activeElement === this.field && this.#soon(), { signal });
+    // Tab leaves the text, as everywhere; Escape closes the window, and the draft stays.
+    root.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      event.preventDefault();
+      root.close();
+    }, { signal });
+    this.field.setSelectionRange(0, 0);
+    this.field.scrollTop = 0;
+    signal.addEventListener("abort", makeRoom(this.#page.program, root));
+    this.#look();
+  }
+
+  close() {
+    this.#leave.abort();
+    this.#keep();
+  }
+
+  #keep() {
+    write(lasting, draftKey, this.field.value);
+  }
+
+  #soon() {
+    clearTimeout(this.#due?.timer);
+    if (!this.#due) {
+      this.#due = {};
+      underWay(new Promise((done) => {
+        this.#due.done = done;
+      }));
+    }
+    this.#due.timer = setTimeout(() => {
+      const { done } = this.#due;
+      this.#due = undefined;
+      if (!this.#leave.signal.aborted) this.#look();
+      done();
+    }, pause);
+  }
+
+  // Shows the lesson, or says what is wrong with it. The last good one stays on the canvas.
+  #look() {
+    const text = this.field.value;
+    this.#keep();
+    const isNew = text !== this.#shown.text;
+    const problem = isNew ? this.#open(text) : "";
+    this.#say(problem);
+    if (problem) return;
+    if (isNew) {
+      this.#shown = { text };
+      watch(this.#page, { text });
+    }
+    const { program } = this.#page;
+    const stop = this.#stopAt(this.field.selectionStart);
+    if (stop !== this.#shown.stop) {
+      this.#shown.stop = stop;
+      program.call("page_go_to_stop", Math.max(stop, 0));
+    }
+    const steps = this.#stopAt(text.length) + 1;
+    this.status.textContent = `${steps} ${steps === 1 ? "step" : "steps"}; the drawing shows ${stop < 0 ? "the first" : `step ${stop + 1}`}.`;
+  }
+
+  // Says what is wrong with the text, or with "" that nothing is.
+  #say(problem) {
+    this.problem.say(problem);
+    if (problem) {
+      this.status.textContent = "The drawing shows the last version without a mistake.";
+      this.field.setAttribute("aria-invalid", "true");
+    } else {
+      this.field.removeAttribute("aria-invalid");
+    }
+  }
+
+  // Returns why the lesson cannot be opened, or nothing.
+  #open(text) {
+    const { program } = this.#page;
+    const why = unreadable(text);
+    if (why) return why;
+    const sample = program.text("page_lesson_polygon", text);
+    if (sample && !Object.hasOwn(this.#samples, sample)) {
+      const line = text.split("\n").findIndex((each) => /^polygon\s*:/.test(each.trim())) + 1;
+      return `Line ${line}: ${lowered(noSample(sample, Object.keys(this.#samples)))}`;
+    }
+    const problem = program.text("page_open_lesson", text, sample ? this.#samples[sample] : "", 2);
+    if (!problem) this.#page.nameLesson("");
+    return problem;
+  }
+
+  // The step in which this place of the text is, from 0; -1 among the settings.
+  #stopAt(position) {
+    const end = this.field.value.indexOf("\n", position);
+    const before = this.field.value.slice(0, end < 0 ? undefined : end);
+    return before.split("\n").filter((line) => /^\s*\[/.test(line)).length - 1;
+  }
+
+  // Writes the sample in place of the polygon that the lesson is about, or else below its title.
+  #insertSample() {
+    const name = this.aboutSample.value;
+    this.aboutSample.value = "";
+    if (!name) return;
+    const line = `polygon: ${name}`, text = this.field.value;
+    const former = /^(polygon|link)[ \t]*:.*$/m.exec(text);
+    if (former) return this.#replace(former.index, former.index + former[0].length, line);
+    const title = /^title[ \t]*:.*$/m.exec(text);
+    const below = title ? title.index + title[0].length : 0;
+    this.#replace(below, below, title ? `\n${line}` : `${line}\n`);
+  }
+
+  // Replaces a part of the text as if it was typed, so that the field's own undo takes it back.
+  #replace(from, to, text) {
+    this.field.focus();
+    this.field.setSelectionRange(from, to);
+    if (!document.execCommand("insertText", false, text)) this.field.setRangeText(text, from, to, "end");
+    this.field.setSelectionRange(from, from);
+    this.field.scrollTop = 0;
+    this.#soon();
+  }
+
+  #save() {
+    const name = titleOf(this.field.value).normalize("NFKD").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "lesson";
+    download(new Blob([this.field.value], { type: "text/plain" }), `${name}.txt`);
+  }
+}

@@ -1,0 +1,77 @@
+// Which lesson is open, and what comes at its end: how the guesses went, and the next lesson.
+import { closingButton, openCard } from "../kit/card.js";
+import { el } from "../kit/elements.js";
+import { fetchJson } from "../kit/fetched.js";
+import { lasting, read, write } from "../page/storage.js";
+import { openReadyMade } from "./lesson_source.js";
+
+const seenKey = "evenlift.lessons";
+
+// The names of the ready-made lessons that were played to their end.
+export function seenLessons() {
+  return new Set(read(lasting, seenKey).split(" ").filter(Boolean));
+}
+
+function markSeen(name) {
+  const seen = seenLessons();
+  if (!name || seen.has(name)) return;
+  write(lasting, seenKey, [...seen, name].join(" "));
+}
+
+let playing;  // { page, lesson, atEnd }; lesson: { name, title, text } as far as they are known
+
+// The text of the lesson that is open; nothing if none is, or if it is the walkthrough of a polygon.
+export function openLessonOf(program) {
+  return playing?.lesson.text && program.number("page_script") === 2 ? playing.lesson : undefined;
+}
+
+// How a walkthrough stands; undefined if none is open.
+export function standing(program) {
+  const [at, count, guesses, right, step, told] = program.text("page_lesson").trim().split(" ").map(Number);
+  return count ? { at, count, guesses, right, step, told } : undefined;
+}
+
+// Call this whenever a lesson or a challenge was opened.
+export function watch(page, lesson = {}) {
+  playing?.card?.close();
+  if (!playing) document.addEventListener("evenlift-change", () => queueMicrotask(look));  // after the change, not in its midst
+  // What is open already counts as looked at, so that a link to the last step does not congratulate.
+  const now = standing(page.program);
+  playing = { page, lesson, atEnd: Boolean(now && now.at + 1 === now.count) };
+}
+
+function look() {
+  const { page, lesson } = playing;
+  const now = standing(page.program);
+  const script = page.program.number("page_script");
+  const ours = now && (lesson.text ? script === 2 : script === 0);
+  const atEnd = Boolean(ours && now.at + 1 === now.count);
+  if (atEnd === playing.atEnd) return;
+  playing.atEnd = atEnd;
+  if (!atEnd) return playing.card?.close();
+  markSeen(lesson.name);
+  showEnd(page, lesson, now, playing);
+}
+
+async function showEnd(page, lesson, { guesses, right, told }, of) {
+  const all = lesson.name ? await fetchJson("lessons.json").catch(() => []) : [];
+  const index = all.findIndex(({ name }) => name === lesson.name);
+  const next = index >= 0 ? all[index + 1] : undefined;
+  const score = guesses ? `${right} of ${guesses} ${guesses === 1 ? "guess was" : "guesses were"} right.` : "";
+  const untold = score && told ? ` ${told === 1 ? "One more choice was" : `${told} more choices were`} shown without a question: at most three of a kind are asked.` : "";
+  if (!score && index < 0) return;
+  if (playing !== of || !of.atEnd || document.querySelector("dialog[open]")) return;
+  const ended = index >= 0 ? `The end of lesson ${index + 1} of ${all.length}.` : "This is the end.";
+  const seen = seenLessons();
+  const rest = index >= 0 && all.every(({ name }) => seen.has(name)) ? " You have seen all of them." : "";
+  of.card = await openCard(page, {
+    name: "lesson-end",
+    title: "The end of the lesson",
+    body: [
+      el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", untold, rest),
+      el("div", { class: "ways" },
+        next ? closingButton(`Next: ${next.title}`, { class: "button primary" }, () => openReadyMade(page, next)) : "",
+        closingButton("All lessons", {}, () => page.windows().then((windows) => windows.lessons(page)))),
+    ],
+  });
+}

@@ -1,0 +1,162 @@
+// A photo or scan behind the drawing, to be traced. It lies as an image under the canvas, whose ground is transparent then, and
+// moves with the view. It is never uploaded, is in no link or file, and is gone with the page.
+import { closingButton, openCard } from "../kit/card.js";
+import { closeWindows, ensureStyles } from "../kit/dialogs.js";
+import { button, el, number, typedNumber } from "../kit/elements.js";
+
+const mostPixels = 50e6;
+
+let photo;  // { name, url, image, left, bottom, unit, opacity }; `unit` is the size of a pixel in the polygon's coordinates
+
+export function isPhoto(head, bytes) {
+  const webp = head === "RIFF" && String.fromCharCode(...bytes.subarray(8, 12)) === "WEBP";
+  return webp || /^(\x89PNG|\xff\xd8\xff)/.test(head);
+}
+
+// Returns why the picture cannot be shown, or nothing.
+export async function layBehind(page, file) {
+  const url = URL.createObjectURL(file);
+  const image = el("img", { id: "backdrop", alt: "", "aria-hidden": "true" });
+  const there = new Promise((done, fail) => Object.assign(image, { onload: done, onerror: fail }));
+  image.src = url;
+  const problem = await there.then(() => {
+    const pixels = image.naturalWidth * image.naturalHeight;
+    if (!pixels) return "It has no pixels";
+    return pixels > mostPixels ? `It has ${number(Math.ceil(pixels / 1e6))} megapixels, more than the 50 that can be shown` : "";
+  }, () => "It is damaged, or no picture that this browser can show");
+  if (problem) {
+    URL.revokeObjectURL(url);
+    return problem;
+  }
+  await ensureStyles();
+  remove(page);
+  // At first as large as it would be in the middle of the screen; the scale is set afterwards.
+  const [left, bottom] = worldAt(page.program, innerWidth * 0.2, innerHeight * 0.8);
+  const [right] = worldAt(page.program, innerWidth * 0.7, innerHeight * 0.8);
+  photo = { name: file.name, url, image, left, bottom, unit: tidy((right - left) / image.naturalWidth), opacity: 0.7 };
+  document.getElementById("canvas").before(image);
+  image.style.opacity = photo.opacity;
+  page.program.onPicture = () => place(page);
+  show(page);
+  closeWindows();
+  await openControls(page);
+}
+
+const worldAt = (program, x, y) => [program.number("page_world_x", x, y), program.number("page_world_y", x, y)];
+
+const tidy = (value) => Number(value.toPrecision(6));
+
+function show(page) {
+  const { image, left, bottom, unit } = photo;
+  page.program.call("page_backdrop", left, bottom, unit * image.naturalWidth, unit * image.naturalHeight);
+}
+
+// Puts the image where the view shows its place.
+function place({ program }) {
+  const { image, left, bottom, unit } = photo;
+  const width = unit * image.naturalWidth, top = bottom + unit * image.naturalHeight;
+  const x = program.number("page_screen_x", left, top), y = program.number("page_screen_y", left, top);
+  const shown = program.number("page_screen_x", left + width, top) - x;
+  image.style.transform = `translate(${x}px, ${y}px) scale(${shown / image.naturalWidth})`;
+}
+
+function remove(page) {
+  if (!photo) return;
+  page.program.onPicture = () => {};
+  page.program.call("page_backdrop", 0, 0, 0, 0);
+  photo.image.remove();
+  URL.revokeObjectURL(photo.url);
+  photo = undefined;
+}
+
+// So many pixels of the picture are so long: the picture becomes larger or smaller about its corner, and is shown as a whole.
+function scaleTo(page, pixels, length) {
+  photo.unit = tidy(length / pixels);
+  photo.left = photo.bottom = 0;
+  show(page);
+}
+
+// In the pixels of the picture.
+function pixelAt(program, x, y) {
+  const [right, up] = worldAt(program, x, y);
+  return [(right - photo.left) / photo.unit, (up - photo.bottom) / photo.unit];
+}
+
+// Waits for presses on two points of the picture; nothing if somebody gives up.
+function twoPoints(page) {
+  return new Promise((done) => {
+    const points = [];
+    const sheet = el("div", { id: "measure", role: "presentation" });
+    const leave = new AbortController();
+    const end = (result) => {
+      leave.abort();
+      sheet.remove();
+      done(result);
+    };
+    sheet.addEventListener("pointerdown", (event) => {
+      event.preventDefault();
+      const dot = el("span", {});
+      Object.assign(dot.style, { left: `${event.clientX}px`, top: `${event.clientY}px` });
+      sheet.append(dot);
+      points.push(pixelAt(page.program, event.clientX, event.clientY));
+      if (points.length === 2) end(Math.hypot(points[0][0] - points[1][0], points[0][1] - points[1][1]));
+    });
+    addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      end();
+    }, { capture: true, signal: leave.signal });
+    document.getElementById("canvas").after(sheet);
+  });
+}
+
+// A field for a length; `set` takes it over.
+function lengthField(page, label, value, set) {
+  const field = el("input", { class: "field", type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": label, size: "8" });
+  field.value = value;
+  const take = () => {
+    const length = typedNumber(field.value);
+    if (!(length > 0 && Number.isFinite(length))) return page.notice(`${label}: please type a number above 0.`, true);
+    return set(length);
+  };
+  field.addEventListener("keydown", (event) => event.key === "Enter" && take());
+  return [el("label", { class: "row" }, label, field), button("Set", { onclick: take })];
+}
+
+async function openControls(page) {
+  const { image } = photo;
+  const opacity = el("input", { type: "range", min: "0.1", max: "1", step: "0.05", "aria-label": "Opacity of the picture" });
+  opacity.value = photo.opacity;
+  opacity.addEventListener("input", () => {
+    photo.opacity = Number(opacity.value);
+    image.style.opacity = photo.opacity;
+  });
+  const measure = async () => {
+    page.notice("Press two points on the picture whose distance you know. Esc gives up.", false);
+    const pixels = await twoPoints(page);
+    page.notice("", false);
+    if (!pixels || !photo) return;
+    const scaled = (length) => {
+      scaleTo(page, pixels, length);
+      openControls(page);
+    };
+    const { root } = await openCard(page, { name: "scale", title: "Scale of the picture", body: [
+      el("p", {}, "How far apart are the two points?"), el("div", { class: "ways" }, ...lengthField(page, "Distance", "", scaled))] });
+    root.querySelector("input").focus({ preventScroll: true });
+  };
+  await openCard(page, { name: "photo", title: "Picture behind the drawing", body: [
+    el("p", {}, `“${photo.name}” lies behind the drawing. It stays on this device, is in no link or file, and is gone with this page.`),
+    el("div", { class: "ways" }, opacity, button("Set scale", { title: "Press two points and type their distance", onclick: measure }),
+      ...lengthField(page, "Width", tidy(photo.unit * image.naturalWidth), (length) => scaleTo(page, image.naturalWidth, length)),
+      closingButton("Remove", {}, () => remove(page)))] });
+}
+
+// In the window that opens things: the picture that is there, and the way to its controls.
+export function photoLine(page) {
+  if (!photo) return [];
+  return [el("p", { class: "row second" }, `“${photo.name}” lies behind the drawing.`, button("Change …", { onclick: () => {
+    closeWindows();
+    openControls(page);
+  } }))];
+}

@@ -1,0 +1,106 @@
+// The shapes of a drawing, of which one is opened; and how far the edges may be from its curves.
+import { openWindow, problemLine } from "../kit/dialogs.js";
+import { button, el, number, svgEl, typedNumber } from "../kit/elements.js";
+import { fitted } from "../kit/fit.js";
+import { readShapes } from "../kit/import.js";
+import { underWay } from "../page/under_way.js";
+
+const width = 96;
+const height = 64;
+const atOnce = 100;  // shapes that are shown before one asks for more
+
+function picture(points) {
+  const placed = points.map(fitted(points, width, height, 4)).join(" ");
+  return svgEl("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" }, svgEl("polygon", { points: placed }));
+}
+
+// The name, the kind, and vertices and size, each on a line; the words are "NAME", KIND, VERTICES, SIZE.
+function inWords({ name, description }) {
+  const parts = description.slice(name ? name.length + 4 : 0).split(", ");
+  const size = parts.splice(-2).join(", ").replace(" x ", " × ");
+  return [...(name ? [el("b", {}, name, " ")] : []), el("span", {}, parts.join(", "), " "), el("span", { class: "second" }, size)];
+}
+
+export const sentences = (texts) => texts.map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`).join(" ");
+
+// Shows what `found` (of readShapes) has of the text. `choose` opens a shape, and returns why it was refused, or nothing.
+export async function showShapes({ what, text, found, tolerance = 0, choose }) {
+  const problem = problemLine();
+  const notes = el("p", { class: "second" });
+  const list = el("ul", { class: "shapes" });
+  const more = button("", { onclick: () => show(list.childElementCount + atOnce) });
+  const curves = el("input", { class: "field", type: "text", inputmode: "decimal", size: "8", autocomplete: "off", "aria-describedby": "shapes-curves" });
+  const said = el("span", { class: "second", id: "shapes-curves" });
+  const form = el("form", { class: "row curves", onsubmit: (event) => {
+    event.preventDefault();
+    underWay(readAgain());
+  } }, el("label", {}, "Edges within ", curves), said, el("button", { type: "submit", class: "button" }, "Flatten"));
+
+  const open = (shape) => {
+    const refused = choose(shape, found);
+    problem.say(refused);
+    if (!refused) root.close();
+  };
+  function show(count) {
+    const shown = found.shapes.slice(list.childElementCount, count);
+    list.append(...shown.map((shape, i) => el("li", {}, el("button", { type: "button", class: "sample", tabindex: "-1", "data-index": list.childElementCount + i, onclick: () => open(shape) },
+      picture(shape.outline()), ...inWords(shape)))));
+    const left = found.shapes.length - list.childElementCount;
+    more.hidden = left === 0;
+    more.textContent = `Show ${number(Math.min(left, atOnce))} more of ${number(left)}`;
+  }
+  function fill() {
+    list.replaceChildren();
+    show(atOnce);
+    list.querySelector("button").tabIndex = 0;
+    const { unit, shapes } = found;
+    notes.textContent = sentences([...(unit ? [`lengths are in ${unit}`] : []), ...found.notes]);
+    const flattened = shapes.filter((shape) => shape.tolerance).map((shape) => shape.tolerance);
+    form.hidden = flattened.length === 0;
+    const [least, most] = [Math.min(...flattened), Math.max(...flattened)];
+    curves.value = least === most ? String(least) : "";
+    curves.placeholder = least === most ? "" : `${least} to ${most}`;
+    said.textContent = `of the curves${unit ? `, in ${unit}` : ""}`;
+  }
+  async function readAgain() {
+    const wanted = curves.value.trim() ? typedNumber(curves.value) : undefined;
+    if (wanted !== undefined && !(wanted > 0)) {
+      problem.say("How far the edges may be from the curves is a number above 0");
+      return curves.focus();
+    }
+    const again = await readShapes(text, wanted ?? 0);
+    problem.say(again.problem);
+    if (again.problem) return curves.focus();
+    found = again;
+    fill();
+  }
+  connectKeys(list);
+  fill();
+  if (tolerance) curves.value = String(tolerance);
+  const several = found.shapes.length > 1;
+  const root = await openWindow({
+    name: "shapes",
+    title: several ? "Which shape?" : "Flatten curves",
+    body: [el("div", { class: "scroll" }, el("p", {}, several ? `${what} has ${number(found.shapes.length)} shapes, and one is opened.` : `${what} has curves, and a polygon has straight edges.`),
+      notes, list, more), problem, el("footer", {}, form)],
+    focus: list.querySelector("button"),
+  });
+}
+
+// Tab reaches one of the shapes; the arrow keys lead to the others.
+function connectKeys(list) {
+  list.addEventListener("focusin", ({ target }) => {
+    for (const other of list.querySelectorAll("[tabindex='0']")) other.tabIndex = -1;
+    target.tabIndex = 0;
+  });
+  list.addEventListener("keydown", (event) => {
+    const all = [...list.querySelectorAll("button")];
+    const at = all.indexOf(document.activeElement);
+    const top = (shape) => Math.round(shape.getBoundingClientRect().top);
+    const across = all.filter((shape) => top(shape) === top(all[0])).length;
+    const step = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -across, ArrowDown: across, Home: -at, End: all.length - 1 - at }[event.key];
+    if (at < 0 || step === undefined) return;
+    event.preventDefault();
+    all[at + step]?.focus();
+  });
+}

@@ -1,0 +1,40 @@
+// The card of the first visit: what this is, and three ways to begin.
+import { closingButton, openCard } from "../kit/card.js";
+import { el } from "../kit/elements.js";
+import { lasting, write } from "../page/storage.js";
+import { show as showSamples } from "./gallery.js";
+import { show as showTour } from "./tour.js";
+
+const welcomedKey = "evenlift.welcomed";  // page.js asks for it
+
+// At the first visit it does not take the focus; the key and the window About bring it back with the focus.
+export async function show(page, { first = false } = {}) {
+  if (document.getElementById("welcome")) return;
+  const leave = new AbortController();
+  const draw = () => {
+    page.program.number("page_key", "d", 0, 0);
+    document.getElementById("canvas").focus({ preventScroll: true });
+  };
+  const card = await openCard(page, {
+    name: "welcome",
+    title: "How to begin",
+    body: [
+      el("p", {}, "Where should robots stand so that all of them carry nearly the same weight? ",
+        el("span", { class: "second" }, "In pairs, at the two ends of a line through the centre of mass.")),
+      el("div", { class: "ways" },
+        closingButton("Draw your own", { class: "button primary" }, draw),
+        closingButton("Choose a sample", {}, () => showSamples(page)),
+        closingButton("Take the tour", { title: "It takes two minutes" }, () => showTour(page))),
+    ],
+    focus: !first,
+    closed: () => {
+      leave.abort();
+      write(lasting, welcomedKey, "1");
+    },
+  });
+  // Whoever has begun needs it no more. The program tells of a change in the midst of it, so this waits for its end.
+  document.addEventListener("evenlift-change", () => queueMicrotask(() => card.close()), { signal: leave.signal });
+}
+
+export const welcome = (page) => show(page);
+export const firstVisit = (page) => show(page, { first: true });
