@@ -181,17 +181,31 @@ class Order {
     }
   }
 
-  /// Chords of one line: the longer first, then the one whose right end is farther from C.
+  /// Chords of one line: the longer first, then the one whose right end is farther from C. The two
+  /// chords of a bent line can tie in both; then the coordinates of their ends decide.
   void sort_line(Iterator begin, Iterator end) {
+    const auto length_of = [](const ExactChord& c) { return c.length; };
+    const auto right_arm_of = [&](const ExactChord& c) { return right_arm(c); };
+    by_ties(begin, end, length_of, "lengths in candidate order", [&](Iterator i, Iterator j) {
+      by_ties(i, j, right_arm_of, "arms in candidate order",
+              [&](Iterator first, Iterator last) { sort_by_coordinates(first, last); });
+    });
+  }
+  /// Sorts by a length, the largest first, and visits each class of those that tie.
+  template <class Key, class Visit>
+  void by_ties(Iterator begin, Iterator end, Key key, const char* what, Visit visit) {
     std::stable_sort(begin, end,
-                     [](const ExactChord& a, const ExactChord& b) { return a.length > b.length; });
-    const auto tie = [&](const ExactChord& a, const ExactChord& b) {
-      return calls_.within(a.length - b.length, tau * a.length, "lengths in candidate order");
-    };
-    by_class(begin, end, tie, [&](Iterator first, Iterator last) {
-      std::stable_sort(first, last, [&](const ExactChord& a, const ExactChord& b) {
-        return right_arm(a) > right_arm(b);
-      });
+                     [&](const ExactChord& a, const ExactChord& b) { return key(a) > key(b); });
+    by_class(
+        begin, end,
+        [&](const ExactChord& a, const ExactChord& b) {
+          return calls_.within(key(a) - key(b), tau * key(a), what);
+        },
+        visit);
+  }
+  void sort_by_coordinates(Iterator begin, Iterator end) {
+    std::stable_sort(begin, end, [&](const ExactChord& a, const ExactChord& b) {
+      return coordinates(a) < coordinates(b);
     });
   }
   bool vertical(const RealVec& u) {
@@ -203,11 +217,17 @@ class Order {
     const Real sine = abs(cross(a.direction, b.direction)) / (a.length * b.length);
     return calls_.within(sine, tau, "equal directions");
   }
-  /// How far from C the right end is, or the upper one of a vertical chord.
-  Real right_arm(const ExactChord& c) {
-    const RealVec &e0 = c.real_ends[0], &e1 = c.real_ends[1];
-    const bool second = vertical(c.direction) ? e1.y > e0.y : e1.x > e0.x;
-    return length(second ? e1 : e0);
+  /// Which end is the right one, or the upper one of a vertical chord.
+  std::size_t right_end(const ExactChord& c) {
+    const ExactVec &e0 = c.ends[0], &e1 = c.ends[1];
+    return vertical(c.direction) ? e1.y > e0.y : e1.x > e0.x;
+  }
+  Real right_arm(const ExactChord& c) { return length(c.real_ends[right_end(c)]); }
+  /// Of the left end, then of the right one.
+  std::array<Exact, 4> coordinates(const ExactChord& c) {
+    const std::size_t right = right_end(c);
+    const ExactVec &p = c.ends[1 - right], &q = c.ends[right];
+    return {p.x, p.y, q.x, q.y};
   }
   Calls& calls_;
 };
