@@ -225,7 +225,7 @@ TEST_CASE("a centre of mass that is not inside the convex hull is refused",
   CHECK(code({std::nan(""), 1}) == ErrorCode::bad_coordinate);
   CHECK(code({1, 1.1e9}) == ErrorCode::bad_coordinate);
   CHECK(place(document(square, Vec2(std::nextafter(2.0, 0.0), 1))).ok());
-  CHECK(place(document(square, Vec2(0x1p-1074, 1))).ok());
+  CHECK(place(document(square, Vec2(1e-100, 1))).ok());
 }
 
 TEST_CASE("a triangle thinner than products of doubles can tell is still no line", "[placement]") {

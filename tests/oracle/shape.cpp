@@ -139,8 +139,14 @@ Refusal refusal(const Problem& problem) {
   if (std::all_of(v.begin(), v.end(), on_first_line)) return Refusal::no_area;
   if (!simple(v)) return Refusal::not_simple;
   if (too_small(v)) return Refusal::too_small;
+  const auto tiny = [](const Point& p) {
+    const auto below = [](double x) { return x != 0 && std::fabs(x) < 1e-100; };
+    return below(p[0]) || below(p[1]);
+  };
+  if (std::any_of(problem.vertices.begin(), problem.vertices.end(), tiny))
+    return Refusal::bad_coordinate;
   const Point c = problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem.vertices);
-  if (bad(c)) return Refusal::bad_coordinate;
+  if (bad(c) || (problem.centre_of_mass && tiny(c))) return Refusal::bad_coordinate;
   if (!strictly_in_hull(v, exact(c))) return Refusal::centre_outside;
   if (!(problem.min_ratio >= 0 && problem.min_ratio <= 1)) return Refusal::bad_ratio;
   if (problem.teams < 1) return Refusal::bad_teams;

@@ -54,8 +54,7 @@ test("the first answer is there at once, and the verdict says that the search go
 
 test("where the start is slow, the page does not wait for it", async () => {
   const page = await browser.open();
-  const name = "comb";
-  await load(page, asset(name));
+  await load(page, asset("comb"));
   const first = await page.evaluate(() => {
     evenlift.set({ metric: "balanced", robots: 4 });
     return evenlift.state();
@@ -64,7 +63,7 @@ test("where the start is slow, the page does not wait for it", async () => {
   // The start that was begun is given up for another one.
   await set(page, { robots: 4, goal: "cover" });
   await idle(page);
-  assert.deepEqual(await state(page), program(name, "--robots", "4", "--goal", "cover"));
+  assert.deepEqual(await state(page), program("comb", "--robots", "4", "--goal", "cover"));
   await page.done();
 });
 

@@ -43,6 +43,12 @@ export async function paste(page, text) {
   }, text);
 }
 
+// Closes every window, after a test that leaves one open.
+export async function closeAll(page) {
+  await page.evaluate(() => document.querySelectorAll("dialog").forEach((window) => window.close()));
+  await allClosed(page);
+}
+
 // No window is open any more.
 export async function allClosed(page) {
   await idle(page);

@@ -4,7 +4,7 @@ import path from "node:path";
 import { afterEach, test } from "node:test";
 import { readFile } from "node:fs/promises";
 import { asset, evenlift, idle, link, load, phone, root, sharedBrowser, state } from "../page/browser.mjs";
-import { allClosed, drop, noticed, openWindow, paste } from "../page/windows.mjs";
+import { allClosed, closeAll, drop, noticed, openWindow, paste } from "../page/windows.mjs";
 
 let page;
 const browser = sharedBrowser({
@@ -15,10 +15,7 @@ const browser = sharedBrowser({
 });
 
 // What one test leaves open is not the next one's.
-afterEach(async () => {
-  await page.evaluate(() => document.querySelectorAll("dialog").forEach((root) => root.close()));
-  await allClosed(page);
-});
+afterEach(() => closeAll(page));
 
 const triangle = [[0, 0], [40, 0], [10, 30.5]];
 const svg = (inside, more = "") => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 50 50"${more}>${inside}</svg>`;

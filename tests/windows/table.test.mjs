@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 import { drag, evenlift, idle, load, phone, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
-import { allClosed, openWindow } from "../page/windows.mjs";
+import { allClosed, closeAll, openWindow } from "../page/windows.mjs";
 
 let page;
 const browser = sharedBrowser({
@@ -11,10 +11,7 @@ const browser = sharedBrowser({
   },
   end: () => page.done(),
 });
-afterEach(async () => {
-  await page.evaluate(() => document.querySelector("dialog")?.close());
-  await allClosed(page);
-});
+afterEach(() => closeAll(page));
 
 const L_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 const polygon = async () => (await state(page)).polygon;

@@ -13,6 +13,7 @@ namespace evenlift {
 
 // Bounds on all input. Input beyond them is refused with a clear message.
 inline constexpr double max_coordinate = 1e9;             // size of a coordinate, inclusive
+inline constexpr double min_coordinate = 1e-100;          // size of one that is not 0, inclusive
 inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box, inclusive
 inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon
 inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a link

@@ -64,8 +64,8 @@ class Polygon {
 bool is_counter_clockwise(const Points& vertices);
 
 // The centre of mass to use: the given one, or else the polygon's centroid. It is an error if it is
-// not finite, exceeds max_coordinate, or is not strictly inside the polygon's convex hull, which is
-// decided exactly. O(h) for h corners of the hull.
+// not finite, exceeds max_coordinate, is below min_coordinate without being 0, or is not strictly
+// inside the polygon's convex hull, which is decided exactly. O(h) for h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
 }  // namespace evenlift

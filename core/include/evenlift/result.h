@@ -12,7 +12,7 @@ namespace evenlift {
 enum class ErrorCode {
   too_few_vertices,     // fewer than 3
   too_many_vertices,    // more than max_vertices
-  bad_coordinate,       // not finite, or beyond max_coordinate in size
+  bad_coordinate,       // not finite, beyond max_coordinate, or below min_coordinate and not 0
   repeated_vertex,      // two vertices at the same place
   no_area,              // all vertices on one line
   edges_cross,          // edges cross, touch or overlap

@@ -23,6 +23,13 @@ InputError at_vertex(ErrorCode code, std::string message, std::size_t i) {
   return {code, std::move(message), {Place::Kind::vertex, i, i, {}}};
 }
 
+// Differences of coordinates that pass are at least 1e-116, so that lengths, areas and moments of
+// even the thinnest object stay far from where doubles underflow.
+bool is_too_near_to_0(const Vec2& v) {
+  const auto tiny = [](double x) { return x != 0 && std::fabs(x) < min_coordinate; };
+  return tiny(v.x()) || tiny(v.y());
+}
+
 std::optional<InputError> check_coordinates(const Points& vertices) {
   if (vertices.size() < 3) {
     return InputError{ErrorCode::too_few_vertices, "a polygon needs at least 3 vertices", {}};
@@ -135,8 +142,7 @@ double rounded_quotient(const Dyadic& numerator, const Dyadic& divisor) {
 Moments exact_moments(const Points& vertices) {
   const ExactSums sums = exact_sums(vertices);
   const Dyadic divisor = Dyadic(3.0) * sums.doubled_area;
-  const double area = std::fabs(rounded_quotient(sums.doubled_area, Dyadic(2.0)));
-  return {std::max(area, std::numeric_limits<double>::denorm_min()),
+  return {std::fabs(rounded_quotient(sums.doubled_area, Dyadic(2.0))),
           {rounded_quotient(sums.x, divisor), rounded_quotient(sums.y, divisor)}};
 }
 
@@ -199,6 +205,11 @@ Result<Polygon> Polygon::create(Points vertices) {
                       "the object is too small: its bounding box's diagonal is below 1e-9",
                       {}};
   }
+  const auto tiny = std::find_if(vertices.begin(), vertices.end(), is_too_near_to_0);
+  if (tiny != vertices.end()) {
+    return at_vertex(ErrorCode::bad_coordinate, "a coordinate is below 1e-100 in size but not 0",
+                     static_cast<std::size_t>(tiny - vertices.begin()));
+  }
 
   Polygon polygon;
   const Moments m = moments(vertices, box.low);
@@ -237,6 +248,11 @@ Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Ve
   if (std::fabs(centre.x()) > max_coordinate || std::fabs(centre.y()) > max_coordinate) {
     return InputError{ErrorCode::bad_coordinate,
                       "a coordinate of the centre of mass exceeds 1e9 in size", place};
+  }
+  if (given && is_too_near_to_0(*given)) {
+    return InputError{ErrorCode::bad_coordinate,
+                      "a coordinate of the centre of mass is below 1e-100 in size but not 0",
+                      place};
   }
   const Points& hull = polygon.hull();
   for (std::size_t i = 0; i < hull.size(); ++i) {
