@@ -176,6 +176,8 @@ class Runs(Case):
                 ([self.inputs, "--out", out, "--min-ratio", "2"], '--min-ratio: the minimum load ratio is a number from 0 to 1, not "2"'),
                 ([self.inputs, "--out", out, "--jobs", "0"], "--jobs: the number of threads is from 1 to 1024"),
                 ([self.inputs, "--out", out, "--max-teams", "0"], "--max-teams: the greatest number of teams is from 1 to 10000"),
+                ([self.inputs, "--out", out, "--max-balanced", "65"], "--max-balanced: the greatest number of balanced robots is from 2 to 64"),
+                (["--merge", "--out", out, "--max-balanced", "6"], "--max-balanced: does not go with --merge: the shards are measured already"),
                 ([self.inputs, "--out", out, "--shard", "3/2"],
                  '--shard: expected I/N, with I from 1 to N and N up to 100000, not "3/2"'),
                 ([self.folder / "nowhere", "--out", out], f"{self.folder}/nowhere: no such file or directory"),
@@ -215,10 +217,19 @@ class Runs(Case):
         names = [row["polygon"] for row in results.table(self.folder / "out", "polygons.csv")]
         self.assertEqual(names, sorted([name for name in SOME if name != "star"] + ["a", "b", "c", 'deep, "er"/2/star']))
 
+    def test_balanced_robots_are_measured_up_to_the_number_asked_for(self):
+        self.experiment("out", "--max-balanced", 5)
+        rows = results.measurements(self.folder / "out", "polygons")
+        for polygon in SOME:
+            self.assertEqual([row["robots"] for row in rows if row["polygon"] == polygon and row["method"] == "balanced"], [2, 3, 4, 5])
+        cells = results.few_robots(self.folder / "out", "polygons")
+        self.assertEqual([cells["polygons", robots, "balanced"] for robots in range(3, 13)], [str(len(SOME))] * 3 + ["–"] * 7)
+        self.assertIn("Balanced robots are measured up to 5,", (self.folder / "out" / "report.html").read_text(encoding="utf-8"))
+
     def test_times_are_in_a_file_of_their_own(self):
         self.experiment("out")
         times = results.table(self.folder / "out", "times.csv")
-        self.assertEqual(len(times), 6 * len(SOME))
+        self.assertEqual(len(times), 7 * len(SOME))
         self.assertEqual({row["stage"] for row in times}, {"candidates", *results.METHODS})
         self.assertTrue(all(0 <= float(row["seconds"]) < 600 for row in times))
         for name in results.FILES:

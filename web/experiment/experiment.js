@@ -6,8 +6,18 @@ import { button, download, el, number } from "../kit/elements.js";
 import { showResults } from "./experiment_results.js";
 import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources.js";
 
-// The weight and the number of teams of an experiment: the same as in `evenlift experiment`.
+// The weight and the number of teams of an experiment, and everywhere the number of balanced robots: the same as in
+// `evenlift experiment`.
 const manyPolygons = { weight: 100, mostTeams: 1000 };
+const mostBalanced = 12;
+const upTo = `Balanced robots are measured up to ${mostBalanced}, since searching for more takes long.`;
+
+// What is missing if the algorithm can place no team on the polygon.
+function withoutTeams({ figures }) {
+  if (figures.some(({ series }) => series.some(({ method }) => method !== "balanced"))) return "";
+  return "No chord through the centre of mass has this load ratio: the algorithm can place no team here, "
+    + (figures.length > 0 ? "so only balanced robots were measured." : "and there are no balanced robots either, so nothing was measured.");
+}
 
 let kept;  // the last results and what they describe; closing the window does not lose them
 
@@ -71,7 +81,7 @@ class ExperimentWindow {
       event.preventDefault();
       this.#run();
     } },
-      el("p", {}, "Loads, coverage and form closure by every method, with every number of teams: on this polygon, or averaged over many, as in chapter 5 of the thesis. It is computed here; nothing is sent anywhere."),
+      el("p", {}, "Loads, coverage and form closure by every method, with every number of robots: on this polygon, or averaged over many, as in chapter 5 of the thesis. It is computed here; nothing is sent anywhere."),
       el("fieldset", {}, el("legend", {}, "Polygons"), choice("this", "This polygon"), choice("samples", "All samples, some with their centre of mass moved"),
         choice("thesis", "A set like the thesis’s"), choice("files", this.own), this.choose, this.file),
       el("fieldset", {}, el("legend", {}, "Settings"),
@@ -128,16 +138,16 @@ class ExperimentWindow {
       const { minRatio, weight } = this.#polygon;
       return {
         tasks: thisPolygon(this.#polygon), what: "methods", of: this.#polygon,
-        settings: { minRatio, samples: random, weight, mostTeams: this.most.valueAsNumber },
-        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} kg, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most.`,
+        settings: { minRatio, samples: random, weight, mostTeams: this.most.valueAsNumber, mostBalanced },
+        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} kg, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most. ${upTo}`,
       };
     }
     const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();
     const names = { samples: "All samples", thesis: "A set like the thesis’s", files: "My files" };
     const minRatio = this.ratio.valueAsNumber;
     return {
-      tasks, what: "polygons", settings: { ...manyPolygons, minRatio, samples: random },
-      caption: `${names[this.#chosen]}: ${count(tasks.length, "polygon")}, at a minimum load ratio of ${minRatio} and a weight of 100 kg.`,
+      tasks, what: "polygons", settings: { ...manyPolygons, mostBalanced, minRatio, samples: random },
+      caption: `${names[this.#chosen]}: ${count(tasks.length, "polygon")}, at a minimum load ratio of ${minRatio} and a weight of 100 kg. ${upTo}`,
     };
   }
 
@@ -189,7 +199,6 @@ class ExperimentWindow {
     const save = (name, text, file, title) => button(name, { onclick: () => download(new Blob([text], { type: "text/csv" }), `evenlift-${file}.csv`), title }, "save");
     this.footer.replaceChildren(save("Measurements (CSV)", outputs.measurements, "measurements", "Save every measurement"),
       ...(of ? [] : [save("Averages (CSV)", outputs.aggregates, "averages", "Save what the charts show")]));
-    this.#charts = await showResults(this.results, outputs, outputs.figures.length > 0 ? caption
-      : "No chord through the centre of mass has this load ratio: the algorithm can place no team here, so nothing was measured.");
+    this.#charts = await showResults(this.results, outputs, (of && withoutTeams(outputs)) || caption);
   }
 }

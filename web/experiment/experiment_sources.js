@@ -1,9 +1,9 @@
 // The polygons on which the methods can be compared: the open one, the sets of the project, and files. Each source returns
 // tasks for the workers (worker_pool.js).
+import { methods } from "../charts/methods.js";
 import { fetchJson } from "../kit/fetched.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
-const methods = ["area", "circle", "distance", "distributed", "random"];
 
 const nameOf = (file) => file.name.replace(/\.[^.]*$/, "") || file.name;
 
@@ -22,7 +22,7 @@ const cannotBeFetched = (what) => (error) => {
 
 // The open polygon, as one task for each method, so that the progress can be seen.
 export function thisPolygon({ text }) {
-  return methods.map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
+  return Object.keys(methods).map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
 }
 
 // All files of assets/polygons, under the names of the gallery.
