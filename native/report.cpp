@@ -48,8 +48,9 @@ std::string summary(const std::vector<experiment::PolygonResult>& results) {
   std::string text = count(measured, "polygon") + " (" + std::to_string(convex) + " convex), " +
                      count(rows, "measurement") + ".";
   if (without > 0)
-    text += " On " + std::to_string(without) +
-            " of the polygons the algorithm can place no team, so only balanced robots were measured there.";
+    text +=
+        " On " + std::to_string(without) +
+        " of the polygons the algorithm can place no team, so only balanced robots were measured there.";
   return text;
 }
 
@@ -199,8 +200,8 @@ std::string few_robots_table(const std::string& set, const std::string& what,
   const std::string title = (set.empty() ? "" : set + ": ") + what;
   return "<figure><h3>" + escaped(title) +
          "</h3><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(title) +
-         "\"><table class=\"numbers\"><thead><tr>" + header_cells(heads) + "</tr></thead><tbody>\n" +
-         body + "</tbody></table></div></figure>\n";
+         "\"><table class=\"numbers\"><thead><tr>" + header_cells(heads) +
+         "</tr></thead><tbody>\n" + body + "</tbody></table></div></figure>\n";
 }
 
 std::string few_robots_html(const std::vector<experiment::FewRobots>& sets) {

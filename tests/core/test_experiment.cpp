@@ -94,7 +94,7 @@ TEST_CASE("every measure is the one that place reports", "[experiment]") {
 
 TEST_CASE("balanced robots are measured with every number of them, as place finds them",
           "[experiment][balanced]") {
-  for (const std::string& name : {"thesis-sample", "square", "star-moved", "letter-e-moved"}) {
+  for (const char* name : {"thesis-sample", "square", "star-moved", "letter-e-moved"}) {
     INFO(name);
     Document document = corpus::polygon(name);
     document.settings.method = Method::balanced;

@@ -83,8 +83,8 @@ TEST_CASE("the table of few robots has the means of placements made anew",
   const experiment::FewRobots table =
       experiment::few_robots({"tiny", experiment::aggregate(tiny_set())});
   for (const Method method : {Method::area, Method::distance, Method::distributed})
-    for (const std::uint32_t robots : {4, 6}) check_cells(table, method, robots);
-  for (const std::uint32_t robots : {3, 4, 5}) check_cells(table, Method::balanced, robots);
+    for (const std::uint32_t robots : {4u, 6u}) check_cells(table, method, robots);
+  for (const std::uint32_t robots : {3u, 4u, 5u}) check_cells(table, Method::balanced, robots);
 }
 
 TEST_CASE("the table of few robots has a dash where a method has no such number of robots",
@@ -114,7 +114,8 @@ TEST_CASE("the table of few robots is the same in Markdown and as JSON, set by s
   CHECK(markdown.find("\n\n" + head) != std::string::npos);
   const std::string json = experiment::few_robots_json({of_nothing});
   CHECK(json.find(R"("set": "a | b")") != std::string::npos);
-  CHECK(json.find(R"({"what": "coverage, %", "robots": 3, "cells": ["–", "–", "–", "–", "–", "–"]})") !=
+  CHECK(json.find(
+            R"({"what": "coverage, %", "robots": 3, "cells": ["–", "–", "–", "–", "–", "–"]})") !=
         std::string::npos);
 }
 
@@ -122,9 +123,8 @@ TEST_CASE("balanced robots change nothing of what is averaged of teams of two",
           "[experiment][balanced]") {
   std::vector<experiment::PolygonResult> with = tiny_set(), without = with;
   for (experiment::PolygonResult& result : without)
-    std::erase_if(result.measurements, [](const experiment::Measurement& m) {
-      return m.method == Method::balanced;
-    });
+    std::erase_if(result.measurements,
+                  [](const experiment::Measurement& m) { return m.method == Method::balanced; });
   // Teams of two close nothing here, balanced robots do.
   for (std::vector<experiment::PolygonResult>* results : {&with, &without})
     for (experiment::Measurement& m : results->front().measurements)

@@ -61,6 +61,19 @@ def few_robots(folder, of):
     return cells
 
 
+def readme_table(folder):
+    """The README's short table, from the table of the samples in robots.md."""
+    cells = few_robots(folder, "polygons")
+
+    def cell(robots, method):
+        coverage, held, spread = (cells[what, robots, method] for what in ("coverage, %", "in form closure, %", "spread of loads, kg of 100 kg"))
+        return "–" if coverage == "–" else f"{coverage} %, {held} %, {spread} kg"
+
+    shown = {"pairs by area": "area", "distributed": "distributed", "random": "random", "balanced": "balanced"}
+    lines = [["robots", *shown], ["---"] * (1 + len(shown)), *([str(robots), *(cell(robots, method) for method in shown.values())] for robots in range(3, 9))]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
 class Recomputed:
     """Aggregates and claims from the rows of measurements.csv, by the standard library's own statistics."""
 

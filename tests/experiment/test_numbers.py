@@ -282,11 +282,28 @@ class Manual(unittest.TestCase):
             if row["set"] == "polygons":
                 self.assertIn(f"| `{row['polygon'].removesuffix('-moved').removesuffix('-centroid')}` |", text)
 
-    def test_it_holds_the_table_that_the_program_makes(self):
+    def test_it_holds_the_tables_that_the_program_makes(self):
         manual = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
         self.assertIn((FOLDER / "thesis.md").read_text(encoding="utf-8"), manual,
                       "docs/experiments.md is not what the program makes of both sets now; "
-                      "tests/experiment/update_manual.py writes its table anew")
+                      "tests/experiment/update_manual.py writes its tables anew")
+        for table in (FOLDER / "robots.md").read_text(encoding="utf-8").split("\n\n"):
+            self.assertIn(table, manual)
+
+    def test_what_it_says_of_balanced_robots_where_pairs_stand_is_so(self):
+        text = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
+        stated = numbers(re.search(r"On those alone on which 6 robots stand in pairs, (.*?)\. What", text, re.S).group(1))
+        found = []
+        for of in SETS:
+            rows = results.measurements(FOLDER, of)
+            pairs = {row["polygon"] for row in rows if (row["method"], row["robots"]) == ("area", 6)}
+            six = [row for row in rows if (row["method"], row["robots"]) == ("balanced", 6)]
+            found += [100 * statistics.fmean(row[column] for row in six if row["polygon"] in pairs) for column in ("coverage", "form_closure")]
+        self.assertEqual(stated, [round(value, 1) for value in found])
+        self.assertIn(f"cover as little as {100 * min(row['coverage'] for row in six):.1f} %", text)
+
+    def test_the_readme_has_a_part_of_the_table_of_few_robots(self):
+        self.assertIn(results.readme_table(FOLDER), (ROOT / "README.md").read_text(encoding="utf-8"))
 
     def test_the_generator_makes_the_files_that_are_kept(self):
         kept = ROOT / "assets" / "thesis-like"

@@ -105,8 +105,7 @@ extern "C" {
 // Sets the settings of all measurements from now on. Returns which setting is out of range, or
 // nothing.
 EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
-                                                  double most_teams,
-                                                  double most_balanced) {
+                                                  double most_teams, double most_balanced) {
   using namespace evenlift;
   const experiment::ExperimentSettings given{
       min_ratio, whole_or_none(samples, experiment::max_samples),

@@ -20,7 +20,8 @@ const cannotBeFetched = (what) => (error) => {
   throw new Error(`${what} cannot be fetched: ${error.message}`);
 };
 
-// The open polygon, as one task for each method, so that the progress can be seen.
+// The open polygon, as one task for each method, so that the progress can be seen. Balanced robots, which take longest, are
+// the last.
 export function thisPolygon({ text }) {
   return Object.keys(methods).map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
 }

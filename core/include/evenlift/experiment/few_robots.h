@@ -14,8 +14,8 @@ namespace evenlift::experiment {
 inline constexpr std::uint32_t few_robots_from = 3, few_robots_to = 12;
 
 struct FewRobotsRow {
-  std::string what;           // what is measured, and its unit
-  std::uint32_t robots = 0;   // few_robots_from .. few_robots_to
+  std::string what;                // what is measured, and its unit
+  std::uint32_t robots = 0;        // few_robots_from .. few_robots_to
   std::vector<std::string> cells;  // in the order of all_methods; "–" where a method has no such
                                    // number of robots
 };

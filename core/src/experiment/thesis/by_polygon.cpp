@@ -50,7 +50,8 @@ const Measurement* find(const PolygonResult& result, Method method, std::uint32_
   const auto at = std::lower_bound(
       result.measurements.begin(), result.measurements.end(), std::pair(method, robots),
       [](const Measurement& m, auto key) { return std::pair(m.method, m.robots) < key; });
-  const bool found = at != result.measurements.end() && at->method == method && at->robots == robots;
+  const bool found =
+      at != result.measurements.end() && at->method == method && at->robots == robots;
   return found ? &*at : nullptr;
 }
 
@@ -112,8 +113,7 @@ std::vector<double> all_coverages(const std::vector<PolygonResult>& results) {
   std::vector<double> coverages;
   for (const PolygonResult& result : results)
     for (const Measurement& m : result.measurements)
-      if (m.robots >= 4 && selects_candidates(m.method))
-        coverages.push_back(m.coverage);
+      if (m.robots >= 4 && selects_candidates(m.method)) coverages.push_back(m.coverage);
   return coverages;
 }
 

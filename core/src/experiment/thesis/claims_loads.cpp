@@ -79,8 +79,8 @@ std::string robots_needed(const Rows& rows, Method method, double capacity) {
   for (const Aggregate& a : rows)
     if (a.method == method && a.load_max.mean <= capacity && (!least || a.robots < least->robots))
       least = &a;
-  return least ? std::to_string(least->robots) + " (" + fixed(least->load_max.mean, 2) +
-                     " kg, " + std::to_string(least->polygons) + " polygons)"
+  return least ? std::to_string(least->robots) + " (" + fixed(least->load_max.mean, 2) + " kg, " +
+                     std::to_string(least->polygons) + " polygons)"
                : none;
 }
 

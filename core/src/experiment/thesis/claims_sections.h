@@ -25,7 +25,7 @@ std::string with_deviation(const std::string& value, const std::optional<double>
 // the charts show.
 void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_robots);  // 5.3
 void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows& rows,
-                  std::uint32_t most_robots);                                             // 5.4
+                  std::uint32_t most_robots);                                            // 5.4
 void add_closure(std::vector<Claim>& claims, const Results& results, const Rows& rows);  // 5.5
 
 }  // namespace evenlift::experiment::claims

@@ -73,7 +73,8 @@ std::uint32_t most_robots_shown(const std::vector<Aggregate>& aggregates, Method
   const Aggregate* all = find(aggregates, method, 2);
   std::uint32_t most = 0;
   for (const Aggregate& a : aggregates)
-    if (all && a.method == method && 5 * a.polygons >= all->polygons) most = std::max(most, a.robots);
+    if (all && a.method == method && 5 * a.polygons >= all->polygons)
+      most = std::max(most, a.robots);
   return most;
 }
 

@@ -44,7 +44,8 @@ bool has(const PolygonResult& result, Method method) {
 // "by area with 8 robots", "by circle with none": with how many robots a method first closes.
 std::string first_closed(const PolygonResult& result, Method method) {
   for (const Measurement& m : result.measurements)
-    if (m.method == method && m.form_closure > 0) return by(method) + " with " + of_robots(m.robots);
+    if (m.method == method && m.form_closure > 0)
+      return by(method) + " with " + of_robots(m.robots);
   return by(method) + " with none";
 }
 
@@ -66,7 +67,8 @@ std::string lost_again(const PolygonResult& result, Method method, const std::st
 std::string closure_sentence(const PolygonResult& result) {
   std::vector<std::string> items;
   for (const Method method : all_methods)
-    if (method != Method::random && has(result, method)) items.push_back(first_closed(result, method));
+    if (method != Method::random && has(result, method))
+      items.push_back(first_closed(result, method));
   return "First in form closure " + listed(items) + "." +
          lost_again(result, Method::distributed, "Equal angles") +
          lost_again(result, Method::balanced, "Balanced robots") +

@@ -56,6 +56,16 @@ std::string deviations(const Rows& rows, std::uint32_t most_robots, Pick pick, W
          of_robots(least->robots) + ").";
 }
 
+// What the most balanced robots cover that were measured, if they are fewer than `robots`.
+std::string fewer_in_balance(const Rows& rows, std::uint32_t robots) {
+  const Aggregate* most = nullptr;
+  for (const Aggregate& a : rows)
+    if (a.method == Method::balanced && (!most || a.robots > most->robots)) most = &a;
+  if (!most || most->robots >= robots) return "";
+  return " " + of_robots(most->robots) + " " + by(most->method) + " cover " +
+         in_percent(most->coverage.mean) + ".";
+}
+
 std::string lead_in_words(const std::optional<double>& lead, Method method) {
   if (!lead) return "";
   return points(*lead) + (*lead < 0 ? " less than " : " more than ") + by(method);
@@ -129,7 +139,8 @@ std::string coverage_sentence(const Rows& rows, std::uint32_t most_robots) {
   if (most_robots == 2) return "One team stands on a line, which covers nothing.";
   const std::uint32_t robots = std::min<std::uint32_t>(12, most_robots);
   std::string text = "With " + of_robots(robots) + " the lifting base covers " +
-                     by_every_method(rows, robots, pick_coverage, in_percent) + ".";
+                     by_every_method(rows, robots, pick_coverage, in_percent) + "." +
+                     fewer_in_balance(rows, robots);
   const auto distributed = coverage_lead(rows, Method::distributed, most_robots);
   const auto random = coverage_lead(rows, Method::random, most_robots);
   if (distributed && random)
