@@ -73,7 +73,7 @@ void check_cells(const experiment::FewRobots& table, Method method, std::uint32_
         Approx(100 * closed).margin(0.0501));
   CHECK(std::stod(cell(table, "spread of loads, kg of 100 kg", robots, method)) ==
         Approx(spread).margin(0.00501));
-  CHECK(cell(table, "polygons", robots, method) == std::to_string(all.size()));
+  CHECK(cell(table, "number of polygons", robots, method) == std::to_string(all.size()));
 }
 
 }  // namespace

@@ -62,12 +62,14 @@ def few_robots(folder, of):
 
 
 def readme_table(folder):
-    """The README's short table, from the table of the samples in robots.md."""
-    cells = few_robots(folder, "polygons")
+    """The README's short table, of the samples."""
+    means = {(int(row["robots"]), row["method"]): row for row in table(folder, "aggregates.csv") if row["set"] == "polygons"}
 
     def cell(robots, method):
-        coverage, held, spread = (cells[what, robots, method] for what in ("coverage, %", "in form closure, %", "spread of loads, kg of 100 kg"))
-        return "–" if coverage == "–" else f"{coverage} %, {held} %, {spread} kg"
+        if (robots, method) not in means:
+            return "–"
+        coverage, held, spread = (float(means[robots, method][f"{name}_mean"]) for name in ("coverage", "closed", "spread"))
+        return f"{100 * coverage:.0f} %, {100 * held:.0f} %, {spread:.1f} kg"
 
     shown = {"pairs by area": "area", "distributed": "distributed", "random": "random", "balanced": "balanced"}
     lines = [["robots", *shown], ["---"] * (1 + len(shown)), *([str(robots), *(cell(robots, method) for method in shown.values())] for robots in range(3, 9))]

@@ -224,7 +224,7 @@ class Runs(Case):
         for polygon in SOME:
             self.assertEqual([row["robots"] for row in rows if row["polygon"] == polygon and row["method"] == "balanced"], [2, 3, 4, 5])
         cells = results.few_robots(self.folder / "out", "polygons")
-        self.assertEqual([cells["polygons", robots, "balanced"] for robots in range(3, 13)], [str(len(SOME))] * 3 + ["–"] * 7)
+        self.assertEqual([cells["number of polygons", robots, "balanced"] for robots in range(3, 13)], [str(len(SOME))] * 3 + ["–"] * 7)
         self.assertIn("Balanced robots are measured up to 5,", (self.folder / "out" / "report.html").read_text(encoding="utf-8"))
 
     def test_times_are_in_a_file_of_their_own(self):

@@ -213,14 +213,14 @@ class Numbers:
         cells = results.few_robots(self.folder, self.of)
         measures = {"coverage, %": ("coverage", 100, 1), "in form closure, %": ("form_closure", 100, 1),
                     "spread of loads, kg of 100 kg": ("spread", 1, 2)}
-        self.assertEqual(set(cells), {(what, robots, method) for what in [*measures, "polygons"] for robots in range(3, 13) for method in results.METHODS})
+        self.assertEqual(set(cells), {(what, robots, method) for what in [*measures, "number of polygons"] for robots in range(3, 13) for method in results.METHODS})
         for (what, robots, method), cell in cells.items():
             rows = self.made.by.get((method, robots), [])
             where = (what, robots, method)
             self.assertEqual(cell == "–", robots % 2 == 1 and method != "balanced", where)
             if cell == "–":
                 self.assertEqual(rows, [], where)
-            elif what == "polygons":
+            elif what == "number of polygons":
                 self.assertEqual(int(cell), len(rows), where)
             else:
                 column, scale, places = measures[what]

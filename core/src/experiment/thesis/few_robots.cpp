@@ -19,7 +19,7 @@ constexpr Measure measures[] = {
     {"coverage, %", [](const Aggregate& a) { return in_percent(a.coverage.mean); }},
     {"in form closure, %", [](const Aggregate& a) { return in_percent(a.closed); }},
     {"spread of loads, kg of 100 kg", [](const Aggregate& a) { return fixed(a.spread.mean, 2); }},
-    {"polygons", [](const Aggregate& a) { return std::to_string(a.polygons); }},
+    {"number of polygons", [](const Aggregate& a) { return std::to_string(a.polygons); }},
 };
 
 FewRobotsRow make_row(const SetAggregates& set, const Measure& measure, std::uint32_t robots) {
