@@ -77,24 +77,23 @@ std::string problems(const std::vector<experiment::ResultSet>& sets) {
          "</ul></div>";
 }
 
-// How far a set's charts go with the methods of the thesis, or with balanced robots.
-std::uint32_t most_robots(const std::vector<experiment::Figure>& figures, const std::string& set,
-                          bool balanced) {
+// How far a set's charts go in teams of two.
+std::uint32_t most_robots(const std::vector<experiment::Figure>& figures, const std::string& set) {
   std::uint32_t most = 0;
   for (const experiment::Figure& figure : figures)
     if (figure.set == set)
       for (const experiment::FigureSeries& series : figure.series)
-        if ((series.method == Method::balanced) == balanced)
+        if (series.method != Method::balanced)
           for (const experiment::FigurePoint& point : series.points)
             most = std::max(most, point.robots);
   return most;
 }
 
 std::string ends_of_charts(const std::vector<experiment::ResultSet>& sets,
-                           const std::vector<experiment::Figure>& figures, bool balanced) {
+                           const std::vector<experiment::Figure>& figures) {
   std::string ends;
   for (const experiment::ResultSet& set : sets)
-    if (const std::uint32_t most = most_robots(figures, set.name, balanced); most > 0)
+    if (const std::uint32_t most = most_robots(figures, set.name); most > 0)
       ends += (ends.empty() ? "" : ", ") +
               (sets.size() > 1 ? "of " + escaped(set.name) + " " : std::string()) + "at " +
               std::to_string(most) + " robots";
@@ -105,7 +104,7 @@ std::string shown(const std::vector<experiment::ResultSet>& sets,
                   const std::vector<experiment::Figure>& figures,
                   const experiment::ExperimentSettings& settings) {
   std::string text;
-  if (const std::string ends = ends_of_charts(sets, figures, false); !ends.empty())
+  if (const std::string ends = ends_of_charts(sets, figures); !ends.empty())
     text = "The charts end " + ends +
            ", which at least a fifth of the polygons take; the files go on. ";
   return text + "Balanced robots are measured up to " + std::to_string(settings.most_balanced) +
