@@ -150,3 +150,17 @@ TEST_CASE("the charts have balanced robots at every number of them", "[experimen
     for (std::uint32_t i = 0; i < 4; ++i) CHECK(series.points[i].robots == i + 2);
   }
 }
+
+TEST_CASE("the charts have balanced robots even if two of them stand nowhere",
+          "[experiment][balanced]") {
+  experiment::PolygonResult result;
+  for (const std::uint32_t robots : {3u, 4u, 6u}) {
+    experiment::Measurement m;
+    m.method = Method::balanced;
+    m.robots = robots;
+    result.measurements.push_back(m);
+  }
+  const std::vector<experiment::Aggregate> rows = experiment::aggregate({result});
+  CHECK(experiment::most_robots_shown(rows, Method::balanced) == 6);
+  CHECK(experiment::most_robots_shown(rows, Method::area) == 0);
+}

@@ -167,7 +167,7 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
     const drawn = await window.locator(".plot svg").nth(2).locator(`.dots-${method} > *`).evaluateAll((all) => all.map((sign) => sign.getAttribute("aria-label")));
     assert.deepEqual(drawn, rows.filter((row) => row.method === method).map(({ robots, coverage }) => `${method}: ${fixed(100 * coverage, 1)} % with ${robots} robots`));
   }
-  assert.ok(await window.getByText("Balanced robots are measured up to 5.").isVisible());
+  assert.ok(await window.getByText("Balanced robots are measured up to 5, since").isVisible());
   // They are there again when it is opened again, until the polygon is another one.
   await page.keyboard.press("Escape");
   await allClosed(page);
@@ -189,7 +189,7 @@ test("balanced robots come last, and whoever cancels then keeps the other curves
   await window.getByLabel("Most balanced robots").fill("64");  // this takes minutes
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await window.locator(".plot svg").nth(3).waitFor();
-  await window.getByText("Balanced robots are measured up to 64. They are still missing.").waitFor();
+  await window.getByText("Balanced robots are measured up to 64, since the search for more takes longer. They are still missing.").waitFor();
   assert.ok(await window.getByRole("progressbar").isVisible(), "it still computes");
   assert.equal(await window.locator(".dots-balanced").count(), 0);
   assert.ok(await window.locator(".dots-random").count() > 0);
@@ -208,6 +208,7 @@ test("where no team can be placed it says so, and measures balanced robots", asy
   const window = await openWindow(page, "experiment");
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await window.getByText("No chord through the centre of mass has this load ratio: the algorithm can place no team here, so only balanced robots were measured.").waitFor();
+  await window.locator(".plot svg").nth(3).waitFor();
   assert.deepEqual(await window.locator("figure .legend").allTextContents(), ["balanced", "balanced", "balanced", "balanced"]);
   await page.done();
 });

@@ -134,7 +134,7 @@ class ExperimentWindow {
   // The tasks, the settings, and the caption of the results.
   async #plan() {
     const random = this.samples.valueAsNumber, mostBalanced = this.balanced.valueAsNumber;
-    const upTo = `Balanced robots are measured up to ${number(mostBalanced)}.`;
+    const upTo = `Balanced robots are measured up to ${number(mostBalanced)}, since the search for more takes longer.`;
     if (this.#chosen === "this") {
       const { minRatio, weight } = this.#polygon;
       return {

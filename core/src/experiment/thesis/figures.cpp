@@ -70,11 +70,11 @@ std::string series_json(const FigureSeries& series) {
 }  // namespace
 
 std::uint32_t most_robots_shown(const std::vector<Aggregate>& aggregates, Method method) {
-  const Aggregate* all = find(aggregates, method, 2);
-  std::uint32_t most = 0;
+  std::uint32_t polygons = 0, most = 0;
   for (const Aggregate& a : aggregates)
-    if (all && a.method == method && 5 * a.polygons >= all->polygons)
-      most = std::max(most, a.robots);
+    if (a.method == method) polygons = std::max(polygons, a.polygons);
+  for (const Aggregate& a : aggregates)
+    if (a.method == method && 5 * a.polygons >= polygons) most = std::max(most, a.robots);
   return most;
 }
 
