@@ -15,7 +15,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> paths;
-  std::optional<std::string> out, samples, min_ratio, max_teams, jobs, shard;
+  std::optional<std::string> out, samples, min_ratio, max_teams, max_balanced, jobs, shard;
   bool merge = false;
 };
 
@@ -31,6 +31,8 @@ experiment::ExperimentSettings settings_of(const Options& options) {
   experiment::ExperimentSettings settings;
   if (options.samples) settings.samples = whole_option_32("--samples", *options.samples);
   if (options.max_teams) settings.most_teams = whole_option_32("--max-teams", *options.max_teams);
+  if (options.max_balanced)
+    settings.most_balanced = whole_option_32("--max-balanced", *options.max_balanced);
   if (options.min_ratio) {
     Document document;  // its settings hold the ratio
     setting_option(Setting::min_ratio, *options.min_ratio, document);
@@ -85,8 +87,8 @@ std::string write_results(std::vector<experiment::Part> parts, const ExperimentF
   write_file(folder.file("polygons.csv"), outputs.polygons_csv);
   write_file(folder.file("times.csv"), times);
   write_file(folder.file("thesis.md"), experiment::claims_markdown(outputs.claims));
-  write_file(folder.file("report.html"),
-             report_html(sets, outputs.figures, outputs.claims, settings));
+  write_file(folder.file("robots.md"), experiment::few_robots_markdown(outputs.few_robots));
+  write_file(folder.file("report.html"), report_html(sets, outputs, settings));
   return counted(parts.size(), "polygon") + ", " + counted(rows, "measurement") + ": " +
          folder.file("report.html") + "\n";
 }
@@ -126,7 +128,8 @@ void run(const Options& options) {
 void merge(const Options& options) {
   for (const auto& [option, given] :
        {std::pair("--samples", &options.samples), std::pair("--min-ratio", &options.min_ratio),
-        std::pair("--max-teams", &options.max_teams), std::pair("--jobs", &options.jobs),
+        std::pair("--max-teams", &options.max_teams),
+        std::pair("--max-balanced", &options.max_balanced), std::pair("--jobs", &options.jobs),
         std::pair("--shard", &options.shard)})
     if (*given)
       throw Failure{bad_input_status, option,
@@ -148,7 +151,7 @@ void merge(const Options& options) {
 void cmd_experiment(const Arguments& arguments) {
   CommandLine line(
       "evenlift experiment",
-      "Measures every method with every number of teams on many polygons, as chapter 5 of the\n"
+      "Measures every method with every number of robots on many polygons, as chapter 5 of the\n"
       "thesis does, and writes tables and a report with its figures.",
       "PATH is a polygon's file, or a folder of them; each folder is a set with averages of its\n"
       "own. What is measured stays in DIR/parts: a run\n"
@@ -165,6 +168,8 @@ void cmd_experiment(const Arguments& arguments) {
   line.value(options.min_ratio, "--min-ratio", "R", "minimum load ratio, 0 to 1 (default 0.8)");
   line.value(options.max_teams, "--max-teams", "N",
              "measure no more teams than that (default 1000)");
+  line.value(options.max_balanced, "--max-balanced", "M",
+             "measure no more balanced robots than that, 2 to 64 (default 12)");
   line.value(options.jobs, "--jobs", "N", "threads (default as many as processors)");
   line.value(options.shard, "--shard", "I/N", "measure only the I-th of N parts of the work");
   line.flag(options.merge, "--merge", "only make the report, of the shards that PATHs or DIR hold");

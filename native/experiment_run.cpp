@@ -29,7 +29,7 @@ experiment::Part measured(const PolygonFile& file, const experiment::Subject& su
   experiment::Part part;
   part.settings = settings;
   part.result = experiment::describe(file.set, file.name, subject);
-  for (const Method method : pair_methods) {
+  for (const Method method : all_methods) {
     const Clock::time_point start = Clock::now();
     for (experiment::Measurement& m : experiment::measure(subject, method, settings))
       part.result.measurements.push_back(std::move(m));

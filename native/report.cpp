@@ -48,8 +48,9 @@ std::string summary(const std::vector<experiment::PolygonResult>& results) {
   std::string text = count(measured, "polygon") + " (" + std::to_string(convex) + " convex), " +
                      count(rows, "measurement") + ".";
   if (without > 0)
-    text += " On " + std::to_string(without) +
-            " of the polygons the algorithm can place no team, so no method was measured there.";
+    text +=
+        " On " + std::to_string(without) +
+        " of the polygons the algorithm can place no team, so only balanced robots were measured there.";
   return text;
 }
 
@@ -76,27 +77,38 @@ std::string problems(const std::vector<experiment::ResultSet>& sets) {
          "</ul></div>";
 }
 
+// How far a set's charts go in teams of two.
 std::uint32_t most_robots(const std::vector<experiment::Figure>& figures, const std::string& set) {
   std::uint32_t most = 0;
   for (const experiment::Figure& figure : figures)
     if (figure.set == set)
       for (const experiment::FigureSeries& series : figure.series)
-        for (const experiment::FigurePoint& point : series.points)
-          most = std::max(most, point.robots);
+        if (series.method != Method::balanced)
+          for (const experiment::FigurePoint& point : series.points)
+            most = std::max(most, point.robots);
   return most;
 }
 
-std::string shown(const std::vector<experiment::ResultSet>& sets,
-                  const std::vector<experiment::Figure>& figures) {
+std::string ends_of_charts(const std::vector<experiment::ResultSet>& sets,
+                           const std::vector<experiment::Figure>& figures) {
   std::string ends;
   for (const experiment::ResultSet& set : sets)
     if (const std::uint32_t most = most_robots(figures, set.name); most > 0)
       ends += (ends.empty() ? "" : ", ") +
               (sets.size() > 1 ? "of " + escaped(set.name) + " " : std::string()) + "at " +
               std::to_string(most) + " robots";
-  if (ends.empty()) return "";
-  return "The charts end " + ends +
-         ", which at least a fifth of the polygons take; the files go on.";
+  return ends;
+}
+
+std::string shown(const std::vector<experiment::ResultSet>& sets,
+                  const std::vector<experiment::Figure>& figures,
+                  const experiment::ExperimentSettings& settings) {
+  std::string text;
+  if (const std::string ends = ends_of_charts(sets, figures); !ends.empty())
+    text = "The charts end " + ends +
+           ", which at least a fifth of the polygons take; the files go on. ";
+  return text + "Balanced robots are measured up to " + std::to_string(settings.most_balanced) +
+         ", odd numbers included: searching for more takes long, and adds little.";
 }
 
 std::string value_text(const experiment::Figure& figure, double value) {
@@ -166,6 +178,44 @@ std::string claim_rows(const std::vector<experiment::SetClaims>& sets) {
   return html;
 }
 
+std::string header_cells(const std::vector<std::string>& heads) {
+  std::string html;
+  for (const std::string& head : heads) html += "<th scope=\"col\">" + escaped(head) + "</th>";
+  return html;
+}
+
+// One measure of the table of few robots, with a row for each number of robots.
+std::string few_robots_table(const std::string& set, const std::string& what,
+                             const std::vector<experiment::FewRobotsRow>& rows) {
+  std::vector<std::string> heads = {"robots"};
+  for (const Method method : all_methods) heads.emplace_back(name(method));
+  std::string body;
+  for (const experiment::FewRobotsRow& row : rows) {
+    if (row.what != what) continue;
+    body += "<tr><th scope=\"row\">" + std::to_string(row.robots) + "</th>";
+    for (const std::string& cell : row.cells) body += "<td>" + escaped(cell) + "</td>";
+    body += "</tr>\n";
+  }
+  const std::string title = (set.empty() ? "" : set + ": ") + what;
+  return "<figure><h3>" + escaped(title) +
+         "</h3><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(title) +
+         "\"><table class=\"numbers\"><thead><tr>" + header_cells(heads) +
+         "</tr></thead><tbody>\n" + body + "</tbody></table></div></figure>\n";
+}
+
+std::string few_robots_html(const std::vector<experiment::FewRobots>& sets) {
+  std::string html = "<div class=\"figures\">\n";
+  for (const experiment::FewRobots& set : sets) {
+    std::string before;
+    for (const experiment::FewRobotsRow& row : set.rows) {
+      if (row.what != before)
+        html += few_robots_table(sets.size() > 1 ? set.set : "", row.what, set.rows);
+      before = row.what;
+    }
+  }
+  return html + "</div>";
+}
+
 std::string polygon_rows(const std::vector<experiment::ResultSet>& sets) {
   std::string html;
   for (const experiment::ResultSet& set : sets)
@@ -209,9 +259,9 @@ std::string filled(const std::string& form, const std::vector<Blank>& blanks) {
 }  // namespace
 
 std::string report_html(const std::vector<experiment::ResultSet>& sets,
-                        const std::vector<experiment::Figure>& figures,
-                        const std::vector<experiment::SetClaims>& claims,
+                        const experiment::Outputs& outputs,
                         const experiment::ExperimentSettings& settings) {
+  const std::vector<experiment::Figure>& figures = outputs.figures;
   std::size_t measured = 0;
   for (const experiment::ResultSet& set : sets)
     measured += static_cast<std::size_t>(
@@ -226,13 +276,14 @@ std::string report_html(const std::vector<experiment::ResultSet>& sets,
                 {{"@STYLE@", text_of(report_style) + text_of(charts_style)},
                  {"@SUMMARY@", summaries(sets, settings)},
                  {"@PROBLEMS@", problems(sets)},
-                 {"@SHOWN@", shown(sets, figures)},
+                 {"@SHOWN@", shown(sets, figures, settings)},
                  {"@NO_CHARTS@", no_charts},
                  {"@FIGURES_5.3@", figures_html(figures, named, {"5.3", "5.4", "5.5", "5.6"})},
                  {"@FIGURES_5.4@", figures_html(figures, named, {"5.7", "5.8"})},
                  {"@FIGURES_5.5@", figures_html(figures, named, {"5.11"})},
-                 {"@CLAIM_SETS@", claim_heads(claims)},
-                 {"@CLAIMS@", claim_rows(claims)},
+                 {"@FEW_ROBOTS@", few_robots_html(outputs.few_robots)},
+                 {"@CLAIM_SETS@", claim_heads(outputs.claims)},
+                 {"@CLAIMS@", claim_rows(outputs.claims)},
                  {"@POLYGON_COUNT@", count(measured, "polygon")},
                  {"@POLYGONS@", polygon_rows(sets)},
                  {"@VERSION@", EVENLIFT_VERSION},

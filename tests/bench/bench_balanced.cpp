@@ -92,7 +92,13 @@ void six_robots(benchmark::internal::Benchmark* b) {
   b->ArgName("robots")->Unit(benchmark::kMillisecond)->Arg(6);
 }
 
-BENCHMARK(balanced_on_samples)->Apply(six_robots);
+// As far as the experiment goes, and beyond.
+void numbers_of_robots(benchmark::internal::Benchmark* b) {
+  b->ArgName("robots")->Unit(benchmark::kMillisecond);
+  for (const int robots : {3, 4, 6, 8, 10, 12, 16, 24, 36}) b->Arg(robots);
+}
+
+BENCHMARK(balanced_on_samples)->Apply(numbers_of_robots);
 BENCHMARK_CAPTURE(balanced, random_50_start, Family::random, 50, Part::start)->Apply(robots);
 BENCHMARK_CAPTURE(balanced, random_50, Family::random, 50, Part::search)->Apply(robots);
 BENCHMARK_CAPTURE(balanced, comb_50, Family::comb, 50, Part::search)->Apply(six_robots);

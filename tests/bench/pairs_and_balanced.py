@@ -1,4 +1,4 @@
-"""Prints the README's table of balanced robots beside pairs, measured over all samples.
+"""Prints balanced robots beside pairs, with how many sets carry the object after any one failure, measured over all samples.
 
     python3 tests/bench/pairs_and_balanced.py    EVENLIFT_PROGRAM names the program, build/bin/evenlift if it is not given
 """

@@ -44,12 +44,12 @@ experiment::Subject subject_of(const Document& document, double min_ratio = 0.8)
 
 experiment::Part some_part() {
   experiment::Part part;
-  part.settings = {0.75, 3, 50, 480};
+  part.settings = {0.75, 3, 50, 6, 480};
   const Document document = corpus::polygon("thesis-sample-centroid");
   part.fingerprint = experiment::fingerprint(document, part.settings);
   const experiment::Subject subject = subject_of(document, part.settings.min_ratio);
   part.result = experiment::describe("a set", "a name, with \"quotes\"\nand two lines", subject);
-  for (const Method method : pair_methods)
+  for (const Method method : all_methods)
     for (const experiment::Measurement& m : experiment::measure(subject, method, part.settings))
       part.result.measurements.push_back(m);
   part.times = {{"candidates", 0.1}, {"area", 1e-7}};
@@ -73,7 +73,7 @@ TEST_CASE("every measure is the one that place reports", "[experiment]") {
         const experiment::Measurement& m = rows[teams - 1];
         const Placement p = placed(document, method, teams);
         CHECK(m.method == method);
-        CHECK(m.teams == teams);
+        CHECK(m.robots == 2 * teams);
         CHECK(m.samples == 1);
         CHECK(m.coverage == p.coverage);
         CHECK(m.load_min == p.loads->min);
@@ -90,6 +90,53 @@ TEST_CASE("every measure is the one that place reports", "[experiment]") {
       }
     }
   }
+}
+
+TEST_CASE("balanced robots are measured with every number of them, as place finds them",
+          "[experiment][balanced]") {
+  for (const char* name : {"thesis-sample", "square", "star-moved", "letter-e-moved"}) {
+    INFO(name);
+    Document document = corpus::polygon(name);
+    document.settings.method = Method::balanced;
+    document.settings.weight = 480;
+    const experiment::ExperimentSettings settings{.most_balanced = 7, .weight = 480};
+    std::uint32_t number = 2;
+    for (const experiment::Measurement& m :
+         experiment::measure(subject_of(document), Method::balanced, settings)) {
+      INFO(number << " robots");
+      document.settings.robots = number;
+      const Result<Placement> p = place(document);
+      REQUIRE(p.ok());
+      CHECK(m.method == Method::balanced);
+      CHECK(m.robots == number++);
+      CHECK(m.samples == 1);
+      CHECK(m.coverage == p->coverage);
+      CHECK(m.load_min == p->loads->min);
+      CHECK(m.load_mean == p->loads->mean);
+      CHECK(m.load_max == p->loads->max);
+      CHECK(m.spread == 0);
+      CHECK((m.form_closure == 1) == p->closure.form_closure);
+      CHECK((m.no_area == 1) ==
+            !(p->closure.clockwise.has_area || p->closure.counterclockwise.has_area));
+      CHECK(m.max_share == 0.5);
+      CHECK_FALSE(m.chosen.has_value());
+      CHECK(experiment::teams_of(m.method, m.robots) == 1);
+    }
+    CHECK(number == 8);
+  }
+}
+
+TEST_CASE("balanced robots are measured where no team of two can be placed",
+          "[experiment][balanced]") {
+  const Document document = corpus::polygon("letter-e-moved");
+  const experiment::Subject subject = [&] {
+    experiment::Subject without = subject_of(document);
+    without.candidates.clear();
+    return without;
+  }();
+  for (const Method method : pair_methods) CHECK(experiment::measure(subject, method, {}).empty());
+  CHECK(experiment::measure(subject, Method::balanced, {.most_balanced = 6}) ==
+        experiment::measure(subject_of(document), Method::balanced, {.most_balanced = 6}));
 }
 
 TEST_CASE("random measures are averages over the seeds 1, 2, ...", "[experiment]") {
@@ -109,7 +156,7 @@ TEST_CASE("random measures are averages over the seeds 1, 2, ...", "[experiment]
         closed += p.closure.form_closure;
       }
       const experiment::Measurement& m = rows[teams - 1];
-      CHECK(m.teams == teams);
+      CHECK(m.robots == 2 * teams);
       CHECK(m.samples == 3);
       CHECK(m.coverage == coverage / 3);
       CHECK(m.spread == spread / 3);
@@ -185,6 +232,9 @@ TEST_CASE("what is not a polygon is refused as place does", "[experiment]") {
         "samples");
   CHECK(experiment::check_settings(experiment::ExperimentSettings{.most_teams = 0})->place.option ==
         "max_teams");
+  for (const std::uint32_t most : {least_robots - 1, most_robots + 1})
+    CHECK(experiment::check_settings(experiment::ExperimentSettings{.most_balanced = most})
+              ->place.option == "max_balanced");
   CHECK(experiment::check_settings(experiment::ExperimentSettings{.weight = 0})->place.option ==
         "weight");
 }
@@ -249,6 +299,7 @@ TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
                                   experiment::fingerprint(document, {.min_ratio = 0.7}),
                                   experiment::fingerprint(document, {.samples = 100}),
                                   experiment::fingerprint(document, {.most_teams = 5}),
+                                  experiment::fingerprint(document, {.most_balanced = 5}),
                                   experiment::fingerprint(document, {.weight = 480})};
   CHECK(experiment::fingerprint(document, {}) == all[0]);
   std::sort(all.begin(), all.end());

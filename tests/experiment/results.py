@@ -8,9 +8,10 @@ import pathlib
 import re
 import statistics
 
-METHODS = ["area", "circle", "distance", "distributed", "random"]
-ALGORITHM = METHODS[:3]
-FILES = ["measurements.csv", "aggregates.csv", "polygons.csv", "thesis.md", "report.html"]
+PAIRS = ["area", "circle", "distance", "distributed", "random"]
+METHODS = [*PAIRS, "balanced"]
+ALGORITHM = PAIRS[:3]
+FILES = ["measurements.csv", "aggregates.csv", "polygons.csv", "thesis.md", "robots.md", "report.html"]
 
 
 def contents(folder):
@@ -50,6 +51,31 @@ def claims(folder, of):
     return {cells[1]: cells[head.index(of)] for cells in lines}
 
 
+def few_robots(folder, of):
+    """The cells of a set by what is measured, number of robots and method, from the tables in robots.md."""
+    cells = {}
+    for lines in (pathlib.Path(folder) / "robots.md").read_text(encoding="utf-8").split("\n\n"):
+        head, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines.strip().splitlines()]
+        if head[0] == of:
+            cells.update({(what, int(robots), method): cell for what, robots, *row in rows for method, cell in zip(head[2:], row)})
+    return cells
+
+
+def readme_table(folder):
+    """The README's short table, of the samples."""
+    means = {(int(row["robots"]), row["method"]): row for row in table(folder, "aggregates.csv") if row["set"] == "polygons"}
+
+    def cell(robots, method):
+        if (robots, method) not in means:
+            return "–"
+        coverage, held, spread = (float(means[robots, method][f"{name}_mean"]) for name in ("coverage", "closed", "spread"))
+        return f"{100 * coverage:.0f} %, {100 * held:.0f} %, {spread:.1f} kg"
+
+    shown = {"pairs by area": "area", "distributed": "distributed", "random": "random", "balanced": "balanced"}
+    lines = [["robots", *shown], ["---"] * (1 + len(shown)), *([str(robots), *(cell(robots, method) for method in shown.values())] for robots in range(3, 9))]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
 class Recomputed:
     """Aggregates and claims from the rows of measurements.csv, by the standard library's own statistics."""
 
@@ -58,18 +84,19 @@ class Recomputed:
         self.by = collections.defaultdict(list)
         self.at = {}
         for row in rows:
-            self.by[row["method"], row["teams"]].append(row)
-            self.at[row["polygon"], row["method"], row["teams"]] = row
+            self.by[row["method"], row["robots"]].append(row)
+            self.at[row["polygon"], row["method"], row["robots"]] = row
         self.polygons = list(dict.fromkeys(row["polygon"] for row in rows))
-        self.most = collections.Counter()
+        self.most = collections.Counter()  # robots in teams of two
         for row in rows:
             if row["method"] == "area":
-                self.most[row["polygon"]] = max(self.most[row["polygon"]], row["teams"])
-        self.possible = {test: {row["polygon"] for row in rows if row[test] > 0} for test in ("form_closure", "no_area")}
+                self.most[row["polygon"]] = max(self.most[row["polygon"]], row["robots"])
+        # What teams of two can close: balanced robots are left out, as the thesis has none.
+        self.possible = {test: {row["polygon"] for row in rows if row["method"] in PAIRS and row[test] > 0} for test in ("form_closure", "no_area")}
 
-    def aggregate(self, method, teams):
-        rows = self.by[method, teams]
-        made = {"polygons": len(rows)}
+    def aggregate(self, method, robots):
+        rows = self.by[method, robots]
+        made = {"polygons": len(rows), "closed_mean": math.fsum(row["form_closure"] for row in rows) / len(rows)}
         for name in ("spread", "load_max", "max_share", "coverage"):
             values = [row[name] for row in rows]
             made[f"{name}_mean"] = math.fsum(values) / len(values)
@@ -80,51 +107,51 @@ class Recomputed:
             made[f"{test}_mean"] = math.fsum(values) / len(values) if values else None
         return made
 
-    def shown_teams(self):
-        return max(teams for (method, teams), rows in self.by.items()
-                   if method == "area" and 5 * len(rows) >= len(self.by["area", 1]))
+    def shown(self, of="area"):
+        return max(robots for (method, robots), rows in self.by.items()
+                   if method == of and 5 * len(rows) >= len(self.by[of, 2]))
 
-    def algorithm(self, column, teams):
-        return sum(self.aggregate(method, teams)[column] for method in ALGORITHM) / 3
+    def algorithm(self, column, robots):
+        return sum(self.aggregate(method, robots)[column] for method in ALGORITHM) / 3
 
     def robots_needed(self, method, capacity=5):
-        return min(2 * teams for (m, teams), rows in self.by.items()
+        return min(robots for (m, robots), rows in self.by.items()
                    if m == method and math.fsum(row["load_max"] for row in rows) / len(rows) <= capacity)
 
     def times_more_even(self, method):
         ratios = []
-        for teams in range(1, self.shown_teams() + 1):
-            ours = self.algorithm("spread_mean", teams)
-            if ours > 1e-9 * 100 / (2 * teams):  # else even but for rounding
-                ratios.append(self.aggregate(method, teams)["spread_mean"] / ours)
+        for robots in range(2, self.shown() + 1, 2):
+            ours = self.algorithm("spread_mean", robots)
+            if ours > 1e-9 * 100 / robots:  # else even but for rounding
+                ratios.append(self.aggregate(method, robots)["spread_mean"] / ours)
         return min(ratios), max(ratios)
 
     def choices(self, polygon, teams):
-        return {self.at[polygon, method, teams]["chosen"] for method in ALGORITHM}
+        return {self.at[polygon, method, 2 * teams]["chosen"] for method in ALGORITHM}
 
     def same_second(self):
-        able = [p for p in self.polygons if self.most[p] >= 2]
+        able = [p for p in self.polygons if self.most[p] >= 4]
         return [p for p in able if len(self.choices(p, 2)) == 1], able
 
     def same_third(self):
-        able = [p for p in self.same_second()[0] if self.most[p] >= 3]
+        able = [p for p in self.same_second()[0] if self.most[p] >= 6]
         return [p for p in able if len(self.choices(p, 3)) == 1], able
 
     def coverage_difference(self, method):
         """By polygon: of the method less the algorithm's, averaged over 2 and more teams."""
         differences = []
         for polygon in self.polygons:
-            values = [self.at[polygon, method, teams]["coverage"]
-                      - sum(self.at[polygon, m, teams]["coverage"] for m in ALGORITHM) / 3
-                      for teams in range(2, self.most[polygon] + 1) if (polygon, method, teams) in self.at]
+            values = [self.at[polygon, method, robots]["coverage"]
+                      - sum(self.at[polygon, m, robots]["coverage"] for m in ALGORITHM) / 3
+                      for robots in range(4, self.most[polygon] + 1, 2) if (polygon, method, robots) in self.at]
             if values:
                 differences.append(math.fsum(values) / len(values))
         return differences
 
     def lost(self, method, test):
         """Steps at which a polygon loses its closure, of all steps from closed ones."""
-        steps = [(before, after) for (polygon, m, teams), before in self.at.items() if m == method and before[test] > 0
-                 for after in [self.at.get((polygon, method, teams + 1))] if after]
+        steps = [(before, after) for (polygon, m, robots), before in self.at.items() if m == method and before[test] > 0
+                 for after in [self.at.get((polygon, method, robots + 2))] if after]
         return [after for before, after in steps if after[test] < before[test]], steps
 
     def closed_by_algorithm(self, test):

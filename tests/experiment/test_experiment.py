@@ -23,6 +23,7 @@ import results  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 POLYGONS = ROOT / "assets" / "polygons"
 PROGRAM = os.path.abspath(os.environ.get("EVENLIFT_PROGRAM", ROOT / "build" / "bin" / "evenlift"))
+FEW = ("--max-balanced", "4")  # the search for more balanced robots only takes longer
 SOME = ["thesis-sample", "thesis-sample-centroid", "square", "star", "star-moved", "hammer", "letter-e", "comb", "gear", "island"]
 
 
@@ -42,7 +43,7 @@ class Case(unittest.TestCase):
             shutil.copy(POLYGONS / f"{name}.txt", self.inputs)
 
     def experiment(self, out, *more, status=0, inputs=None):
-        done = run("experiment", inputs or self.inputs, "--out", self.folder / out, "--samples", 8, *more)
+        done = run("experiment", inputs or self.inputs, "--out", self.folder / out, "--samples", 8, *([] if "--max-balanced" in more else FEW), *more)
         self.assertEqual(done.returncode, status, done.stderr)
         return done
 
@@ -66,7 +67,7 @@ class Runs(Case):
             shutil.copy(POLYGONS / f"{name}.txt", other)
         paths = [self.inputs, other, *self.inputs.iterdir()]
         for out, given in (("one", paths), ("two", reversed(paths))):
-            done = run("experiment", *given, "--out", self.folder / out, "--samples", 8)
+            done = run("experiment", *given, "--out", self.folder / out, "--samples", 8, *FEW)
             self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same("two", results.contents(self.folder / "one"))
 
@@ -75,7 +76,7 @@ class Runs(Case):
         other.mkdir()
         for name in ("kite", "heart", "star"):  # one of them is in both
             shutil.copy(POLYGONS / f"{name}.txt", other)
-        done = run("experiment", self.inputs, str(other) + "/", "--out", self.folder / "both", "--samples", 8)
+        done = run("experiment", self.inputs, str(other) + "/", "--out", self.folder / "both", "--samples", 8, *FEW)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.experiment("first")
         self.experiment("second", inputs=other)
@@ -91,7 +92,7 @@ class Runs(Case):
     def test_an_interrupted_run_goes_on_and_loses_nothing(self):
         self.experiment("whole")
         out = self.folder / "killed"
-        process = subprocess.Popen([PROGRAM, "experiment", str(self.inputs), "--out", str(out), "--samples", "1000", "--jobs", "1"],
+        process = subprocess.Popen([PROGRAM, "experiment", str(self.inputs), "--out", str(out), "--samples", "1000", "--jobs", "1", *FEW],
                                    stdout=subprocess.DEVNULL)
         parts = out / "parts"
         while not (parts.exists() and len(list(parts.glob("polygon-*.csv"))) >= 2):
@@ -101,12 +102,12 @@ class Runs(Case):
         process.wait()
         kept = {path.name: path.stat().st_mtime_ns for path in parts.glob("polygon-*.csv")}
         self.assertFalse((out / "measurements.csv").exists())
-        more = run("experiment", self.inputs, "--out", out, "--samples", 1000)
+        more = run("experiment", self.inputs, "--out", out, "--samples", 1000, *FEW)
         self.assertEqual(more.returncode, 0, more.stderr)
         self.assertIn(f"{len(kept)} of {len(SOME)} polygons had been measured before", more.stdout)
         for name, changed in kept.items():
             self.assertEqual((parts / name).stat().st_mtime_ns, changed, f"{name} was measured again")
-        fresh = run("experiment", self.inputs, "--out", self.folder / "fresh", "--samples", 1000)
+        fresh = run("experiment", self.inputs, "--out", self.folder / "fresh", "--samples", 1000, *FEW)
         self.assertEqual(fresh.returncode, 0, fresh.stderr)
         self.assert_same("killed", results.contents(self.folder / "fresh"))
 
@@ -176,6 +177,8 @@ class Runs(Case):
                 ([self.inputs, "--out", out, "--min-ratio", "2"], '--min-ratio: the minimum load ratio is a number from 0 to 1, not "2"'),
                 ([self.inputs, "--out", out, "--jobs", "0"], "--jobs: the number of threads is from 1 to 1024"),
                 ([self.inputs, "--out", out, "--max-teams", "0"], "--max-teams: the greatest number of teams is from 1 to 10000"),
+                ([self.inputs, "--out", out, "--max-balanced", "65"], "--max-balanced: the greatest number of balanced robots is from 2 to 64"),
+                (["--merge", "--out", out, "--max-balanced", "6"], "--max-balanced: does not go with --merge: the shards are measured already"),
                 ([self.inputs, "--out", out, "--shard", "3/2"],
                  '--shard: expected I/N, with I from 1 to N and N up to 100000, not "3/2"'),
                 ([self.folder / "nowhere", "--out", out], f"{self.folder}/nowhere: no such file or directory"),
@@ -215,10 +218,19 @@ class Runs(Case):
         names = [row["polygon"] for row in results.table(self.folder / "out", "polygons.csv")]
         self.assertEqual(names, sorted([name for name in SOME if name != "star"] + ["a", "b", "c", 'deep, "er"/2/star']))
 
+    def test_balanced_robots_are_measured_up_to_the_number_asked_for(self):
+        self.experiment("out", "--max-balanced", 5)
+        rows = results.measurements(self.folder / "out", "polygons")
+        for polygon in SOME:
+            self.assertEqual([row["robots"] for row in rows if row["polygon"] == polygon and row["method"] == "balanced"], [2, 3, 4, 5])
+        cells = results.few_robots(self.folder / "out", "polygons")
+        self.assertEqual([cells["number of polygons", robots, "balanced"] for robots in range(3, 13)], [str(len(SOME))] * 3 + ["–"] * 7)
+        self.assertIn("Balanced robots are measured up to 5,", (self.folder / "out" / "report.html").read_text(encoding="utf-8"))
+
     def test_times_are_in_a_file_of_their_own(self):
         self.experiment("out")
         times = results.table(self.folder / "out", "times.csv")
-        self.assertEqual(len(times), 6 * len(SOME))
+        self.assertEqual(len(times), 7 * len(SOME))
         self.assertEqual({row["stage"] for row in times}, {"candidates", *results.METHODS})
         self.assertTrue(all(0 <= float(row["seconds"]) < 600 for row in times))
         for name in results.FILES:
@@ -227,7 +239,7 @@ class Runs(Case):
     def test_a_terminal_sees_a_progress_bar_and_nothing_else_does(self):
         self.assertEqual(self.experiment("quiet").stderr, "")
         master, slave = pty.openpty()
-        process = subprocess.Popen([PROGRAM, "experiment", str(self.inputs), "--out", str(self.folder / "out"), "--samples", "8"],
+        process = subprocess.Popen([PROGRAM, "experiment", str(self.inputs), "--out", str(self.folder / "out"), "--samples", "8", *FEW],
                                    stdout=subprocess.PIPE, stderr=slave, env={**os.environ, "TERM": "xterm"})
         os.close(slave)
         seen = b""
@@ -300,6 +312,8 @@ class Shards(Case):
         text = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
         recipe = re.search(r"```sh\n(parallel .*?)```", text, re.S).group(1)
         self.assertIn("--merge", recipe)
+        for name in SOME[3:]:  # it measures up to 12 balanced robots, which takes long on combs
+            (self.inputs / f"{name}.txt").unlink()
         recipe = recipe.replace("assets/polygons", "polygons")
         bin_folder = self.folder / "bin"
         bin_folder.mkdir()

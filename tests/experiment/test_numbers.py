@@ -69,16 +69,25 @@ class Numbers:
         self.assertEqual({row["polygon"] for row in self.polygons}, files)
         self.assertTrue(all(row["problem"] == "" for row in self.polygons))
 
-    def test_every_polygon_method_and_number_of_teams_has_its_row(self):
+    def test_every_polygon_method_and_number_of_robots_has_its_row(self):
         candidates = {row["polygon"]: int(row["candidates"]) for row in self.polygons}
-        expected = [(p, m, t) for p in sorted(candidates) for m in results.METHODS for t in range(1, candidates[p] + 1)]
-        self.assertEqual([(r["polygon"], r["method"], r["teams"]) for r in self.rows], expected)
+        expected = [(p, m, 2 * t) for p in sorted(candidates) for m in results.PAIRS for t in range(1, candidates[p] + 1)]
+        self.assertEqual([(r["polygon"], r["method"], r["robots"]) for r in self.rows if r["method"] != "balanced"], expected)
+        # Balanced robots need no candidates, and their rows are behind the others of their polygon.
+        self.assertEqual([(r["polygon"], r["method"]) for r in self.rows],
+                         sorted(((r["polygon"], r["method"]) for r in self.rows), key=lambda at: (at[0], results.METHODS.index(at[1]))))
+        for polygon in candidates:
+            numbers_of = [r["robots"] for r in self.rows if r["polygon"] == polygon and r["method"] == "balanced"]
+            self.assertEqual(numbers_of, sorted(set(numbers_of)), polygon)
+            self.assertLessEqual(set(numbers_of), set(range(2, 13)), polygon)
+            self.assertGreaterEqual(set(numbers_of), set(range(5, 13)), polygon)
 
     def test_rows_are_consistent_in_themselves(self):
         for row in self.rows:
             where = f'{row["polygon"]} {row["method"]} {row["teams"]}'
-            team = 100 / row["teams"]
-            self.assertEqual(row["robots"], 2 * row["teams"], where)
+            balanced = row["method"] == "balanced"
+            team = 200 / row["robots"]  # what two robots bear
+            self.assertEqual(row["teams"], 1 if balanced else row["robots"] / 2, where)
             self.assertEqual(row["samples"], 200 if row["method"] == "random" else 1, where)
             self.assertAlmostEqual(row["load_mean"], team / 2, delta=1e-12 * team, msg=where)
             self.assertAlmostEqual(row["spread"], row["load_max"] - row["load_min"], delta=1e-12 * team, msg=where)
@@ -86,13 +95,15 @@ class Numbers:
             self.assertTrue(0 <= row["coverage"] <= 1 and row["form_closure"] <= row["no_area"] <= 1, where)
             if row["method"] in results.ALGORITHM:
                 self.assertLessEqual(row["max_share"], 1 / 1.8 + 1e-9, where)
+            if balanced:
+                self.assertEqual((row["spread"], row["max_share"], row["chosen"]), (0, 0.5, ""), where)
 
     def test_aggregates_are_those_of_the_rows(self):
         seen = set()
         for row in self.aggregates():
-            key = row["method"], int(row["teams"])
+            key = row["method"], int(row["robots"])
             seen.add(key)
-            self.assertEqual(int(row["robots"]), 2 * key[1])
+            self.assertEqual(int(row["teams"]), 1 if key[0] == "balanced" else key[1] / 2)
             for name, value in self.made.aggregate(*key).items():
                 if value is None:
                     self.assertEqual(row[name], "", (key, name))
@@ -104,12 +115,13 @@ class Numbers:
         aggregates = {(row["method"], int(row["robots"])): row for row in self.aggregates()}
         figures = results.figures(self.folder, self.of)
         self.assertEqual([figure["id"] for figure in figures], list(FIGURES))
-        shown = 2 * self.made.shown_teams()
-        self.assertGreaterEqual(shown, 20)
+        shown = {method: self.made.shown("balanced" if method == "balanced" else "area") for method in results.METHODS}
+        self.assertGreaterEqual(shown["area"], 20)
+        self.assertEqual(shown["balanced"], 12)
         for figure in figures:
             column = FIGURES[figure["id"]]
             self.assertEqual(figure["column"], column)
-            expected = {key: row[column] for key, row in aggregates.items() if key[1] <= shown and row[column] != ""}
+            expected = {key: row[column] for key, row in aggregates.items() if key[1] <= shown[key[0]] and row[column] != ""}
             drawn = {(series["method"], robots): value for series in figure["series"] for robots, value, _ in series["points"]}
             self.assertEqual(set(drawn), set(expected), figure["id"])
             for key, value in drawn.items():
@@ -121,13 +133,16 @@ class Numbers:
 
     def test_sentences_say_what_the_figures_show(self):
         sentences = {figure["id"]: figure["sentence"].replace("\u00a0", " ") for figure in results.figures(self.folder, self.of)}
-        for figure, teams, column, places in [("5.3", 2, "spread_mean", 2), ("5.5", 10, "max_share_mean", 1),
-                                              ("5.7", 6, "coverage_mean", 1), ("5.11", 4, "form_closure_mean", 1)]:
+        for figure, robots, column, places in [("5.3", 4, "spread_mean", 2), ("5.5", 20, "max_share_mean", 1),
+                                               ("5.7", 12, "coverage_mean", 1), ("5.11", 8, "form_closure_mean", 1)]:
             scale = 1 if figure == "5.3" else 100
             for method, by in [("area", "by area"), ("circle", "by circle"), ("distance", "by distance"),
-                               ("distributed", "at equal angles"), ("random", "at random")]:
+                               ("distributed", "at equal angles"), ("random", "at random"), ("balanced", "in balance")]:
+                if (method, robots) not in self.made.by:
+                    self.assertNotIn(by, sentences[figure])
+                    continue
                 value = float(re.search(rf"([\d.]+) (?:kg|%) {by}", sentences[figure]).group(1))
-                self.assertAlmostEqual(value, scale * self.made.aggregate(method, teams)[column], delta=0.5001 * 10 ** -places)
+                self.assertAlmostEqual(value, scale * self.made.aggregate(method, robots)[column], delta=0.5001 * 10 ** -places)
         least, most = self.made.times_more_even("distributed")
         self.assertIn(f"{least:.1f} to {most:.1f} times that of the algorithm", sentences["5.3"])
         report = (self.folder / "report.html").read_text(encoding="utf-8")
@@ -135,13 +150,13 @@ class Numbers:
             self.assertIn(sentence.replace(" kg", "\u00a0kg").replace(" %", "\u00a0%"), report)
 
     def test_claims_about_loads(self):
-        for robots, teams in ((4, 2), (30, 15)):
-            for method in results.METHODS:
-                made = self.made.aggregate(method, teams)
+        for robots in (4, 30):
+            for method in results.PAIRS:
+                made = self.made.aggregate(method, robots)
                 ours = self.claims[f"Difference of loads with {robots} robots, {method}"]
                 self.near(ours, made["spread_mean"], made["spread_sd"], places=2)
-        for method in results.METHODS:
-            made = self.made.aggregate(method, 10)
+        for method in results.PAIRS:
+            made = self.made.aggregate(method, 20)
             ours = self.claims[f"Shares of their team’s load with 10 teams, {method}"]
             self.near(ours, 100 - 100 * made["max_share_mean"], 100 * made["max_share_mean"], 100 * made["max_share_sd"], places=1)
             ours = self.claims[f"Fewest robots whose greatest load is at most 5 kg of 100 kg, averaged over the polygons, {method}"]
@@ -158,10 +173,10 @@ class Numbers:
         small = {row["polygon"] for row in self.polygons if int(row["vertices"]) <= 12}
         for what, (same, of) in [("The same second team", self.made.same_second()), ("Of these the same third team", self.made.same_third())]:
             self.assertIn(f"({len(small.intersection(same))} of {len(small.intersection(of))})", self.claims[f"{what}, polygons with at most 12 vertices"])
-        self.near(self.claims["Coverage by the algorithm: with 36 robots"], 100 * self.made.algorithm("coverage_mean", 18), places=1)
+        self.near(self.claims["Coverage by the algorithm: with 36 robots"], 100 * self.made.algorithm("coverage_mean", 36), places=1)
         rows = [100 * row["coverage"] for row in self.rows if row["method"] in results.ALGORITHM and row["teams"] >= 2]
         self.near(self.claims["Coverage by the algorithm: mean over all its measurements from 4 robots on"], statistics.fmean(rows), statistics.stdev(rows), places=1)
-        covered = [self.made.algorithm("coverage_mean", teams) for teams in range(2, self.made.shown_teams() + 1)]
+        covered = [self.made.algorithm("coverage_mean", robots) for robots in range(4, self.made.shown() + 1, 2)]
         self.near(self.claims["Coverage by the algorithm: mean of figure 5.7 from 4 robots on"], 100 * statistics.fmean(covered), places=1)
         for what, method, sign in [("Coverage of distributed less that of the algorithm, mean over a polygon’s numbers of teams", "distributed", 1),
                                    ("Coverage of the algorithm less that of random, likewise", "random", -1)]:
@@ -175,9 +190,9 @@ class Numbers:
             possible = self.made.possible[test]
             self.assertEqual(self.claims[f"Polygons that no method closes{how}"],
                              f"{len(self.made.polygons) - len(possible)} of {len(self.made.polygons)}")
-            for robots, teams in ((4, 2), (8, 4)):
-                for method in results.METHODS:
-                    made = self.made.aggregate(method, teams)
+            for robots in (4, 8):
+                for method in results.PAIRS:
+                    made = self.made.aggregate(method, robots)
                     count = made["closable" if test == "form_closure" else "no_area_possible"]
                     self.near(self.claims[f"Closed with {robots} robots, {method}{how}"], 100 * made[f"{test}_mean"], count, places=0)
             small = [row for row in self.rows if row["method"] == "distance" and row["teams"] == 4 and row["polygon"] in possible
@@ -194,6 +209,22 @@ class Numbers:
             self.assertIn(f"({len(closed)} of {len(possible)})",
                           self.claims[f"Of the polygons that any method closes, the algorithm does{how}"])
 
+    def test_the_table_of_few_robots_has_the_means_of_the_rows(self):
+        cells = results.few_robots(self.folder, self.of)
+        measures = {"coverage, %": ("coverage", 100, 1), "in form closure, %": ("form_closure", 100, 1),
+                    "spread of loads, kg of 100 kg": ("spread", 1, 2)}
+        self.assertEqual(set(cells), {(what, robots, method) for what in [*measures, "number of polygons"] for robots in range(3, 13) for method in results.METHODS})
+        for (what, robots, method), cell in cells.items():
+            rows = self.made.by.get((method, robots), [])
+            where = (what, robots, method)
+            self.assertEqual(cell == "–", robots % 2 == 1 and method != "balanced", where)
+            if cell == "–":
+                self.assertEqual(rows, [], where)
+            elif what == "number of polygons":
+                self.assertEqual(int(cell), len(rows), where)
+            else:
+                column, scale, places = measures[what]
+                self.near(cell, scale * statistics.fmean(row[column] for row in rows), places=places)
 
 
 class Samples(Numbers, unittest.TestCase):
@@ -251,11 +282,28 @@ class Manual(unittest.TestCase):
             if row["set"] == "polygons":
                 self.assertIn(f"| `{row['polygon'].removesuffix('-moved').removesuffix('-centroid')}` |", text)
 
-    def test_it_holds_the_table_that_the_program_makes(self):
+    def test_it_holds_the_tables_that_the_program_makes(self):
         manual = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
         self.assertIn((FOLDER / "thesis.md").read_text(encoding="utf-8"), manual,
                       "docs/experiments.md is not what the program makes of both sets now; "
-                      "tests/experiment/update_manual.py writes its table anew")
+                      "tests/experiment/update_manual.py writes its tables anew")
+        for table in (FOLDER / "robots.md").read_text(encoding="utf-8").split("\n\n"):
+            self.assertIn(table, manual)
+
+    def test_what_it_says_of_balanced_robots_where_pairs_stand_is_so(self):
+        text = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
+        stated = numbers(re.search(r"On those alone on which 6 robots stand in pairs, (.*?)\. What", text, re.S).group(1))
+        found = []
+        for of in SETS:
+            rows = results.measurements(FOLDER, of)
+            pairs = {row["polygon"] for row in rows if (row["method"], row["robots"]) == ("area", 6)}
+            six = [row for row in rows if (row["method"], row["robots"]) == ("balanced", 6)]
+            found += [100 * statistics.fmean(row[column] for row in six if row["polygon"] in pairs) for column in ("coverage", "form_closure")]
+        self.assertEqual(stated, [round(value, 1) for value in found])
+        self.assertIn(f"cover as little as {100 * min(row['coverage'] for row in six):.1f} %", text)
+
+    def test_the_readme_has_a_part_of_the_table_of_few_robots(self):
+        self.assertIn(results.readme_table(FOLDER), (ROOT / "README.md").read_text(encoding="utf-8"))
 
     def test_the_generator_makes_the_files_that_are_kept(self):
         kept = ROOT / "assets" / "thesis-like"

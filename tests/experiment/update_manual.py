@@ -1,23 +1,48 @@
 #!/usr/bin/env python3
-"""Writes the table of docs/experiments.md anew, as `evenlift experiment` makes it of both sets.
+"""Writes the tables of docs/experiments.md anew, as `evenlift experiment` makes them of both sets, and that of the README.
 
-    python3 tests/experiment/update_manual.py [build/bin/evenlift]
+    python3 tests/experiment/update_manual.py [build/bin/evenlift [FOLDER]]
+
+FOLDER holds the results of `evenlift experiment assets/polygons assets/thesis-like --out FOLDER`, if they are there already.
 """
 
+import contextlib
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import results  # noqa: E402
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "build" / "bin" / "evenlift")
 
-with tempfile.TemporaryDirectory() as folder:
-    subprocess.run([PROGRAM, "experiment", "assets/polygons", "assets/thesis-like", "--out", folder], cwd=ROOT, check=True)
-    table = (pathlib.Path(folder) / "thesis.md").read_text(encoding="utf-8")
-manual = ROOT / "docs" / "experiments.md"
-text, replaced = re.subn(r"^\| section \| what \|.*?\n(?!\|)", lambda _: table, manual.read_text(encoding="utf-8"), flags=re.M | re.S)
-if replaced != 1:
-    sys.exit("docs/experiments.md has no table that begins with | section | what |")
-manual.write_text(text, encoding="utf-8")
+
+@contextlib.contextmanager
+def measured():
+    if len(sys.argv) > 2:
+        yield pathlib.Path(sys.argv[2])
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([PROGRAM, "experiment", "assets/polygons", "assets/thesis-like", "--out", folder], cwd=ROOT, check=True)
+        yield pathlib.Path(folder)
+
+
+def replace_table(file, table):
+    """Puts a table in the place of the one with the same heads."""
+    heads = table.splitlines()[0]
+    text, replaced = re.subn(rf"^{re.escape(heads)}\n(\|.*\n)*", lambda _: table, file.read_text(encoding="utf-8"), flags=re.M)
+    if replaced != 1:
+        sys.exit(f"{file} has no table that begins with {heads}")
+    file.write_text(text, encoding="utf-8")
+
+
+with measured() as made:
+    manual = ROOT / "docs" / "experiments.md"
+    replace_table(manual, (made / "thesis.md").read_text(encoding="utf-8"))
+    for table in (made / "robots.md").read_text(encoding="utf-8").split("\n\n"):
+        replace_table(manual, table.rstrip("\n") + "\n")
+    replace_table(ROOT / "README.md", results.readme_table(made))

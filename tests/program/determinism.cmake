@@ -111,11 +111,11 @@ set(measured "")
 foreach(name square star hammer thesis-sample letter-e-moved gear comb)
   list(APPEND measured "${POLYGONS}/${name}.txt")
 endforeach()
-execute_process(COMMAND "${NATIVE}" experiment ${measured} --out native-experiment --samples 4 --jobs 2
+execute_process(COMMAND "${NATIVE}" experiment ${measured} --out native-experiment --samples 4 --max-balanced 8 --jobs 2
                 WORKING_DIRECTORY "${WORK}" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND "${NODE}" "${WEBASSEMBLY}" experiment ${measured} --out wasm-experiment --samples 4
+execute_process(COMMAND "${NODE}" "${WEBASSEMBLY}" experiment ${measured} --out wasm-experiment --samples 4 --max-balanced 8
                 WORKING_DIRECTORY "${WORK}" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-foreach(name measurements.csv aggregates.csv polygons.csv thesis.md report.html)
+foreach(name measurements.csv aggregates.csv polygons.csv thesis.md robots.md report.html)
   file(SHA256 "${WORK}/native-experiment/${name}" native_sum)
   file(SHA256 "${WORK}/wasm-experiment/${name}" wasm_sum)
   if(NOT native_sum STREQUAL wasm_sum)

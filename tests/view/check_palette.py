@@ -4,9 +4,12 @@
 
 wasm/ui/theme.cpp holds the palette, light and dark, by role. Style sheets, the icon, the page's frame and the program's
 pictures cannot include it, so they repeat what they need of it. Contrast is that of the Web Content Accessibility Guidelines:
-text has at least 4.5 : 1 on what it lies on, and a line or an icon 3 : 1.
+text has at least 4.5 : 1 on what it lies on, and a line or an icon 3 : 1. The lines of the charts have colours of their own,
+in web/charts/charts.css.
 """
 
+import itertools
+import math
 import pathlib
 import re
 import sys
@@ -33,11 +36,15 @@ def check(path, what, colour, wanted):
         problems.append(f"{path}: {what} is {colour}, and in wasm/ui/theme.cpp {wanted}")
 
 
-def check_style(path, colours_of):
+def blocks(path):
     """The custom properties of :root, outside of any media query and in that for dark screens."""
     text = read(path)
-    dark = re.search(r"@media \(prefers-color-scheme: dark\) \{(.*?)\n\}", text, re.DOTALL)[1]
-    for scheme, block in (("light", re.search(r":root \{(.*?)\}", text, re.DOTALL)[1]), ("dark", dark)):
+    return {"light": re.search(r":root \{(.*?)\}", text, re.DOTALL)[1],
+            "dark": re.search(r"@media \(prefers-color-scheme: dark\) \{(.*?)\n\}", text, re.DOTALL)[1]}
+
+
+def check_style(path, colours_of):
+    for scheme, block in blocks(path).items():
         found = re.findall(r"--([a-z-]+): (#[0-9A-Fa-f]{6})", block)
         if not found:
             problems.append(f"{path} has no colours for {scheme} screens")
@@ -86,11 +93,45 @@ def check_contrast(scheme, colours):
                     problems.append(f"wasm/ui/theme.cpp ({scheme}): {role} on {ground} has {found:.2f} : 1, and a {kind} needs {wanted} : 1")
 
 
+def lightness_and_hue(colour):
+    """CIE L*, a*, b* for D65."""
+    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour)
+    x = (0.4124 * red + 0.3576 * green + 0.1805 * blue) / 0.9505
+    y = 0.2126 * red + 0.7152 * green + 0.0722 * blue
+    z = (0.0193 * red + 0.1192 * green + 0.9505 * blue) / 1.089
+    x, y, z = (t ** (1 / 3) if t > 0.008856 else 7.787 * t + 16 / 116 for t in (x, y, z))
+    return 116 * y - 16, 500 * (x - y), 200 * (y - z)
+
+
+# Colours that differ by so much in CIELAB are plainly different to most people; the lines' signs and dashes tell them apart for all.
+least_difference = 25
+
+
+def check_charts(scheme, colours, block):
+    """The lines of the charts: each method has a colour of its own that can be seen on a panel and on the page's ground."""
+    path = "web/charts/charts.css"
+    lines_of = {name: opaque(colour) for name, colour in re.findall(r"--([a-z]+): (#[0-9A-Fa-f]{6})", block)}
+    methods = re.findall(r"^  (\w+): \{ words:", read("web/charts/methods.js"), re.MULTILINE)
+    if list(lines_of) != methods:
+        problems.append(f"{path} ({scheme}) has colours for {', '.join(lines_of)}, and methods.js names {', '.join(methods)}")
+    for name, colour in lines_of.items():
+        for ground in ("panel", "ground"):
+            found = contrast(colour, opaque(colours[ground]))
+            if found < 3:
+                problems.append(f"{path} ({scheme}): {name} on {ground} has {found:.2f} : 1, and a line needs 3 : 1")
+    for (a, first), (b, second) in itertools.combinations(lines_of.items(), 2):
+        found = math.dist(lightness_and_hue(first), lightness_and_hue(second))
+        if found < least_difference:
+            problems.append(f"{path} ({scheme}): {a} and {b} differ by {found:.0f}, and lines need {least_difference}")
+
+
 def check_everything():
     colours_of = {"light": theme("light"), "dark": theme("dark")}
     light = colours_of["light"]
     for scheme, colours in colours_of.items():
         check_contrast(scheme, colours)
+    for scheme, block in blocks("web/charts/charts.css").items():
+        check_charts(scheme, colours_of[scheme], block)
     for path in ("web/page/page.css", "web/kit/dialogs.css", "native/report/report.css"):
         check_style(path, colours_of)
     path = "core/src/output/svg/svg_style.h"

@@ -22,11 +22,14 @@ test("numbers are rounded as the program rounds them", () => {
   for (const [value, decimals, text] of examples) assert.equal(fixed(value, decimals), text);
 });
 
+// The search for more balanced robots than these only takes longer.
+const mostBalanced = 5;
+
 // What the program makes of paths: its files by name.
 function program(paths, { samples }) {
   const out = mkdtempSync(path.join(folder, "out-"));
   try {
-    evenlift("experiment", ...paths, "--out", out, "--samples", String(samples));
+    evenlift("experiment", ...paths, "--out", out, "--samples", String(samples), "--max-balanced", String(mostBalanced));
   } catch (error) {
     assert.equal(error.status, 1);  // some were refused
   }
@@ -68,6 +71,7 @@ async function finished(window) {
 
 async function compare(window, samples) {
   await window.getByLabel("Random placements").fill(String(samples));
+  await window.getByLabel("Most balanced robots").fill(String(mostBalanced));
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await finished(window);
 }
@@ -98,6 +102,11 @@ async function checkWhole(page, window, of, titles) {
   const expected = program([path.join(root, "assets", of)], { samples: 2 });
   assert.equal(await saved(page, "Measurements"), expected("measurements.csv"));
   assert.equal(await saved(page, "Averages"), expected("aggregates.csv"));
+  await window.getByText("3 to 12 robots").click();
+  const few = await window.locator(".few-robots figure").evaluateAll((all) => all.map((figure) => [figure.querySelector("h3").textContent,
+    [...figure.querySelectorAll("tbody tr")].map((row) => [...row.children].map((cell) => cell.textContent))]));
+  const lines = expected("robots.md").trim().split("\n").slice(2).map((line) => line.slice(2, -2).split(" | "));
+  assert.deepEqual(few.flatMap(([what, rows]) => rows.map((row) => [what, ...row])), lines);
   await window.getByText("Against the thesis").click();
   const rows = await window.locator(".claims tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
   const table = expected("thesis.md").trim().split("\n").slice(2).map((line) => line.slice(2, -2).split(" | "));
@@ -146,9 +155,19 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
       assert.deepEqual(["load_max", "spread", "coverage", "form_closure"].map((name) => Number(row[name])), expected, `${method} ${row.teams}`);
     }
   }
-  // Its curves are these rows.
-  const drawn = await window.locator(".plot svg").nth(2).locator(".dots-area > *").evaluateAll((all) => all.map((sign) => sign.getAttribute("aria-label")));
-  assert.deepEqual(drawn, rows.filter(({ method }) => method === "area").map(({ robots, coverage }) => `area: ${fixed(100 * coverage, 1)} % with ${robots} robots`));
+  const balanced = rows.filter(({ method }) => method === "balanced");
+  assert.deepEqual(balanced.map(({ robots }) => Number(robots)), [2, 3, 4, 5]);
+  for (const row of balanced) {
+    const placed = JSON.parse(evenlift("place", file, "--weight", "480", "--metric", "balanced", "--robots", row.robots, "--json"));
+    assert.deepEqual(["load_max", "spread", "coverage", "form_closure"].map((name) => Number(row[name])),
+      [placed.loads.max, placed.loads.spread, placed.coverage, placed.closure.form_closure ? 1 : 0], row.robots);
+  }
+  // Its curves are these rows: of teams at every even number, of balanced robots at every number.
+  for (const method of ["area", "balanced"]) {
+    const drawn = await window.locator(".plot svg").nth(2).locator(`.dots-${method} > *`).evaluateAll((all) => all.map((sign) => sign.getAttribute("aria-label")));
+    assert.deepEqual(drawn, rows.filter((row) => row.method === method).map(({ robots, coverage }) => `${method}: ${fixed(100 * coverage, 1)} % with ${robots} robots`));
+  }
+  assert.ok(await window.getByText("Balanced robots are measured up to 5, since").isVisible());
   // They are there again when it is opened again, until the polygon is another one.
   await page.keyboard.press("Escape");
   await allClosed(page);
@@ -162,15 +181,35 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
   await page.done();
 });
 
-test("where no team can be placed it says so", async () => {
+test("balanced robots come last, and whoever cancels then keeps the other curves", async () => {
+  const page = await browser.open();
+  await load(page, asset("labyrinth"));
+  const window = await openWindow(page, "experiment");
+  await window.getByLabel("Random placements").fill("2");
+  await window.getByLabel("Most balanced robots").fill("64");  // this takes minutes
+  await window.getByRole("button", { name: "Compare", exact: true }).click();
+  await window.locator(".plot svg").nth(3).waitFor();
+  await window.getByText("Balanced robots are measured up to 64, since the search for more takes longer. They are still missing.").waitFor();
+  assert.ok(await window.getByRole("progressbar").isVisible(), "it still computes");
+  assert.equal(await window.locator(".dots-balanced").count(), 0);
+  assert.ok(await window.locator(".dots-random").count() > 0);
+  await window.getByRole("button", { name: "Cancel" }).click();
+  await window.getByText("Cancelled; balanced robots are missing.").waitFor();
+  assert.equal(await window.locator(".plot svg").count(), 4);
+  await ended(page);
+  await page.done();
+});
+
+test("where no team can be placed it says so, and measures balanced robots", async () => {
   const page = await browser.open();
   await load(page, "CoM:(100,300)\n(0,0)\n(400,0)\n(400,100)\n(100,100)\n(100,400)\n(0,400)\n");
   await set(page, { min_ratio: 1 });
   assert.equal((await state(page)).teams.length, 0);
   const window = await openWindow(page, "experiment");
   await window.getByRole("button", { name: "Compare", exact: true }).click();
-  await window.getByText("No chord through the centre of mass has this load ratio").waitFor();
-  assert.equal(await window.locator("figure").count(), 0);
+  await window.getByText("No chord through the centre of mass has this load ratio: the algorithm can place no team here, so only balanced robots were measured.").waitFor();
+  await window.locator(".plot svg").nth(3).waitFor();
+  assert.deepEqual(await window.locator("figure .legend").allTextContents(), ["balanced", "balanced", "balanced", "balanced"]);
   await page.done();
 });
 
@@ -182,7 +221,7 @@ test("what the charts draw is what the CSV holds", async () => {
   const rows = rowsOf(await saved(page, "Averages"));
   const columns = { "5.3": "spread_mean", "5.4": "spread_sd", "5.5": "max_share_mean", "5.6": "max_share_sd", "5.7": "coverage_mean", "5.8": "coverage_sd", "5.11": "form_closure_mean" };
   for (const [id, column] of Object.entries(columns)) {
-    const drawn = await window.locator(`[data-figure="${id}"]`).evaluate((plot) => Object.fromEntries(["area", "circle", "distance", "distributed", "random"].map((method) =>
+    const drawn = await window.locator(`[data-figure="${id}"]`).evaluate((plot) => Object.fromEntries(["area", "circle", "distance", "distributed", "random", "balanced"].map((method) =>
       [method, [...plot.querySelectorAll(`.dots-${method} > *`)].map((sign) => sign.cy?.baseVal.value ?? sign.transform.baseVal.consolidate().matrix.f)])));
     const ticks = await window.locator(`[data-figure="${id}"]`).evaluate((plot) => [...plot.querySelectorAll("[aria-label='y-axis tick label'] text")].map((label) => [Number(label.textContent), label.transform.baseVal.consolidate().matrix.f]));
     const [[v0, y0], [v1, y1]] = [ticks[0], ticks.at(-1)];
@@ -190,7 +229,7 @@ test("what the charts draw is what the CSV holds", async () => {
     const most = Math.max(...rows.filter((row) => row.method === "area" && Number(row.polygons) * 5 >= some.length).map((row) => Number(row.teams)));
     let points = 0;
     for (const [method, places] of Object.entries(drawn)) {
-      const expected = rows.filter((row) => row.method === method && row[column] !== "" && Number(row.teams) <= most).map((row) => scale * Number(row[column]));
+      const expected = rows.filter((row) => row.method === method && row[column] !== "" && (method === "balanced" || Number(row.teams) <= most)).map((row) => scale * Number(row[column]));
       assert.equal(places.length, expected.length, `${id} ${method}`);
       places.forEach((y, at) => {
         const value = v0 + (v1 - v0) * (y - y0) / (y1 - y0);
@@ -233,11 +272,13 @@ test("it says what is wrong with files and settings", async () => {
   await press();
   await window.getByText("Two files have the name “star”.").waitFor();
   await window.locator("input[type=file]").setInputFiles(filesOf(["star"]));
-  for (const [label, value, message] of [["Minimum load ratio", "1.2", "The minimum load ratio is a number from 0 to 1."], ["Random placements", "0", "The number of random samples is from 1 to 100000."], ["Random placements", "", "The number of random samples is from 1 to 100000."], ["Most teams", "0", "The greatest number of teams is from 1 to 10000."]]) {
+  for (const [label, value, message] of [["Minimum load ratio", "1.2", "The minimum load ratio is a number from 0 to 1."], ["Random placements", "0", "The number of random samples is from 1 to 100000."], ["Random placements", "", "The number of random samples is from 1 to 100000."], ["Most teams", "0", "The greatest number of teams is from 1 to 10000."],
+    ["Most balanced robots", "1", "The greatest number of balanced robots is from 2 to 64."], ["Most balanced robots", "", "The greatest number of balanced robots is from 2 to 64."]]) {
     const ofOne = label === "Most teams";
     await window.getByLabel(ofOne ? "This polygon" : "My files").check();
     if (!ofOne) await window.getByLabel("Minimum load ratio").fill("0.8");
     await window.getByLabel("Random placements").fill("5");
+    await window.getByLabel("Most balanced robots").fill("5");
     await window.getByLabel(label).fill(value);
     await press();
     await window.getByText(message).waitFor();
@@ -323,7 +364,7 @@ for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], 
 test("the program's report has the same charts, and needs nothing else", async () => {
   const out = path.join(folder, "report");
   execFileSync("mkdir", ["-p", out]);
-  evenlift("experiment", ...pathsOf(some), path.join(root, "assets/thesis-like"), "--out", out, "--samples", "2");
+  evenlift("experiment", ...pathsOf(some), path.join(root, "assets/thesis-like"), "--out", out, "--samples", "2", "--max-balanced", String(mostBalanced));
   const page = await browser.browser.newPage({ viewport: { width: 360, height: 700 } });
   const complaints = [];
   page.on("console", (message) => complaints.push(message.text()));

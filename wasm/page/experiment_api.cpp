@@ -57,7 +57,7 @@ experiment::PolygonResult measured(const std::string& set, const std::string& na
   const Result<experiment::Subject> subject = experiment::prepare(document, settings().min_ratio);
   if (!subject) return refused(set, name, problem_of(subject.error()));
   experiment::PolygonResult result = experiment::describe(set, name, *subject);
-  for (const Method method : pair_methods) {
+  for (const Method method : all_methods) {
     if (only && *only != method) continue;
     for (experiment::Measurement& m : experiment::measure(*subject, method, settings()))
       result.measurements.push_back(std::move(m));
@@ -92,7 +92,7 @@ std::vector<experiment::PolygonResult> take_collected() {
   for (experiment::PolygonResult& result : whole)
     std::sort(result.measurements.begin(), result.measurements.end(),
               [](const experiment::Measurement& a, const experiment::Measurement& b) {
-                return std::pair(a.method, a.teams) < std::pair(b.method, b.teams);
+                return std::pair(a.method, a.robots) < std::pair(b.method, b.robots);
               });
   return whole;
 }
@@ -105,11 +105,12 @@ extern "C" {
 // Sets the settings of all measurements from now on. Returns which setting is out of range, or
 // nothing.
 EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
-                                                  double most_teams) {
+                                                  double most_teams, double most_balanced) {
   using namespace evenlift;
   const experiment::ExperimentSettings given{
       min_ratio, whole_or_none(samples, experiment::max_samples),
-      whole_or_none(most_teams, experiment::max_experiment_teams), weight};
+      whole_or_none(most_teams, experiment::max_experiment_teams),
+      whole_or_none(most_balanced, most_robots), weight};
   const std::optional<InputError> error = experiment::check_settings(given);
   if (!error) settings() = given;
   return hand_over(error ? error->message : "");

@@ -1,16 +1,13 @@
 // Charts of an experiment's figures, as SVG, by Observable Plot. They are drawn alike in the program's report and in the
 // page; colours and text sizes are charts.css's.
 import { axisX, axisY, dot, gridY, line, plot, pointer, ruleY, tip } from "@observablehq/plot";
+import { methods } from "./methods.js";
 import { inDigits, inUnit } from "./numbers.js";
 
-const methods = ["area", "circle", "distance", "distributed", "random"];
-const names = { area: "area", circle: "circle", distance: "distance", distributed: "distributed (equal angles)", random: "random" };
-const symbols = { area: "circle", circle: "square", distance: "triangle", distributed: "diamond", random: "times" };
-const dashes = { area: "none", circle: "6 3", distance: "2 3", distributed: "none", random: "8 3 2 3" };
 const colour = (method) => `var(--${method})`;
 
 export function inWords(figure, method, [robots, value, polygons]) {
-  const words = `${names[method]}: ${inDigits(figure, value)} ${figure.unit} with ${robots} robots`;
+  const words = `${methods[method].words}: ${inDigits(figure, value)} ${figure.unit} with ${robots} robots`;
   if (!figure.set) return words;  // of a single polygon
   return `${words}, ${polygons === 1 ? "1 polygon" : `${polygons} polygons`}`;
 }
@@ -35,10 +32,10 @@ export function drawChart(figure, width) {
       axisY({ label: figure.unit, ticks: 5, tickSize: 0, labelArrow: "none", fontSize: 12 }),
       ruleY(figure.unit === "%" && span(figure, rows)[0] > 0 ? [] : [0], { stroke: "var(--second)" }),
       ...figure.series.map(({ method }) => line(rows.filter((row) => row.method === method), {
-        x: "robots", y: "value", stroke: colour(method), strokeWidth: 1.75, strokeDasharray: dashes[method], className: `line-${method}`,
+        x: "robots", y: "value", stroke: colour(method), strokeWidth: 1.75, strokeDasharray: methods[method].dashes, className: `line-${method}`,
       })),
       ...figure.series.map(({ method }) => dot(rows.filter((row) => row.method === method), {
-        x: "robots", y: "value", stroke: colour(method), fill: method === "random" ? "none" : colour(method), symbol: symbols[method], r: width < 420 ? 2 : 2.5,
+        x: "robots", y: "value", stroke: colour(method), fill: method === "random" ? "none" : colour(method), symbol: methods[method].sign, r: width < 420 ? 2 : 2.5,
         ariaLabel: "label", className: `dots-${method}`,
       })),
       tip(rows, pointer({ x: "robots", y: "value", title: "label", fontSize: 12, lineWidth: 22, fill: "var(--panel)", stroke: "var(--line)", textPadding: 8 })),
@@ -62,21 +59,21 @@ function span(figure, rows) {
 
 // Which line is which, for the methods that have values.
 export function legend(figures) {
-  const used = methods.filter((method) => figures.some(({ series }) => series.some((one) => one.method === method)));
+  const used = Object.keys(methods).filter((method) => figures.some(({ series }) => series.some((one) => one.method === method)));
   const list = document.createElement("ul");
   list.className = "legend";
   for (const method of used) {
     const key = plot({
       className: "key", width: 34, height: 14, margin: 0, axis: null, x: { domain: [0, 1] }, y: { domain: [0, 1] },
       marks: [
-        line([[0.04, 0.5], [0.96, 0.5]], { stroke: colour(method), strokeWidth: 1.75, strokeDasharray: dashes[method] }),
-        dot([[0.5, 0.5]], { stroke: colour(method), fill: method === "random" ? "none" : colour(method), symbol: symbols[method], r: 3 }),
+        line([[0.04, 0.5], [0.96, 0.5]], { stroke: colour(method), strokeWidth: 1.75, strokeDasharray: methods[method].dashes }),
+        dot([[0.5, 0.5]], { stroke: colour(method), fill: method === "random" ? "none" : colour(method), symbol: methods[method].sign, r: 3 }),
       ],
     });
     key.querySelector("style")?.remove();
     key.setAttribute("aria-hidden", "true");
     const item = document.createElement("li");
-    item.append(key, names[method]);
+    item.append(key, methods[method].words);
     list.append(item);
   }
   return list;

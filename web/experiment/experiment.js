@@ -9,6 +9,13 @@ import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources
 // The weight and the number of teams of an experiment: the same as in `evenlift experiment`.
 const manyPolygons = { weight: 100, mostTeams: 1000 };
 
+// What is missing if the algorithm can place no team on the polygon.
+function withoutTeams({ figures }) {
+  if (figures.some(({ series }) => series.some(({ method }) => method !== "balanced"))) return "";
+  return "No chord through the centre of mass has this load ratio: the algorithm can place no team here, "
+    + (figures.length > 0 ? "so only balanced robots were measured." : "and there are no balanced robots either, so nothing was measured.");
+}
+
 let kept;  // the last results and what they describe; closing the window does not lose them
 
 const count = (n, word) => `${number(n)} ${word}${n === 1 ? "" : "s"}`;
@@ -66,16 +73,19 @@ class ExperimentWindow {
     // So many polygons give clear curves; one may ask for more.
     this.most = el("input", { class: "field", type: "number", min: "1", max: "10000", step: "1", value: "30", inputmode: "numeric" });
     this.mostLabel = el("label", {}, "Most teams ", this.most);
+    // Those up to 12, as `evenlift experiment` measures them, take five times as long as those up to 8.
+    this.balanced = el("input", { class: "field", type: "number", min: "2", max: "64", step: "1", value: "8", inputmode: "numeric" });
     this.ownSettings = el("p", { class: "second" }, `With its own centre of mass, minimum load ratio ${this.#polygon.minRatio} and weight ${this.#polygon.weight} kg.`);
     return el("form", { class: "experiment", onsubmit: (event) => {
       event.preventDefault();
       this.#run();
     } },
-      el("p", {}, "Loads, coverage and form closure by every method, with every number of teams: on this polygon, or averaged over many, as in chapter 5 of the thesis. It is computed here; nothing is sent anywhere."),
+      el("p", {}, "Loads, coverage and form closure by every method, with every number of robots: on this polygon, or averaged over many, as in chapter 5 of the thesis. It is computed here; nothing is sent anywhere."),
       el("fieldset", {}, el("legend", {}, "Polygons"), choice("this", "This polygon"), choice("samples", "All samples, some with their centre of mass moved"),
         choice("thesis", "A set like the thesis’s"), choice("files", this.own), this.choose, this.file),
       el("fieldset", {}, el("legend", {}, "Settings"),
-        el("label", {}, "Random placements of each polygon ", this.samples), this.ratioLabel, this.mostLabel, this.ownSettings, this.start));
+        el("label", {}, "Random placements of each polygon ", this.samples), this.ratioLabel, this.mostLabel,
+        el("label", {}, "Most balanced robots ", this.balanced), this.ownSettings, this.start));
   }
 
   get #chosen() {
@@ -123,21 +133,22 @@ class ExperimentWindow {
 
   // The tasks, the settings, and the caption of the results.
   async #plan() {
-    const random = this.samples.valueAsNumber;
+    const random = this.samples.valueAsNumber, mostBalanced = this.balanced.valueAsNumber;
+    const upTo = `Balanced robots are measured up to ${number(mostBalanced)}, since the search for more takes longer.`;
     if (this.#chosen === "this") {
       const { minRatio, weight } = this.#polygon;
       return {
         tasks: thisPolygon(this.#polygon), what: "methods", of: this.#polygon,
-        settings: { minRatio, samples: random, weight, mostTeams: this.most.valueAsNumber },
-        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} kg, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most.`,
+        settings: { minRatio, samples: random, weight, mostTeams: this.most.valueAsNumber, mostBalanced },
+        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} kg, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most. ${upTo}`,
       };
     }
     const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();
     const names = { samples: "All samples", thesis: "A set like the thesis’s", files: "My files" };
     const minRatio = this.ratio.valueAsNumber;
     return {
-      tasks, what: "polygons", settings: { ...manyPolygons, minRatio, samples: random },
-      caption: `${names[this.#chosen]}: ${count(tasks.length, "polygon")}, at a minimum load ratio of ${minRatio} and a weight of 100 kg.`,
+      tasks, what: "polygons", settings: { ...manyPolygons, mostBalanced, minRatio, samples: random },
+      caption: `${names[this.#chosen]}: ${count(tasks.length, "polygon")}, at a minimum load ratio of ${minRatio} and a weight of 100 kg. ${upTo}`,
     };
   }
 
@@ -150,10 +161,17 @@ class ExperimentWindow {
     this.#toggle(true);
     this.now.textContent = "Getting ready …";
     this.bar.removeAttribute("value");
+    let partly = false;
     try {
       const { tasks, what, settings, caption, of } = await this.#plan();
       const outputs = await runExperiment(tasks, {
         settings, onePolygon: of !== undefined, signal: stop.signal,
+        partly: async (some) => {
+          if (some.figures.length === 0) return;
+          kept = { outputs: some, caption: `${caption} They are still missing.`, of };
+          partly = true;
+          await this.#show();
+        },
         progress: (done, title) => {
           this.bar.value = done / tasks.length;
           this.now.textContent = `${number(done)} of ${number(tasks.length)} ${what}: ${title}`;
@@ -163,7 +181,7 @@ class ExperimentWindow {
       await this.#show();
       this.said.textContent = of ? "Done." : `Done: ${count(tasks.length, "polygon")}.`;
     } catch (error) {
-      if (error.name === "AbortError") this.said.textContent = "Cancelled; nothing of this comparison is kept.";
+      if (error.name === "AbortError") this.said.textContent = partly ? "Cancelled; balanced robots are missing." : "Cancelled; nothing of this comparison is kept.";
       else this.problem.say(error.message.charAt(0).toUpperCase() + error.message.slice(1));
     } finally {
       this.#stop = undefined;
@@ -189,7 +207,6 @@ class ExperimentWindow {
     const save = (name, text, file, title) => button(name, { onclick: () => download(new Blob([text], { type: "text/csv" }), `evenlift-${file}.csv`), title }, "save");
     this.footer.replaceChildren(save("Measurements (CSV)", outputs.measurements, "measurements", "Save every measurement"),
       ...(of ? [] : [save("Averages (CSV)", outputs.aggregates, "averages", "Save what the charts show")]));
-    this.#charts = await showResults(this.results, outputs, outputs.figures.length > 0 ? caption
-      : "No chord through the centre of mass has this load ratio: the algorithm can place no team here, so nothing was measured.");
+    this.#charts = await showResults(this.results, outputs, (of && withoutTeams(outputs)) || caption);
   }
 }

@@ -1,4 +1,5 @@
 // The results of an experiment as charts and tables (evenlift/experiment/outputs.h).
+import { methods } from "../charts/methods.js";
 import { el, number } from "../kit/elements.js";
 import { figureTable } from "./figure_table.js";
 
@@ -27,11 +28,25 @@ function claims({ claims: { sets, rows } }) {
         el("td", {}, section), el("th", { scope: "row" }, what), el("td", {}, thesis), ...ours.map((cell) => el("td", {}, cell))))))))];
 }
 
+// A table of one measure of few robots, with a row for each number of them.
+function fewRobotsTable(what, rows) {
+  const head = (name) => el("th", { scope: "col" }, name);
+  return el("figure", {}, el("h3", {}, what), wide(what, el("table", { class: "numbers" },
+    el("thead", {}, el("tr", {}, ...["robots", ...Object.keys(methods)].map(head))),
+    el("tbody", {}, ...rows.map(({ robots, cells }) => el("tr", {}, el("th", { scope: "row" }, String(robots)), ...cells.map((cell) => el("td", {}, cell))))))));
+}
+
+function fewRobots({ few_robots: sets }) {
+  return sets.map(({ set, rows }) => el("details", { class: "few-robots" },
+    el("summary", {}, `${sets.length > 1 ? `${set}: ` : ""}3 to 12 robots, odd numbers of balanced ones included, as numbers`),
+    el("div", { class: "figures" }, ...[...new Set(rows.map(({ what }) => what))].map((what) => fewRobotsTable(what, rows.filter((row) => row.what === what))))));
+}
+
 // Fills an element with the results under a caption. Returns functions that stop the charts from following its width.
 export async function showResults(into, outputs, caption) {
   const places = outputs.figures.map(({ id }) => el("div", { class: "plot", "data-figure": id }));
   into.replaceChildren(el("p", { class: "second" }, caption), ...refused(outputs),
-    el("div", { class: "figures" }, ...outputs.figures.map((made, at) => figure(made, places[at]))), ...claims(outputs));
+    el("div", { class: "figures" }, ...outputs.figures.map((made, at) => figure(made, places[at]))), ...fewRobots(outputs), ...claims(outputs));
   const charts = await import("./charts.js");
   if (charts.missing) {
     into.prepend(el("p", { class: "problem" }, "The charts are missing: this page was built without what draws them. Their numbers are below."));

@@ -1,9 +1,9 @@
 // The polygons on which the methods can be compared: the open one, the sets of the project, and files. Each source returns
 // tasks for the workers (worker_pool.js).
+import { methods } from "../charts/methods.js";
 import { fetchJson } from "../kit/fetched.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
-const methods = ["area", "circle", "distance", "distributed", "random"];
 
 const nameOf = (file) => file.name.replace(/\.[^.]*$/, "") || file.name;
 
@@ -20,9 +20,10 @@ const cannotBeFetched = (what) => (error) => {
   throw new Error(`${what} cannot be fetched: ${error.message}`);
 };
 
-// The open polygon, as one task for each method, so that the progress can be seen.
+// The open polygon, as one task for each method, so that the progress can be seen. Balanced robots, which take longest, are
+// the last.
 export function thisPolygon({ text }) {
-  return methods.map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
+  return Object.keys(methods).map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
 }
 
 // All files of assets/polygons, under the names of the gallery.

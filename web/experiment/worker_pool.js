@@ -43,13 +43,14 @@ const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) 
 
 // Carries out all tasks and returns the results (evenlift/experiment/outputs.h). A task is {set, name, title, read, method}:
 // a polygon, whose text `read()` returns or fails to return, to be measured with one method, or with all if none is named.
-// With `onePolygon` the results describe a single polygon, and one worker is enough. `progress(done, title)` is called
-// after each finished task. If `signal` aborts, the call fails with the signal's reason.
+// With `onePolygon` the results describe a single polygon, and one worker is enough; `partly(results)` is then called with
+// those of the other tasks before the last one, which may take long. `progress(done, title)` is called after each finished
+// task. If `signal` aborts, the call fails with the signal's reason.
 export function runExperiment(tasks, options) {
   return underWay(run(tasks, options));
 }
 
-async function run(tasks, { settings, onePolygon, signal, progress }) {
+async function run(tasks, { settings, onePolygon, signal, progress, partly }) {
   const size = onePolygon ? 1 : Math.min(most(), Math.max(1, tasks.length));
   const pool = Array.from({ length: size }, () => new PooledWorker());
   const stop = (why) => pool.forEach((worker) => worker.end(why));
@@ -62,6 +63,7 @@ async function run(tasks, { settings, onePolygon, signal, progress }) {
       const problem = await worker.ask("begin", settings);
       if (problem) throw new Error(problem);
       while (next < tasks.length) {
+        if (onePolygon && next > 0 && next === tasks.length - 1) await partly(await worker.ask("results", { parts, onePolygon }));
         const { set, name, title, read, method = "" } = tasks[next++];
         const text = await read().then((content) => ({ content }), (error) => ({ problem: error.message }));
         signal.throwIfAborted();

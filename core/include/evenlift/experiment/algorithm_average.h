@@ -16,28 +16,28 @@ std::optional<double> pick_share(const Aggregate& a);
 std::optional<double> pick_coverage(const Aggregate& a);
 std::optional<double> pick_closure(const Aggregate& a);
 
-// The mean of area, circle and distance with that many teams, if all three have a value. O(rows).
+// The mean of area, circle and distance with that many robots, if all three have a value. O(rows).
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
-                                        std::uint32_t teams, Pick pick);
+                                        std::uint32_t robots, Pick pick);
 
-// The ratio of the method's spread to the algorithm's with that many teams, for objects of
+// The ratio of the method's spread to the algorithm's with that many robots, for objects of
 // experiment_weight. Nothing if either is missing, or if the algorithm's loads are even to within τ
 // of their mean. O(rows).
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
-                                   std::uint32_t teams);
+                                   std::uint32_t robots);
 
 struct Range {
   double least = 0, most = 0;
 };
 
-// The least and the greatest spread_times for 1 .. most_teams teams; nothing if there is none.
-// O(rows most_teams).
+// The least and the greatest spread_times for 2, 4, .. most_robots; nothing if there is none.
+// O(rows most_robots).
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
-                                  std::uint32_t most_teams);
+                                  std::uint32_t most_robots);
 
-// The mean over 2 .. most_teams teams of the algorithm's coverage less the method's (one team
-// covers nothing). O(rows most_teams).
+// The mean over 4, 6, .. most_robots of the algorithm's coverage less the method's (two robots cover
+// nothing). O(rows most_robots).
 std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
-                                    std::uint32_t most_teams);
+                                    std::uint32_t most_robots);
 
 }  // namespace evenlift::experiment

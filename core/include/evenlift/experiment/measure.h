@@ -1,4 +1,5 @@
-// What chapter 5 of the thesis measures of one polygon: every method with every number of teams.
+// What chapter 5 of the thesis measures of one polygon: every method with every number of teams; and
+// beside it, beyond the thesis, balanced robots with every number of them.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +26,9 @@ struct ExperimentSettings {
   // Every polygon is measured with at most this many teams, 1 .. max_experiment_teams: the time
   // grows with the square.
   std::uint32_t most_teams = 1000;
+  // And with at most this many balanced robots, least_robots .. most_robots: their search takes most
+  // of the time, and the more robots the more.
+  std::uint32_t most_balanced = 12;
   double weight = experiment_weight;  // of the object, kg; above 0
   bool operator==(const ExperimentSettings&) const = default;
 };
@@ -43,10 +47,10 @@ struct Subject {
 // settings do not matter. O(n log n + K log K) for K edge-pairs.
 Result<Subject> prepare(const Document& document, double min_ratio);
 
-// One method with one number of teams on one polygon. Random placements are averaged.
+// One method with one number of robots on one polygon. Random placements are averaged.
 struct Measurement {
   Method method = Method::area;
-  std::uint32_t teams = 0;    // 1 .. number of candidates
+  std::uint32_t robots = 0;   // 2, 4, .. twice the number of candidates; balanced 2, 3, ..
   std::uint32_t samples = 1;  // placements averaged; 1 for all methods but random
   double coverage = 0;        // 0 .. 1
   double form_closure = 0;    // part of the placements in form closure, 0 .. 1; 0 or 1 of one
@@ -54,17 +58,27 @@ struct Measurement {
                               // centres has an area
   double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, kg
   double spread = 0;                                 // load_max - load_min, kg (figure 5.3)
-  double max_share = 0.5;  // greatest share of its team's load that a robot bears (figure 5.5)
+  double max_share = 0.5;  // greatest share of its team's load that a robot bears (figure 5.5); of
+                           // balanced robots any two count as a team, so it is a half
   std::optional<std::uint32_t> chosen;  // the candidate that the last team took, from 0, in
-                                        // candidate order; none for distributed and random
+                                        // candidate order; none for the other methods
   bool operator==(const Measurement&) const = default;
 };
+
+// How many teams so many robots are: balanced robots are one, others stand two in a team. O(1).
+std::uint32_t teams_of(Method method, std::uint32_t robots);
 
 // Measures one method with 1, 2, ... teams: as many as there are candidates and settings allow, for
 // distributed and random placements, too. A number of teams that a method cannot place is left out
 // (distributed and random, with C on the boundary). The random sample k = 1 .. samples is
-// random_teams with seed k, whose first t teams are its placement of t teams. The values are those
-// that place() reports. For t teams: O(t^2) loads, and coverage and closure once for each team.
+// random_teams with seed k, whose first t teams are its placement of t teams. For t teams: O(t^2)
+// loads, and coverage and closure once for each team.
+//
+// Balanced robots are measured with each number of them from 2 on, candidates or not, where there is
+// such a placement: what place() finds with the settings left as they are, for the search of
+// balanced.h once for each number.
+//
+// The values are those that place() reports, except for the max_share of balanced robots.
 std::vector<Measurement> measure(const Subject& subject, Method method,
                                  const ExperimentSettings& settings);
 

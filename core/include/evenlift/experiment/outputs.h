@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evenlift/experiment/claims.h"
+#include "evenlift/experiment/few_robots.h"
 #include "evenlift/experiment/figures.h"
 
 namespace evenlift::experiment {
@@ -15,6 +16,7 @@ struct Outputs {
   std::vector<std::pair<std::string, std::string>> refused;  // polygon, why it was left out
   std::vector<Figure> figures;                               // by the thesis's figure, then by set
   std::vector<SetClaims> claims;                             // none of a single polygon
+  std::vector<FewRobots> few_robots;                         // the same
 };
 
 // The outputs of sets of polygons, each with its averages. O(rows).
@@ -24,8 +26,8 @@ Outputs make_outputs(const std::vector<ResultSet>& sets);
 Outputs make_polygon_outputs(const PolygonResult& result, const ExperimentSettings& settings);
 
 // {"measurements", "aggregates", "polygons": the CSV files as strings; "thesis": the table in
-// Markdown; "refused": [{"polygon", "problem"}]; "figures", "claims": as figures_json and
-// claims_json} for the page. O(output).
+// Markdown; "refused": [{"polygon", "problem"}]; "figures", "claims", "few_robots": as
+// figures_json, claims_json and few_robots_json} for the page. O(output).
 std::string outputs_json(const Outputs& outputs);
 
 }  // namespace evenlift::experiment

@@ -19,7 +19,7 @@ struct PolygonResult {
   std::uint32_t vertices = 0;
   bool convex = false;
   std::uint32_t candidates = 0;           // as many teams as the algorithm can place
-  std::vector<Measurement> measurements;  // by method, then teams
+  std::vector<Measurement> measurements;  // by method, then robots
   bool operator==(const PolygonResult&) const = default;
 };
 
@@ -65,7 +65,7 @@ std::string write_part(const Part& part);
 // O(bytes).
 std::optional<Part> read_part(std::string_view text);
 
-// One row for each set, polygon, method and number of teams, in that order, under a heading;
+// One row for each set, polygon, method and number of robots, in that order, under a heading;
 // numbers have the fewest digits that read back to the same double. Columns as Measurement's
 // fields; `chosen` is empty where there is none. O(rows).
 std::string measurements_csv(const std::vector<ResultSet>& sets);

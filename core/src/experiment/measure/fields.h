@@ -40,7 +40,8 @@ class Fields {
 
 inline Row settings_fields(const ExperimentSettings& settings) {
   return {shortest(settings.min_ratio), std::to_string(settings.samples),
-          std::to_string(settings.most_teams), shortest(settings.weight)};
+          std::to_string(settings.most_teams), std::to_string(settings.most_balanced),
+          shortest(settings.weight)};
 }
 
 inline ExperimentSettings read_settings(Fields& fields) {
@@ -48,6 +49,7 @@ inline ExperimentSettings read_settings(Fields& fields) {
   settings.min_ratio = fields.number();
   settings.samples = fields.whole();
   settings.most_teams = fields.whole();
+  settings.most_balanced = fields.whole();
   settings.weight = fields.number();
   return settings;
 }

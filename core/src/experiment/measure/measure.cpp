@@ -10,6 +10,7 @@
 #include "evenlift/settings_text.h"
 #include "evenlift/stability.h"
 #include "evenlift/tolerance.h"
+#include "experiment/measure/measure_balanced.h"
 
 namespace evenlift::experiment {
 namespace {
@@ -34,7 +35,7 @@ class Growing {
   // Everything except form closure.
   Measurement measured() {
     Measurement m;
-    m.teams = static_cast<std::uint32_t>(chords_.size());
+    m.robots = static_cast<std::uint32_t>(points_.size());
     if (!coverage_) coverage_ = coverage(subject_.polygon, hull_);
     m.coverage = *coverage_;
     const LoadSummary loads = *summarize_loads(distribute_weight(chords_, weight_));
@@ -66,11 +67,6 @@ class Growing {
 };
 
 using Test = bool (*)(const Polygon&, const Vec2&, const std::vector<LiftingPoint>&);
-
-void test_closure(const Subject& subject, const std::vector<LiftingPoint>& points, Measurement& m) {
-  m.form_closure = in_form_closure(subject.polygon, subject.centre, points) ? 1 : 0;
-  m.no_area = no_region_has_area(subject.polygon, subject.centre, points) ? 1 : 0;
-}
 
 std::size_t most_teams(const Subject& subject, const ExperimentSettings& settings) {
   return std::min<std::size_t>(subject.candidates.size(), settings.most_teams);
@@ -159,7 +155,7 @@ std::vector<Measurement> measure_random(const Subject& subject,
                sums);
   for (std::size_t t = 0; t < teams; ++t) {
     Measurement& m = sums[t];
-    m.teams = static_cast<std::uint32_t>(t + 1);
+    m.robots = static_cast<std::uint32_t>(2 * (t + 1));
     for (double* sum : {&m.coverage, &m.form_closure, &m.no_area, &m.load_min, &m.load_mean,
                         &m.load_max, &m.spread, &m.max_share})
       *sum /= m.samples;
@@ -180,6 +176,8 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings) {
     return bad_option("samples", "the number of random samples is from 1 to 100000");
   if (settings.most_teams < 1 || settings.most_teams > max_experiment_teams)
     return bad_option("max_teams", "the greatest number of teams is from 1 to 10000");
+  if (settings.most_balanced < least_robots || settings.most_balanced > most_robots)
+    return bad_option("max_balanced", "the greatest number of balanced robots is from 2 to 64");
   if (!(settings.weight > 0) || !std::isfinite(settings.weight))
     return bad_option("weight", "the weight is a finite number greater than 0");
   return std::nullopt;
@@ -195,6 +193,10 @@ Result<Subject> prepare(const Document& document, double min_ratio) {
   return Subject{*std::move(polygon), *centre, *std::move(candidates)};
 }
 
+std::uint32_t teams_of(Method method, std::uint32_t robots) {
+  return method == Method::balanced ? 1 : robots / 2;
+}
+
 std::vector<Measurement> measure(const Subject& subject, Method method,
                                  const ExperimentSettings& settings) {
   switch (method) {
@@ -202,6 +204,8 @@ std::vector<Measurement> measure(const Subject& subject, Method method,
       return measure_distributed(subject, settings);
     case Method::random:
       return measure_random(subject, settings);
+    case Method::balanced:
+      return measure_balanced(subject, settings);
     default:
       return measure_selected(subject, method, settings);
   }

@@ -12,7 +12,7 @@ namespace {
 
 // Increase it whenever the same polygon gives other rows or the rows look different: older parts
 // are then measured again.
-constexpr const char* part_format = "evenlift experiment 2";
+constexpr const char* part_format = "evenlift experiment 3";
 
 const csv::Row measurement_columns = {"set",     "polygon",   "method",    "teams",
                                       "robots",  "samples",   "coverage",  "form_closure",
@@ -23,8 +23,8 @@ csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
   return {of.set,
           of.polygon,
           std::string(name(m.method)),
-          std::to_string(m.teams),
-          std::to_string(2 * std::uint64_t{m.teams}),
+          std::to_string(teams_of(m.method, m.robots)),
+          std::to_string(m.robots),
           std::to_string(m.samples),
           shortest(m.coverage),
           shortest(m.form_closure),
@@ -76,8 +76,9 @@ bool read_measurement(const csv::Row& row, PolygonResult& result) {
   Measurement m;
   m.method = *method;
   csv::Fields fields(row, 4);
-  m.teams = fields.whole();
-  if (fields.whole() != 2 * m.teams) return false;
+  const std::uint32_t teams = fields.whole();
+  m.robots = fields.whole();
+  if (teams != teams_of(m.method, m.robots)) return false;
   m.samples = fields.whole();
   for (double* value : {&m.coverage, &m.form_closure, &m.no_area, &m.load_min, &m.load_mean,
                         &m.load_max, &m.spread, &m.max_share})

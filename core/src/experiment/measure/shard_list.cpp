@@ -5,7 +5,7 @@
 namespace evenlift::experiment {
 namespace {
 
-constexpr const char* list_format = "evenlift experiment shard 2";
+constexpr const char* list_format = "evenlift experiment shard 3";
 
 bool read_heading(const csv::Row& row, ShardList& list) {
   csv::Fields fields(row, 1);

@@ -10,9 +10,9 @@
 namespace evenlift::experiment {
 namespace {
 
-// The values of one method and number of teams, in the order of the polygons.
+// The values of one method and number of robots, in the order of the polygons.
 struct Column {
-  std::vector<double> spread, load_max, max_share, coverage;
+  std::vector<double> spread, load_max, max_share, coverage, closed;
   std::vector<double> form_closure, no_area;  // of the polygons on which it is possible
 };
 
@@ -21,12 +21,13 @@ std::string optional_number(const std::optional<double>& value) {
 }
 
 csv::Row aggregate_row(const std::string& set, const Aggregate& a) {
-  csv::Row row = {set, std::string(name(a.method)), std::to_string(a.teams),
-                  std::to_string(2 * std::uint64_t{a.teams}), std::to_string(a.polygons)};
+  csv::Row row = {set, std::string(name(a.method)), std::to_string(teams_of(a.method, a.robots)),
+                  std::to_string(a.robots), std::to_string(a.polygons)};
   for (const Statistics& s : {a.spread, a.load_max, a.max_share, a.coverage}) {
     row.push_back(shortest(s.mean));
     row.push_back(optional_number(s.deviation));
   }
+  row.push_back(shortest(a.closed));
   row.push_back(std::to_string(a.closable));
   row.push_back(optional_number(a.form_closure));
   row.push_back(std::to_string(a.no_area_possible));
@@ -48,40 +49,39 @@ Statistics statistics(const std::vector<double>& values) {
   return s;
 }
 
-bool closable(const PolygonResult& result) {
-  return std::any_of(result.measurements.begin(), result.measurements.end(),
-                     [](const Measurement& m) { return m.form_closure > 0; });
-}
-
-bool no_area_possible(const PolygonResult& result) {
-  return std::any_of(result.measurements.begin(), result.measurements.end(),
-                     [](const Measurement& m) { return m.no_area > 0; });
+bool can_close(const PolygonResult& result, Closed closed) {
+  return std::any_of(
+      result.measurements.begin(), result.measurements.end(),
+      [&](const Measurement& m) { return m.method != Method::balanced && m.*closed > 0; });
 }
 
 std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results) {
   std::map<std::pair<Method, std::uint32_t>, Column> columns;
   for (const PolygonResult& result : results) {
-    const bool can_close = closable(result), can_lose_area = no_area_possible(result);
+    const bool closable = can_close(result, &Measurement::form_closure),
+               no_area_possible = can_close(result, &Measurement::no_area);
     for (const Measurement& m : result.measurements) {
-      Column& column = columns[{m.method, m.teams}];
+      Column& column = columns[{m.method, m.robots}];
       column.spread.push_back(m.spread);
       column.load_max.push_back(m.load_max);
       column.max_share.push_back(m.max_share);
       column.coverage.push_back(m.coverage);
-      if (can_close) column.form_closure.push_back(m.form_closure);
-      if (can_lose_area) column.no_area.push_back(m.no_area);
+      column.closed.push_back(m.form_closure);
+      if (closable) column.form_closure.push_back(m.form_closure);
+      if (no_area_possible) column.no_area.push_back(m.no_area);
     }
   }
   std::vector<Aggregate> aggregates;
   for (const auto& [key, column] : columns) {
     Aggregate a;
     a.method = key.first;
-    a.teams = key.second;
+    a.robots = key.second;
     a.polygons = static_cast<std::uint32_t>(column.spread.size());
     a.spread = statistics(column.spread);
     a.load_max = statistics(column.load_max);
     a.max_share = statistics(column.max_share);
     a.coverage = statistics(column.coverage);
+    a.closed = statistics(column.closed).mean;
     a.closable = static_cast<std::uint32_t>(column.form_closure.size());
     if (a.closable > 0) a.form_closure = statistics(column.form_closure).mean;
     a.no_area_possible = static_cast<std::uint32_t>(column.no_area.size());
@@ -92,19 +92,19 @@ std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results) {
 }
 
 std::string aggregates_csv(const std::vector<SetAggregates>& sets) {
-  std::string text = csv::line({"set", "method", "teams", "robots", "polygons", "spread_mean",
-                                "spread_sd", "load_max_mean", "load_max_sd", "max_share_mean",
-                                "max_share_sd", "coverage_mean", "coverage_sd", "closable",
-                                "form_closure_mean", "no_area_possible", "no_area_mean"});
+  std::string text = csv::line(
+      {"set", "method", "teams", "robots", "polygons", "spread_mean", "spread_sd", "load_max_mean",
+       "load_max_sd", "max_share_mean", "max_share_sd", "coverage_mean", "coverage_sd",
+       "closed_mean", "closable", "form_closure_mean", "no_area_possible", "no_area_mean"});
   for (const SetAggregates& set : sets)
     for (const Aggregate& a : set.aggregates) text += csv::line(aggregate_row(set.set, a));
   return text;
 }
 
 const Aggregate* find(const std::vector<Aggregate>& aggregates, Method method,
-                      std::uint32_t teams) {
+                      std::uint32_t robots) {
   for (const Aggregate& a : aggregates)
-    if (a.method == method && a.teams == teams) return &a;
+    if (a.method == method && a.robots == robots) return &a;
   return nullptr;
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 // Whether a spread is zero except for rounding: the loads of 100 kg differ by less than τ of their
 // mean.
-bool is_even(double spread, std::uint32_t teams) {
-  return spread <= tau * experiment_weight / (2.0 * teams);
+bool is_even(double spread, std::uint32_t robots) {
+  return spread <= tau * experiment_weight / robots;
 }
 
 }  // namespace
@@ -21,10 +21,10 @@ std::optional<double> pick_coverage(const Aggregate& a) { return a.coverage.mean
 std::optional<double> pick_closure(const Aggregate& a) { return a.form_closure; }
 
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
-                                        std::uint32_t teams, Pick pick) {
+                                        std::uint32_t robots, Pick pick) {
   double sum = 0;
   for (const Method method : {Method::area, Method::circle, Method::distance}) {
-    const Aggregate* a = find(aggregates, method, teams);
+    const Aggregate* a = find(aggregates, method, robots);
     const std::optional<double> value = a ? pick(*a) : std::nullopt;
     if (!value) return std::nullopt;
     sum += *value;
@@ -33,18 +33,18 @@ std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates
 }
 
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
-                                   std::uint32_t teams) {
-  const std::optional<double> ours = algorithm_average(aggregates, teams, pick_spread);
-  const Aggregate* other = find(aggregates, method, teams);
-  if (!ours || !other || is_even(*ours, teams)) return std::nullopt;
+                                   std::uint32_t robots) {
+  const std::optional<double> ours = algorithm_average(aggregates, robots, pick_spread);
+  const Aggregate* other = find(aggregates, method, robots);
+  if (!ours || !other || is_even(*ours, robots)) return std::nullopt;
   return other->spread.mean / *ours;
 }
 
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
-                                  std::uint32_t most_teams) {
+                                  std::uint32_t most_robots) {
   std::optional<Range> range;
-  for (std::uint32_t teams = 1; teams <= most_teams; ++teams) {
-    const std::optional<double> times = spread_times(aggregates, method, teams);
+  for (std::uint32_t robots = 2; robots <= most_robots; robots += 2) {
+    const std::optional<double> times = spread_times(aggregates, method, robots);
     if (!times) continue;
     if (!range) range = {*times, *times};
     range->least = std::min(range->least, *times);
@@ -54,12 +54,12 @@ std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Meth
 }
 
 std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
-                                    std::uint32_t most_teams) {
+                                    std::uint32_t most_robots) {
   double sum = 0;
   int count = 0;
-  for (std::uint32_t teams = 2; teams <= most_teams; ++teams) {
-    const std::optional<double> ours = algorithm_average(aggregates, teams, pick_coverage);
-    const Aggregate* other = find(aggregates, method, teams);
+  for (std::uint32_t robots = 4; robots <= most_robots; robots += 2) {
+    const std::optional<double> ours = algorithm_average(aggregates, robots, pick_coverage);
+    const Aggregate* other = find(aggregates, method, robots);
     if (!ours || !other) continue;
     sum += *ours - other->coverage.mean;
     ++count;

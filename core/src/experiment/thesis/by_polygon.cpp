@@ -13,7 +13,7 @@ std::optional<std::vector<std::uint32_t>> choices(const PolygonResult& result,
                                                   std::uint32_t teams) {
   std::vector<std::uint32_t> chosen;
   for (const Method method : metrics) {
-    const Measurement* m = find(result, method, teams);
+    const Measurement* m = find(result, method, 2 * teams);
     if (!m || !m->chosen) return std::nullopt;
     chosen.push_back(*m->chosen);
   }
@@ -25,32 +25,33 @@ bool all_same(const std::vector<std::uint32_t>& chosen) {
                      [&](std::uint32_t c) { return c == chosen.front(); });
 }
 
-std::optional<double> algorithm_coverage(const PolygonResult& result, std::uint32_t teams) {
+std::optional<double> algorithm_coverage(const PolygonResult& result, std::uint32_t robots) {
   double sum = 0;
   for (const Method method : metrics) {
-    const Measurement* m = find(result, method, teams);
+    const Measurement* m = find(result, method, robots);
     if (!m) return std::nullopt;
     sum += m->coverage;
   }
   return sum / 3;
 }
 
-// The largest number of teams that was measured.
-std::uint32_t most_teams(const PolygonResult& result) {
+// The largest number of robots in teams of two that was measured.
+std::uint32_t most_in_teams(const PolygonResult& result) {
   std::uint32_t most = 0;
   for (const Measurement& m : result.measurements)
-    if (m.method == Method::area) most = std::max(most, m.teams);
+    if (m.method == Method::area) most = std::max(most, m.robots);
   return most;
 }
 
 }  // namespace
 
-const Measurement* find(const PolygonResult& result, Method method, std::uint32_t teams) {
-  // Rows are by method, then teams.
+const Measurement* find(const PolygonResult& result, Method method, std::uint32_t robots) {
+  // Rows are by method, then robots.
   const auto at = std::lower_bound(
-      result.measurements.begin(), result.measurements.end(), std::pair(method, teams),
-      [](const Measurement& m, auto key) { return std::pair(m.method, m.teams) < key; });
-  const bool found = at != result.measurements.end() && at->method == method && at->teams == teams;
+      result.measurements.begin(), result.measurements.end(), std::pair(method, robots),
+      [](const Measurement& m, auto key) { return std::pair(m.method, m.robots) < key; });
+  const bool found =
+      at != result.measurements.end() && at->method == method && at->robots == robots;
   return found ? &*at : nullptr;
 }
 
@@ -73,9 +74,9 @@ Count alike_coverage(const std::vector<PolygonResult>& results, double differenc
   for (const PolygonResult& result : results) {
     const auto chosen = choices(result, 2);
     if (!chosen || all_same(*chosen)) continue;
-    const auto [least, most] = std::minmax({find(result, Method::area, 2)->coverage,
-                                            find(result, Method::circle, 2)->coverage,
-                                            find(result, Method::distance, 2)->coverage});
+    const auto [least, most] = std::minmax({find(result, Method::area, 4)->coverage,
+                                            find(result, Method::circle, 4)->coverage,
+                                            find(result, Method::distance, 4)->coverage});
     ++count.of;
     if (most - least < difference) ++count.yes;
   }
@@ -87,10 +88,10 @@ std::vector<double> coverage_differences(const std::vector<PolygonResult>& resul
   for (const PolygonResult& result : results) {
     double sum = 0;
     int count = 0;
-    const std::uint32_t most = most_teams(result);
-    for (std::uint32_t teams = 2; teams <= most; ++teams) {
-      const std::optional<double> ours = algorithm_coverage(result, teams);
-      const Measurement* other = find(result, method, teams);
+    const std::uint32_t most = most_in_teams(result);
+    for (std::uint32_t robots = 4; robots <= most; robots += 2) {
+      const std::optional<double> ours = algorithm_coverage(result, robots);
+      const Measurement* other = find(result, method, robots);
       if (!ours || !other) continue;
       sum += other->coverage - *ours;
       ++count;
@@ -103,7 +104,7 @@ std::vector<double> coverage_differences(const std::vector<PolygonResult>& resul
 std::vector<double> final_coverages(const std::vector<PolygonResult>& results) {
   std::vector<double> coverages;
   for (const PolygonResult& result : results)
-    if (const auto covered = algorithm_coverage(result, most_teams(result)))
+    if (const auto covered = algorithm_coverage(result, most_in_teams(result)))
       coverages.push_back(*covered);
   return coverages;
 }
@@ -112,13 +113,11 @@ std::vector<double> all_coverages(const std::vector<PolygonResult>& results) {
   std::vector<double> coverages;
   for (const PolygonResult& result : results)
     for (const Measurement& m : result.measurements)
-      if (m.teams >= 2 &&
-          std::find(std::begin(metrics), std::end(metrics), m.method) != std::end(metrics))
-        coverages.push_back(m.coverage);
+      if (m.robots >= 4 && selects_candidates(m.method)) coverages.push_back(m.coverage);
   return coverages;
 }
 
-std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t teams) {
+std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t robots) {
   std::optional<Loss> greatest;
   for (const PolygonResult& moved : results) {
     const std::size_t name = moved.polygon.rfind("-moved");
@@ -127,8 +126,8 @@ std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std
         results.begin(), results.end(),
         [&](const PolygonResult& other) { return other.polygon == moved.polygon.substr(0, name); });
     if (outline == results.end()) continue;
-    const Measurement *before = find(*outline, Method::area, teams),
-                      *after = find(moved, Method::area, teams);
+    const Measurement *before = find(*outline, Method::area, robots),
+                      *after = find(moved, Method::area, robots);
     if (!before || !after) continue;
     if (!greatest || before->coverage - after->coverage > greatest->before - greatest->after)
       greatest = {moved.polygon, before->coverage, after->coverage};
@@ -139,27 +138,21 @@ std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std
 Count closed(const std::vector<PolygonResult>& results, Closed closed) {
   Count count;
   for (const PolygonResult& result : results) {
-    bool by_any = false, by_algorithm = false;
-    for (const Measurement& m : result.measurements) {
-      if (m.*closed == 0) continue;
-      by_any = true;
-      by_algorithm |= m.method != Method::distributed && m.method != Method::random;
-    }
-    count.of += by_any;
-    count.yes += by_algorithm;
+    count.of += can_close(result, closed);
+    count.yes += std::any_of(
+        result.measurements.begin(), result.measurements.end(),
+        [&](const Measurement& m) { return selects_candidates(m.method) && m.*closed > 0; });
   }
   return count;
 }
 
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,
-                  std::uint32_t teams, std::uint32_t most_vertices) {
+                  std::uint32_t robots, std::uint32_t most_vertices) {
   Count count;
   for (const PolygonResult& result : results) {
-    const Measurement* m = find(result, method, teams);
+    const Measurement* m = find(result, method, robots);
     if (!m || result.vertices > most_vertices) continue;
-    const bool possible = std::any_of(result.measurements.begin(), result.measurements.end(),
-                                      [&](const Measurement& other) { return other.*closed > 0; });
-    count.of += possible;
+    count.of += can_close(result, closed);
     count.yes += m->*closed > 0;
   }
   return count;
@@ -169,15 +162,15 @@ Lost closure_lost(const std::vector<PolygonResult>& results, Closed closed, Meth
   Lost lost;
   std::set<std::uint32_t> robots;
   for (const PolygonResult& result : results) {
-    const std::uint32_t most = most_teams(result);
-    for (std::uint32_t teams = 2; teams <= most; ++teams) {
-      const Measurement *before = find(result, method, teams - 1),
-                        *after = find(result, method, teams);
+    const std::uint32_t most = most_in_teams(result);
+    for (std::uint32_t number = 4; number <= most; number += 2) {
+      const Measurement *before = find(result, method, number - 2),
+                        *after = find(result, method, number);
       if (!before || !after || before->*closed == 0) continue;
       ++lost.steps.of;
       if (after->*closed >= before->*closed) continue;
       ++lost.steps.yes;
-      robots.insert(2 * teams);
+      robots.insert(number);
     }
   }
   lost.robots.assign(robots.begin(), robots.end());

@@ -15,8 +15,8 @@ struct Count {
   std::uint32_t yes = 0, of = 0;
 };
 
-// The measurement of a method with a number of teams, or null. O(rows).
-const Measurement* find(const PolygonResult& result, Method method, std::uint32_t teams);
+// The measurement of a method with a number of robots, or null. O(rows).
+const Measurement* find(const PolygonResult& result, Method method, std::uint32_t robots);
 
 // Polygons with candidates for `teams` on which area, circle and distance choose the same last
 // team; with more than two teams, of those on which they chose the same one before, too (5.4).
@@ -40,25 +40,22 @@ std::vector<double> final_coverages(const std::vector<PolygonResult>& results);
 // each polygon, metric, and number of teams.
 std::vector<double> all_coverages(const std::vector<PolygonResult>& results);
 
-// The greatest loss of coverage (method area) with `teams` teams from a polygon NAME to NAME-moved
+// The greatest loss of coverage (method area) with so many robots from a polygon NAME to NAME-moved
 // or NAME-moved-1, NAME-moved-2 ..., and the name of the latter; none without such a couple.
 struct Loss {
   std::string polygon;
   double before = 0, after = 0;
 };
-std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t teams);
+std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t robots);
 
-// What counts as closed: form closure, or the thesis's own test.
-using Closed = double Measurement::*;
-
-// Polygons that some method closes with some number of teams, and that area, circle or distance
-// closes, too. (With all candidates placed the three are one.)
+// Polygons that some method of the thesis closes with some number of teams, and that area, circle or
+// distance closes, too. (With all candidates placed the three are one.)
 Count closed(const std::vector<PolygonResult>& results, Closed closed);
 
-// Polygons with up to `most_vertices` that can be closed and on which the method can place
-// `teams`, and those that it closes with them.
+// Polygons with up to `most_vertices` that can be closed and on which the method can place so many
+// robots, and those that it closes with them.
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,
-                  std::uint32_t teams, std::uint32_t most_vertices);
+                  std::uint32_t robots, std::uint32_t most_vertices);
 
 // Steps from one number of teams to the next at which a polygon in form closure loses it; and the
 // numbers of robots after the step at which that happens, each once, rising.

@@ -3,6 +3,7 @@
 #include "evenlift/experiment/figures.h"
 #include "evenlift/output/words.h"
 #include "experiment/thesis/claims_sections.h"
+#include "experiment/thesis/markdown.h"
 #include "output/json/json_text.h"
 
 namespace evenlift::experiment {
@@ -23,42 +24,26 @@ std::string with_deviation(const std::string& value, const std::optional<double>
 
 }  // namespace claims
 
-namespace {
-
-// A cell of a table in Markdown; names of polygons may hold anything.
-std::string cell(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '|' || c == '\\') out += '\\';
-    out += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return out;
-}
-
-}  // namespace
-
 std::vector<Claim> make_claims(const std::vector<PolygonResult>& results,
                                const std::vector<Aggregate>& aggregates) {
-  const std::uint32_t most_teams = most_teams_shown(aggregates);
+  const std::uint32_t most_robots = most_robots_shown(aggregates, Method::area);
   std::vector<Claim> all;
-  claims::add_loads(all, aggregates, most_teams);
-  claims::add_coverage(all, results, aggregates, most_teams);
+  claims::add_loads(all, aggregates, most_robots);
+  claims::add_coverage(all, results, aggregates, most_robots);
   claims::add_closure(all, results, aggregates);
   return all;
 }
 
 std::string claims_markdown(const std::vector<SetClaims>& sets) {
-  std::string head = "| section | what | the thesis |", rule = "| --- | --- | --- |";
-  for (const SetClaims& set : sets) {
-    head += " " + cell(set.set) + " |";
-    rule += " --- |";
-  }
-  std::string text = head + "\n" + rule + "\n";
+  std::vector<std::string> heads = {"section", "what", "the thesis"};
+  for (const SetClaims& set : sets) heads.push_back(markdown::cell(set.set));
+  std::string text =
+      markdown::row(heads) + markdown::row(std::vector<std::string>(heads.size(), "---"));
   for (std::size_t i = 0; !sets.empty() && i < sets.front().claims.size(); ++i) {
     const Claim& c = sets.front().claims[i];
-    text += "| " + c.section + " | " + cell(c.what) + " | " + c.thesis + " |";
-    for (const SetClaims& set : sets) text += " " + cell(set.claims[i].ours) + " |";
-    text += "\n";
+    std::vector<std::string> cells = {c.section, markdown::cell(c.what), c.thesis};
+    for (const SetClaims& set : sets) cells.push_back(markdown::cell(set.claims[i].ours));
+    text += markdown::row(cells);
   }
   return text;
 }

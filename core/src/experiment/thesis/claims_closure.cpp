@@ -31,24 +31,24 @@ std::string lost_in_words(const Lost& lost) {
 // Numbers of robots from 4 to 12 with which no other method closes more polygons than distributed.
 std::string distributed_leads(const Rows& rows, const Reading& reading) {
   std::string text;
-  for (std::uint32_t teams = 2; teams <= 6; ++teams) {
-    const Aggregate* ours = find(rows, Method::distributed, teams);
+  for (std::uint32_t robots = 4; robots <= 12; robots += 2) {
+    const Aggregate* ours = find(rows, Method::distributed, robots);
     if (!ours || !(ours->*reading.rate)) continue;
     bool leads = true;
     for (const Method method : pair_methods)
-      if (const Aggregate* a = find(rows, method, teams); a && a->*reading.rate)
+      if (const Aggregate* a = find(rows, method, robots); a && a->*reading.rate)
         leads = leads && *(a->*reading.rate) <= *(ours->*reading.rate);
-    if (leads) text += (text.empty() ? "" : ", ") + std::to_string(2 * teams);
+    if (leads) text += (text.empty() ? "" : ", ") + std::to_string(robots);
   }
   return text.empty() ? "with none of 4 to 12" : "with " + text;
 }
 
 void add_rates(std::vector<Claim>& claims, const Rows& rows, const Reading& reading,
-               std::uint32_t teams, Method stated_method, const char* stated) {
+               std::uint32_t robots, Method stated_method, const char* stated) {
   for (const Method method : pair_methods) {
-    const Aggregate* a = find(rows, method, teams);
+    const Aggregate* a = find(rows, method, robots);
     claims.push_back({"5.5",
-                      "Closed with " + std::to_string(2 * teams) + " robots, " +
+                      "Closed with " + std::to_string(robots) + " robots, " +
                           std::string(name(method)) + reading.in_words,
                       method == stated_method ? stated : none,
                       a && a->*reading.rate ? percent(*(a->*reading.rate)) + " (of " +
@@ -69,11 +69,11 @@ void add_reading(std::vector<Claim>& claims, const Results& results, const Rows&
   const std::string how = reading.in_words;
   claims.push_back(
       {"5.5", "Polygons that no method closes" + how, "12", never_closed(results, reading)});
-  add_rates(claims, rows, reading, 2, Method::distributed, "41 %");
-  add_rates(claims, rows, reading, 4, Method::distance, "80 %");
+  add_rates(claims, rows, reading, 4, Method::distributed, "41 %");
+  add_rates(claims, rows, reading, 8, Method::distance, "80 %");
   claims.push_back({"5.5",
                     "Closed with 8 robots, distance, polygons with at most 12 vertices" + how, none,
-                    rate(closed_with(results, reading.closed, Method::distance, 4, 12))});
+                    rate(closed_with(results, reading.closed, Method::distance, 8, 12))});
   claims.push_back({"5.5", "Numbers of robots up to 12 with which distributed closes most" + how,
                     "all", distributed_leads(rows, reading)});
   for (const Method method : {Method::area, Method::circle, Method::distance})

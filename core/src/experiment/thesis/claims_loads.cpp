@@ -30,13 +30,13 @@ constexpr Stated shares_of_10_teams[] = {{Method::area, "46.6–53.4 % (s.d. 2.2
                                          {Method::random, "—"}};
 
 template <std::size_t n>
-void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t teams,
+void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t robots,
                  const Stated (&stated)[n]) {
   for (const auto& [method, value] : stated) {
-    const Aggregate* a = find(rows, method, teams);
+    const Aggregate* a = find(rows, method, robots);
     claims.push_back(
         {"5.3",
-         "Difference of loads with " + std::to_string(2 * teams) + " robots, " +
+         "Difference of loads with " + std::to_string(robots) + " robots, " +
              std::string(name(method)),
          value,
          a ? with_deviation(fixed(a->spread.mean, 2) + " kg", a->spread.deviation, 1, 2, " kg")
@@ -46,14 +46,14 @@ void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t tea
 
 // The thesis adds half the mean difference to the mean load, and subtracts it.
 template <std::size_t n>
-void add_ranges(std::vector<Claim>& claims, const Rows& rows, std::uint32_t teams,
+void add_ranges(std::vector<Claim>& claims, const Rows& rows, std::uint32_t robots,
                 const Stated (&stated)[n]) {
-  const double mean = experiment_weight / (2.0 * teams);
+  const double mean = experiment_weight / robots;
   for (const auto& [method, value] : stated) {
-    const Aggregate* a = find(rows, method, teams);
+    const Aggregate* a = find(rows, method, robots);
     claims.push_back(
         {"5.3",
-         "Loads that follow with " + std::to_string(2 * teams) + " robots, mean ± half, " +
+         "Loads that follow with " + std::to_string(robots) + " robots, mean ± half, " +
              std::string(name(method)),
          value,
          a ? fixed(mean - a->spread.mean / 2, 2) + "–" + fixed(mean + a->spread.mean / 2, 2) + " kg"
@@ -63,7 +63,7 @@ void add_ranges(std::vector<Claim>& claims, const Rows& rows, std::uint32_t team
 
 void add_shares(std::vector<Claim>& claims, const Rows& rows) {
   for (const auto& [method, value] : shares_of_10_teams) {
-    const Aggregate* a = find(rows, method, 10);
+    const Aggregate* a = find(rows, method, 20);
     claims.push_back(
         {"5.3", "Shares of their team’s load with 10 teams, " + std::string(name(method)), value,
          a ? with_deviation(
@@ -77,10 +77,10 @@ void add_shares(std::vector<Claim>& claims, const Rows& rows) {
 std::string robots_needed(const Rows& rows, Method method, double capacity) {
   const Aggregate* least = nullptr;
   for (const Aggregate& a : rows)
-    if (a.method == method && a.load_max.mean <= capacity && (!least || a.teams < least->teams))
+    if (a.method == method && a.load_max.mean <= capacity && (!least || a.robots < least->robots))
       least = &a;
-  return least ? std::to_string(2 * least->teams) + " (" + fixed(least->load_max.mean, 2) +
-                     " kg, " + std::to_string(least->polygons) + " polygons)"
+  return least ? std::to_string(least->robots) + " (" + fixed(least->load_max.mean, 2) + " kg, " +
+                     std::to_string(least->polygons) + " polygons)"
                : none;
 }
 
@@ -97,7 +97,7 @@ void add_robots_needed(std::vector<Claim>& claims, const Rows& rows) {
   }
 }
 
-void add_times(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_teams) {
+void add_times(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_robots) {
   const auto add = [&](const std::string& where, const char* stated, auto made) {
     for (const Method method : {Method::distributed, Method::random})
       claims.push_back({"6.1",
@@ -106,25 +106,25 @@ void add_times(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_
                         stated, made(method)});
   };
   add("over the numbers of robots shown", "5–8", [&](Method method) -> std::string {
-    const auto range = spread_ratio(rows, method, most_teams);
+    const auto range = spread_ratio(rows, method, most_robots);
     return range ? fixed(range->least, 1) + "–" + fixed(range->most, 1) : none;
   });
   add("with 4 robots", none, [&](Method method) -> std::string {
-    const auto times = spread_times(rows, method, 2);
+    const auto times = spread_times(rows, method, 4);
     return times ? fixed(*times, 1) : none;
   });
 }
 
 }  // namespace
 
-void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_teams) {
-  add_spreads(claims, rows, 2, spread_of_4);
-  add_ranges(claims, rows, 2, ranges_of_4);
-  add_spreads(claims, rows, 15, spread_of_30);
-  add_ranges(claims, rows, 15, ranges_of_30);
+void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_robots) {
+  add_spreads(claims, rows, 4, spread_of_4);
+  add_ranges(claims, rows, 4, ranges_of_4);
+  add_spreads(claims, rows, 30, spread_of_30);
+  add_ranges(claims, rows, 30, ranges_of_30);
   add_shares(claims, rows);
   add_robots_needed(claims, rows);
-  add_times(claims, rows, most_teams);
+  add_times(claims, rows, most_robots);
 }
 
 }  // namespace evenlift::experiment::claims

@@ -21,10 +21,11 @@ std::string rate(const Count& count);  // "56 % (63 of 113)"
 std::string with_deviation(const std::string& value, const std::optional<double>& deviation,
                            double scale, int decimals, const char* unit);
 
-// Each function adds its claims. `most_teams` is the largest number of teams that the charts show.
-void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_teams);  // 5.3
+// Each function adds its claims. `most_robots` is the largest number of robots in teams of two that
+// the charts show.
+void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_robots);  // 5.3
 void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows& rows,
-                  std::uint32_t most_teams);                                             // 5.4
+                  std::uint32_t most_robots);                                            // 5.4
 void add_closure(std::vector<Claim>& claims, const Results& results, const Rows& rows);  // 5.5
 
 }  // namespace evenlift::experiment::claims

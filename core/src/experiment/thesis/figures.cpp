@@ -34,17 +34,26 @@ constexpr Plan plans[] = {
     {"5.11", "Polygons in form closure", "%", "form_closure_mean", pick_closure, closure_sentence},
 };
 
-Figure make_figure(const Plan& plan, const SetAggregates& set, std::uint32_t most_teams) {
+// How far the charts go: in teams of two, and with balanced robots.
+struct Shown {
+  std::uint32_t in_teams = 0, balanced = 0;
+
+  bool has(const Aggregate& a) const {
+    return a.robots <= (a.method == Method::balanced ? balanced : in_teams);
+  }
+};
+
+Figure make_figure(const Plan& plan, const SetAggregates& set, const Shown& shown) {
   Figure figure{set.set,   plan.id,     plan.title,
-                plan.unit, plan.column, plan.sentence(set.aggregates, most_teams),
+                plan.unit, plan.column, plan.sentence(set.aggregates, shown.in_teams),
                 {}};
   for (const Aggregate& a : set.aggregates) {
     const std::optional<double> value = plan.pick(a);
-    if (a.teams > most_teams || !value) continue;
+    if (!shown.has(a) || !value) continue;
     if (figure.series.empty() || figure.series.back().method != a.method)
       figure.series.push_back({a.method, {}});
     figure.series.back().points.push_back(
-        {2 * a.teams, *value, std::string_view(plan.id) == "5.11" ? a.closable : a.polygons});
+        {a.robots, *value, std::string_view(plan.id) == "5.11" ? a.closable : a.polygons});
   }
   return figure;
 }
@@ -60,19 +69,20 @@ std::string series_json(const FigureSeries& series) {
 
 }  // namespace
 
-std::uint32_t most_teams_shown(const std::vector<Aggregate>& aggregates) {
-  const Aggregate* all = find(aggregates, Method::area, 1);
-  std::uint32_t most = 0;
+std::uint32_t most_robots_shown(const std::vector<Aggregate>& aggregates, Method method) {
+  std::uint32_t polygons = 0, most = 0;
   for (const Aggregate& a : aggregates)
-    if (all && a.method == Method::area && 5 * a.polygons >= all->polygons)
-      most = std::max(most, a.teams);
+    if (a.method == method) polygons = std::max(polygons, a.polygons);
+  for (const Aggregate& a : aggregates)
+    if (a.method == method && 5 * a.polygons >= polygons) most = std::max(most, a.robots);
   return most;
 }
 
 std::vector<Figure> make_figures(const SetAggregates& set) {
-  const std::uint32_t most_teams = most_teams_shown(set.aggregates);
+  const Shown shown{most_robots_shown(set.aggregates, Method::area),
+                    most_robots_shown(set.aggregates, Method::balanced)};
   std::vector<Figure> figures;
-  for (const Plan& plan : plans) figures.push_back(make_figure(plan, set, most_teams));
+  for (const Plan& plan : plans) figures.push_back(make_figure(plan, set, shown));
   return figures;
 }
 

@@ -28,6 +28,7 @@ Outputs make_outputs(const std::vector<ResultSet>& sets) {
     aggregates.push_back({set.name, aggregate(set.results)});
     figures.push_back(make_figures(aggregates.back()));
     outputs.claims.push_back({set.name, make_claims(set.results, aggregates.back().aggregates)});
+    outputs.few_robots.push_back(few_robots(aggregates.back()));
     for (const PolygonResult& result : set.results) add_refused(result, outputs);
   }
   outputs.measurements_csv = measurements_csv(sets);
@@ -58,7 +59,8 @@ std::string outputs_json(const Outputs& outputs) {
                        {"thesis", json::text(claims_markdown(outputs.claims))},
                        {"refused", json::array(refused)},
                        {"figures", figures_json(outputs.figures)},
-                       {"claims", claims_json(outputs.claims)}});
+                       {"claims", claims_json(outputs.claims)},
+                       {"few_robots", few_robots_json(outputs.few_robots)}});
 }
 
 }  // namespace evenlift::experiment

@@ -10,10 +10,14 @@ namespace {
 
 using Value = double Measurement::*;
 
-std::uint32_t most_teams(const PolygonResult& result) {
-  std::uint32_t most = 0;
-  for (const Measurement& m : result.measurements) most = std::max(most, m.teams);
-  return most;
+// The most robots of teams of two, or of balanced ones if those cannot be placed.
+std::uint32_t most_robots(const PolygonResult& result) {
+  std::uint32_t in_teams = 0, balanced = 0;
+  for (const Measurement& m : result.measurements) {
+    std::uint32_t& most = m.method == Method::balanced ? balanced : in_teams;
+    most = std::max(most, m.robots);
+  }
+  return in_teams > 0 ? in_teams : balanced;
 }
 
 std::string random_note(const ExperimentSettings& settings) {
@@ -24,40 +28,50 @@ std::string random_note(const ExperimentSettings& settings) {
 // "With 6 robots 12.3 kg by area, ... and 15.0 kg at random."
 template <class Write>
 std::string by_every_method(const PolygonResult& result, Value value, Write write) {
-  const std::uint32_t teams = std::min<std::uint32_t>(3, most_teams(result));
+  const std::uint32_t robots = std::min<std::uint32_t>(6, most_robots(result));
   std::vector<std::string> items;
-  for (const Method method : pair_methods)
-    if (const Measurement* m = find(result, method, teams))
+  for (const Method method : all_methods)
+    if (const Measurement* m = find(result, method, robots))
       items.push_back(write(m->*value) + " " + by(method));
-  return "With " + of_robots(teams) + ": " + listed(items) + ".";
+  return "With " + of_robots(robots) + ": " + listed(items) + ".";
+}
+
+bool has(const PolygonResult& result, Method method) {
+  return std::any_of(result.measurements.begin(), result.measurements.end(),
+                     [&](const Measurement& m) { return m.method == method; });
 }
 
 // "by area with 8 robots", "by circle with none": with how many robots a method first closes.
 std::string first_closed(const PolygonResult& result, Method method) {
   for (const Measurement& m : result.measurements)
-    if (m.method == method && m.form_closure > 0) return by(method) + " with " + of_robots(m.teams);
+    if (m.method == method && m.form_closure > 0)
+      return by(method) + " with " + of_robots(m.robots);
   return by(method) + " with none";
 }
 
-// Equal angles are placed anew for each number of teams, so that closure may be lost again.
-std::string lost_again(const PolygonResult& result) {
+// Equal angles and balanced robots are placed anew for each number, so that closure may be lost
+// again. `who` are such robots.
+std::string lost_again(const PolygonResult& result, Method method, const std::string& who) {
   std::vector<std::string> numbers;
   const Measurement* before = nullptr;
   for (const Measurement& m : result.measurements) {
-    if (m.method != Method::distributed) continue;
+    if (m.method != method) continue;
     if (before && before->form_closure > 0 && m.form_closure == 0)
-      numbers.push_back(std::to_string(2 * std::uint64_t{m.teams}));
+      numbers.push_back(std::to_string(m.robots));
     before = &m;
   }
   if (numbers.empty()) return "";
-  return " Equal angles lose it again with " + listed(numbers) + " robots.";
+  return " " + who + " lose it again with " + listed(numbers) + " robots.";
 }
 
 std::string closure_sentence(const PolygonResult& result) {
   std::vector<std::string> items;
-  for (const Method method : pair_methods)
-    if (method != Method::random) items.push_back(first_closed(result, method));
-  return "First in form closure " + listed(items) + "." + lost_again(result) +
+  for (const Method method : all_methods)
+    if (method != Method::random && has(result, method))
+      items.push_back(first_closed(result, method));
+  return "First in form closure " + listed(items) + "." +
+         lost_again(result, Method::distributed, "Equal angles") +
+         lost_again(result, Method::balanced, "Balanced robots") +
          " Of random placements it is the part that is in form closure.";
 }
 
@@ -67,7 +81,7 @@ Figure figure_of(const PolygonResult& result, const char* id, const char* title,
   for (const Measurement& m : result.measurements) {
     if (figure.series.empty() || figure.series.back().method != m.method)
       figure.series.push_back({m.method, {}});
-    figure.series.back().points.push_back({2 * m.teams, m.*value, 1});
+    figure.series.back().points.push_back({m.robots, m.*value, 1});
   }
   return figure;
 }

@@ -11,16 +11,17 @@ namespace {
 
 using Rows = std::vector<Aggregate>;
 
-constexpr const char* nothing = "No polygon of this set has a candidate, so nothing was measured.";
+constexpr const char* nothing =
+    "No polygon of this set has a candidate, so no teams of two were measured.";
 
 std::string points(double share) { return fixed(100 * std::fabs(share), 1) + " percentage points"; }
 
 // "1.20 kg by area, 1.30 kg by circle and 12.5 kg at equal angles": every method with a value.
 template <class Write>
-std::string by_every_method(const Rows& rows, std::uint32_t teams, Pick pick, Write write) {
+std::string by_every_method(const Rows& rows, std::uint32_t robots, Pick pick, Write write) {
   std::vector<std::string> items;
-  for (const Method method : pair_methods) {
-    const Aggregate* a = find(rows, method, teams);
+  for (const Method method : all_methods) {
+    const Aggregate* a = find(rows, method, robots);
     const std::optional<double> value = a ? pick(*a) : std::nullopt;
     if (value) items.push_back(write(*value) + " " + by(method));
   }
@@ -35,11 +36,11 @@ std::string times(const Range& range) {
 // Says which method's values vary most between the polygons, and which least. The greatest
 // deviation with any number of teams decides.
 template <class Write>
-std::string deviations(const Rows& rows, std::uint32_t most_teams, Pick pick, Write write) {
-  const Aggregate* greatest[std::size(pair_methods)] = {};
+std::string deviations(const Rows& rows, std::uint32_t most_robots, Pick pick, Write write) {
+  const Aggregate* greatest[std::size(all_methods)] = {};
   for (const Aggregate& a : rows) {
     const Aggregate*& held = greatest[static_cast<std::size_t>(a.method)];
-    if (a.teams <= most_teams && pick(a) && (!held || *pick(a) > *pick(*held))) held = &a;
+    if (a.robots <= most_robots && pick(a) && (!held || *pick(a) > *pick(*held))) held = &a;
   }
   const Aggregate *most = nullptr, *least = nullptr;
   for (const Aggregate* a : greatest) {
@@ -50,9 +51,19 @@ std::string deviations(const Rows& rows, std::uint32_t most_teams, Pick pick, Wr
   if (!most) return "One polygon alone has no standard deviation.";
   if (*pick(*most) <= 0) return "It is the same for all of these polygons, with every method.";
   return "Polygons differ most among each other when robots stand " + by(most->method) +
-         " (standard deviation up to " + write(*pick(*most)) + ", with " + of_robots(most->teams) +
+         " (standard deviation up to " + write(*pick(*most)) + ", with " + of_robots(most->robots) +
          ") and least " + by(least->method) + " (up to " + write(*pick(*least)) + ", with " +
-         of_robots(least->teams) + ").";
+         of_robots(least->robots) + ").";
+}
+
+// What the most balanced robots cover that were measured, if they are fewer than `robots`.
+std::string fewer_in_balance(const Rows& rows, std::uint32_t robots) {
+  const Aggregate* most = nullptr;
+  for (const Aggregate& a : rows)
+    if (a.method == Method::balanced && (!most || a.robots > most->robots)) most = &a;
+  if (!most || most->robots >= robots) return "";
+  return " " + of_robots(most->robots) + " " + by(most->method) + " cover " +
+         in_percent(most->coverage.mean) + ".";
 }
 
 std::string lead_in_words(const std::optional<double>& lead, Method method) {
@@ -66,9 +77,7 @@ std::string lead_in_words(const std::optional<double>& lead, Method method) {
 std::string in_kg(double value) { return fixed(value, 2) + "\u00A0kg"; }
 std::string in_percent(double share) { return fixed(100 * share, 1) + "\u00A0%"; }
 
-std::string of_robots(std::uint32_t teams) {
-  return std::to_string(2 * std::uint64_t{teams}) + " robots";
-}
+std::string of_robots(std::uint32_t robots) { return std::to_string(robots) + " robots"; }
 
 std::string by(Method method) {
   switch (method) {
@@ -76,6 +85,8 @@ std::string by(Method method) {
       return "at equal angles";
     case Method::random:
       return "at random";
+    case Method::balanced:
+      return "in balance";
     default:
       return "by " + std::string(name(method));
   }
@@ -88,70 +99,71 @@ std::string listed(const std::vector<std::string>& items) {
   return text;
 }
 
-std::string spread_sentence(const Rows& rows, std::uint32_t most_teams) {
-  if (most_teams == 0) return nothing;
-  const std::uint32_t teams = std::min<std::uint32_t>(2, most_teams);
-  std::string text = "With " + of_robots(teams) + " the loads differ by " +
-                     by_every_method(rows, teams, pick_spread, in_kg) +
+std::string spread_sentence(const Rows& rows, std::uint32_t most_robots) {
+  if (most_robots == 0) return nothing;
+  const std::uint32_t robots = std::min<std::uint32_t>(4, most_robots);
+  std::string text = "With " + of_robots(robots) + " the loads differ by " +
+                     by_every_method(rows, robots, pick_spread, in_kg) +
                      ", averaged over the polygons.";
-  const auto distributed = spread_ratio(rows, Method::distributed, most_teams);
-  const auto random = spread_ratio(rows, Method::random, most_teams);
+  const auto distributed = spread_ratio(rows, Method::distributed, most_robots);
+  const auto random = spread_ratio(rows, Method::random, most_robots);
   if (distributed && random)
-    text += " From 2 to " + of_robots(most_teams) + " the difference at equal angles is " +
+    text += " From 2 to " + of_robots(most_robots) + " the difference at equal angles is " +
             times(*distributed) + " times that of the algorithm (the mean of its three metrics), " +
             "and at random " + times(*random) + " times.";
   return text;
 }
 
-std::string spread_deviation_sentence(const Rows& rows, std::uint32_t most_teams) {
-  if (most_teams == 0) return nothing;
+std::string spread_deviation_sentence(const Rows& rows, std::uint32_t most_robots) {
+  if (most_robots == 0) return nothing;
   return deviations(
-      rows, most_teams, [](const Aggregate& a) { return a.spread.deviation; }, in_kg);
+      rows, most_robots, [](const Aggregate& a) { return a.spread.deviation; }, in_kg);
 }
 
-std::string share_sentence(const Rows& rows, std::uint32_t most_teams) {
-  if (most_teams == 0) return nothing;
-  const std::uint32_t teams = std::min<std::uint32_t>(10, most_teams);
-  return "With " + of_robots(teams) + " the robot that bears most of its team’s load bears " +
-         by_every_method(rows, teams, pick_share, in_percent) +
-         ", averaged over the polygons; an even half would be 50\u00A0%.";
+std::string share_sentence(const Rows& rows, std::uint32_t most_robots) {
+  if (most_robots == 0) return nothing;
+  const std::uint32_t robots = std::min<std::uint32_t>(20, most_robots);
+  return "With " + of_robots(robots) + " the robot that bears most of its team’s load bears " +
+         by_every_method(rows, robots, pick_share, in_percent) +
+         ", averaged over the polygons; an even half would be 50\u00A0%, as of any two balanced robots.";
 }
 
-std::string share_deviation_sentence(const Rows& rows, std::uint32_t most_teams) {
-  if (most_teams == 0) return nothing;
+std::string share_deviation_sentence(const Rows& rows, std::uint32_t most_robots) {
+  if (most_robots == 0) return nothing;
   return deviations(
-      rows, most_teams, [](const Aggregate& a) { return a.max_share.deviation; }, in_percent);
+      rows, most_robots, [](const Aggregate& a) { return a.max_share.deviation; }, in_percent);
 }
 
-std::string coverage_sentence(const Rows& rows, std::uint32_t most_teams) {
-  if (most_teams == 0) return nothing;
-  if (most_teams == 1) return "One team stands on a line, which covers nothing.";
-  const std::uint32_t teams = std::min<std::uint32_t>(6, most_teams);
-  std::string text = "With " + of_robots(teams) + " the lifting base covers " +
-                     by_every_method(rows, teams, pick_coverage, in_percent) + ".";
-  const auto distributed = coverage_lead(rows, Method::distributed, most_teams);
-  const auto random = coverage_lead(rows, Method::random, most_teams);
+std::string coverage_sentence(const Rows& rows, std::uint32_t most_robots) {
+  if (most_robots == 0) return nothing;
+  if (most_robots == 2) return "One team stands on a line, which covers nothing.";
+  const std::uint32_t robots = std::min<std::uint32_t>(12, most_robots);
+  std::string text = "With " + of_robots(robots) + " the lifting base covers " +
+                     by_every_method(rows, robots, pick_coverage, in_percent) + "." +
+                     fewer_in_balance(rows, robots);
+  const auto distributed = coverage_lead(rows, Method::distributed, most_robots);
+  const auto random = coverage_lead(rows, Method::random, most_robots);
   if (distributed && random)
-    text += " From 4 to " + of_robots(most_teams) + " the algorithm covers on average " +
+    text += " From 4 to " + of_robots(most_robots) + " the algorithm covers on average " +
             lead_in_words(distributed, Method::distributed) + ", and " +
             lead_in_words(random, Method::random) + ".";
   return text;
 }
 
-std::string coverage_deviation_sentence(const Rows& rows, std::uint32_t most_teams) {
-  if (most_teams == 0) return nothing;
+std::string coverage_deviation_sentence(const Rows& rows, std::uint32_t most_robots) {
+  if (most_robots == 0) return nothing;
   return deviations(
-      rows, most_teams, [](const Aggregate& a) { return a.coverage.deviation; }, in_percent);
+      rows, most_robots, [](const Aggregate& a) { return a.coverage.deviation; }, in_percent);
 }
 
-std::string closure_sentence(const Rows& rows, std::uint32_t most_teams) {
-  if (most_teams == 0) return nothing;
-  const Aggregate* first = find(rows, Method::area, 1);
+std::string closure_sentence(const Rows& rows, std::uint32_t most_robots) {
+  if (most_robots == 0) return nothing;
+  const Aggregate* first = find(rows, Method::area, 2);
   if (!first || first->closable == 0)
-    return "No method brings any of these polygons into form closure.";
-  const std::uint32_t teams = std::min<std::uint32_t>(4, most_teams);
-  return "With " + of_robots(teams) + ", of the polygons that some method can close, " +
-         by_every_method(rows, teams, pick_closure, in_percent) + " are in form closure.";
+    return "No teams of two bring any of these polygons into form closure.";
+  const std::uint32_t robots = std::min<std::uint32_t>(8, most_robots);
+  return "With " + of_robots(robots) + ", of the polygons that teams of two can close, " +
+         by_every_method(rows, robots, pick_closure, in_percent) + " are in form closure.";
 }
 
 }  // namespace evenlift::experiment

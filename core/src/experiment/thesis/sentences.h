@@ -9,9 +9,10 @@
 
 namespace evenlift::experiment {
 
-// A sentence from the aggregates with 1 .. most_teams teams. O(rows most_teams).
+// A sentence from the aggregates, those of teams of two with up to most_robots; 0 if there are none.
+// O(rows most_robots).
 using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
-                                 std::uint32_t most_teams);
+                                 std::uint32_t most_robots);
 
 std::string spread_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string spread_deviation_sentence(const std::vector<Aggregate>&, std::uint32_t);
@@ -24,8 +25,8 @@ std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
 // The pieces of such sentences. A value and its unit stay on one line.
 std::string in_kg(double value);
 std::string in_percent(double share);
-std::string of_robots(std::uint32_t teams);  // "6 robots"
-// How a method's placements came about: "by area", "at equal angles".
+std::string of_robots(std::uint32_t robots);  // "6 robots"
+// How a method's placements came about: "by area", "at equal angles", "in balance".
 std::string by(Method method);
 // "1, 2 and 3"; empty if there are none.
 std::string listed(const std::vector<std::string>& items);

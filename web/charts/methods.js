@@ -1,0 +1,10 @@
+// The methods that an experiment compares, in the order of their series (Method in core/include/evenlift/document.h): what
+// legends call them, and the sign and dashes of their lines. Their colours are charts.css's, under the same names.
+export const methods = {
+  area: { words: "area", sign: "circle", dashes: "none" },
+  circle: { words: "circle", sign: "square", dashes: "6 3" },
+  distance: { words: "distance", sign: "triangle", dashes: "2 3" },
+  distributed: { words: "distributed (equal angles)", sign: "diamond", dashes: "none" },
+  random: { words: "random", sign: "times", dashes: "8 3 2 3" },
+  balanced: { words: "balanced", sign: "star", dashes: "none" },
+};
