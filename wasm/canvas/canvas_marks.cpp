@@ -260,9 +260,29 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
   }
 }
 
+// The balanced robots of the current step, with their loads from where these are told.
+void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  if (!walk.detail.balanced) return;
+  const BalancedDetail& balanced = *walk.detail.balanced;
+  const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);
+  const Chapter chapter = walk.detail.step.chapter;
+  if (chapter == Chapter::loads || chapter == Chapter::grasp) {
+    // Somebody may have moved the robots of the document by hand.
+    CanvasView found = view;
+    found.placement = &walk.trace->placement;
+    Occupied occupied = occupied_by_marks(found, static_cast<double>(size.ring) + 2);
+    draw_loads(painter, found, size, occupied);
+  }
+  for (std::size_t i = balanced.robots.size(); i-- > 0;)
+    draw_robot(painter, view.theme, size, balanced.robots[i].position,
+               balanced.numbers[i] + std::size_t{1}, 1, false);
+}
+
 // The robots placed up to the current step; their loads are written once all of them are known.
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
+  if (view.state.walkthrough.trace->balanced()) return draw_balanced_of_walkthrough(painter, view);
   const Progress& known = view.state.walkthrough.known;
   if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
   const std::vector<RobotSize> sizes = robot_sizes(view, known.teams);
