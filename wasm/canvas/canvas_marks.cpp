@@ -260,6 +260,17 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
   }
 }
 
+// Where a robot stood: its disc, hollow and with its number.
+void draw_left(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const ImVec2 at = painter.at(figure.points[0]);
+  painter.list().AddCircleFilled(at, 11, view.theme.object.packed(), 32);
+  painter.list().AddCircle(at, 10, view.theme.amber_on_object.packed(), 32, 2);
+  const std::string number = std::to_string(figure.item.value_or(0) + 1);
+  const ImVec2 text = text_size(Face::tiny, number);
+  draw_text(painter.list(), Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
+            view.theme.amber_on_object, number);
+}
+
 // The balanced robots of the current step, with their loads from where these are told.
 void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
@@ -274,6 +285,8 @@ void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view
     Occupied occupied = occupied_by_marks(found, static_cast<double>(size.ring) + 2);
     draw_loads(painter, found, size, occupied);
   }
+  for (const Figure& figure : walk.figures)
+    if (figure.kind == FigureKind::left) draw_left(painter, view, figure);
   for (std::size_t i = balanced.robots.size(); i-- > 0;)
     draw_robot(painter, view.theme, size, balanced.robots[i].position,
                balanced.numbers[i] + std::size_t{1}, 1, false);

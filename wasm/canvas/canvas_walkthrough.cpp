@@ -188,17 +188,6 @@ void draw_way(const Painter& painter, const CanvasView& view, const Points& p) {
     painter.arrow(tail, tail + way / length(way) * length_shown, view.theme.amber_on_object, 2.5f);
 }
 
-// Where a robot stood: its disc, hollow and with its number.
-void draw_left(const Painter& painter, const CanvasView& view, const Figure& figure) {
-  const ImVec2 at = painter.at(figure.points[0]);
-  painter.list().AddCircleFilled(at, 11, view.theme.object.packed(), 32);
-  painter.list().AddCircle(at, 10, view.theme.amber_on_object.packed(), 32, 2);
-  const std::string number = std::to_string(figure.item.value_or(0) + 1);
-  const ImVec2 text = text_size(Face::tiny, number);
-  draw_text(painter.list(), Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
-            view.theme.amber_on_object, number);
-}
-
 // The point M, with its name.
 void draw_middle(const Painter& painter, const CanvasView& view, const Vec2& world) {
   const ImVec2 at = painter.at(world), text = text_size(Face::strong_label, "M");
@@ -222,12 +211,10 @@ void draw_balanced_shape(const Painter& painter, const CanvasView& view, const F
       return draw_ring(painter, figure.points[0], t.amber_on_object);
     case FigureKind::mirrored:
       return draw_area(painter, figure.points, t.clockwise_line.at(0.08f), t.clockwise_line, 2);
-    case FigureKind::left:
-      return draw_left(painter, view, figure);
     case FigureKind::way:
       return draw_way(painter, view, figure.points);
     default:
-      return;  // a robot is drawn with all the others
+      return;  // robots, and where they stood, are drawn with all marks
   }
 }
 
@@ -305,6 +292,7 @@ std::string value_of(const Figure& figure, bool balanced) {
 
 void draw_values(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
+  if (walk.ask && walk.trace->balanced()) return;  // the choices have numbers of their own
   std::vector<std::pair<const Figure*, std::string>> valued;
   for (const Figure& figure : walk.figures)
     if (std::string text = value_of(figure, walk.trace->balanced()); !text.empty())

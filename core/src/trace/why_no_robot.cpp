@@ -44,6 +44,15 @@ std::optional<double> margin_of(const Trace& trace, const std::vector<LiftingPoi
   return analyse_hold(trace.polygon, trace.centre, contacts(trace.polygon, robots)).margin;
 }
 
+// Which robots of a set stay, and which come: first the one at the place that is asked about. Two that
+// come to where robots of the set before stood are as good as if they stayed.
+void part_by_place(const std::vector<LiftingPoint>& before, const Vec2& place, BalancedSet& set) {
+  for (const LiftingPoint& robot : set.robots)
+    (has_robot(before, robot.position) ? set.kept : set.came).push_back(robot);
+  std::stable_partition(set.came.begin(), set.came.end(),
+                        [&](const LiftingPoint& robot) { return robot.position == place; });
+}
+
 SetComparison compare(const Trace& trace, const std::vector<LiftingPoint>& robots,
                       const std::vector<LiftingPoint>& now) {
   const BalancedProblem& problem = *trace.problem;
@@ -77,7 +86,8 @@ WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, dou
   const auto best = best_with_robot_at(*trace.problem, robots, answer.place);
   answer.why = best ? WhyNoRobot::Why::other_set : WhyNoRobot::Why::no_completion;
   if (!best) return answer;
-  answer.set = best->set;
+  answer.set.robots = best->set.robots;
+  part_by_place(robots, best->set.came.front().position, answer.set);
   answer.comparison = compare(trace, best->set.robots, robots);
   return answer;
 }

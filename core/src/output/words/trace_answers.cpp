@@ -76,11 +76,14 @@ std::string loaded(const Trace& trace, const Figure& figure) {
 }
 
 // What the step asks that shows which chord two balanced robots take.
-std::string chord_question(const StepDetail& detail) {
+std::string chord_question(const Trace& trace, const StepDetail& detail) {
   const BalancedDetail& balanced = *detail.balanced;
   if (balanced.moved.empty())
-    return fill("Which chord makes the best set of #? Think of a wide base.",
-                {counted(balanced.robots.size(), "robot")});
+    return fill(
+        "Which chord makes the best set of #? Think of #.",
+        {counted(balanced.robots.size(), "robot"), goal_of(trace.placement.settings) == Goal::hold
+                                                       ? "a firm hold, and then of a wide base"
+                                                       : "a wide base"});
   std::vector<std::size_t> moved;
   for (const std::uint32_t number : balanced.moved) moved.push_back(number + std::size_t{1});
   return fill(
@@ -93,7 +96,7 @@ std::string chord_question(const StepDetail& detail) {
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question) {
   if (question.kind == QuestionKind::nearer_end)
     return "None of the chords between these two sections is even. Which end is nearer to it?";
-  if (question.kind == QuestionKind::even_chord) return chord_question(detail);
+  if (question.kind == QuestionKind::even_chord) return chord_question(trace, detail);
   return fill("Which candidate does team # take? The one that #.",
               {counted_from_1(detail.step.item), aim(trace, detail.scores->rule)});
 }
@@ -193,12 +196,13 @@ std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer) {
     case WhyNoRobot::Why::other_set:
       break;
   }
-  const std::string others = answer.set.kept.empty()
-                                 ? std::string("the two others must go to the rings")
-                                 : fill("# can stay, and two must go to the rings",
-                                        {counted(answer.set.kept.size(), "robot")});
+  const std::size_t stay = answer.set.kept.size(), move = answer.set.came.size() - 1;
+  const std::string others =
+      move == 0 ? fill("the # others could stay where they are", {whole(stay)})
+                : fill("# of the others could stay at best, and # would have to go to the #",
+                       {whole(stay), move == 1 ? "one" : "two", move == 1 ? "ring" : "rings"});
   return fill(
-      "With a robot here # at best, so that C stays the centroid. Then #.#",
+      "With a robot here #, so that C stays the centroid. Then #.#",
       {others, compared(answer.comparison),
        answer.comparison.better
            ? fill(
