@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "canvas/canvas_drawing.h"
+#include "canvas/canvas_walkthrough.h"
 #include "canvas/hint.h"
 #include "canvas/labels.h"
 #include "evenlift/output/picture.h"
@@ -271,9 +272,27 @@ void draw_left(const Painter& painter, const CanvasView& view, const Figure& fig
             view.theme.amber_on_object, number);
 }
 
+// The robots that stay where they are while a question is asked about the others. A ring is where
+// one of these comes (canvas_walkthrough.cpp).
+void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
+  const BalancedDetail& balanced = *view.state.walkthrough.ask->detail.balanced;
+  const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);
+  const auto stays = [&](const Vec2& place) {
+    if (balanced.stand && balanced.stand->position == place) return false;
+    return std::any_of(balanced.rest.begin(), balanced.rest.end(),
+                       [&](const LiftingPoint& robot) { return robot.position == place; });
+  };
+  for (std::size_t i = 0; i < balanced.robots.size(); ++i) {
+    const Vec2& place = balanced.robots[i].position;
+    if (stays(place))
+      draw_robot(painter, view.theme, size, place, balanced.numbers[i] + std::size_t{1}, 1, false);
+  }
+}
+
 // The balanced robots of the current step, with their loads from where these are told.
 void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
+  if (asks_of_other_robots(view.state)) return draw_rest_of_question(painter, view);
   if (!walk.detail.balanced) return;
   const BalancedDetail& balanced = *walk.detail.balanced;
   const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);

@@ -338,12 +338,18 @@ void draw_choices(const Painter& painter, const CanvasView& view) {
 
 }  // namespace
 
-void draw_walkthrough(const Painter& painter, const CanvasView& view) {
+bool asks_of_other_robots(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  return walk.ask && walk.ask->question.kind == QuestionKind::even_chord &&
+         walk.detail.step.kind != StepKind::mirror;
+}
+
+namespace {
+
+// What the step is about, over what is known so far.
+void draw_step(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
   const Placement& placement = walk.trace->placement;
-  painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);
-  if (walk.base.size() >= 3) painter.fill_convex(walk.base, view.theme.hull);
-  painter.outline(placement.vertices(), view.theme.object_outline, 2);
   if (walk.base.size() >= 2)
     painter.outline(walk.base, view.theme.hull_outline, 2, walk.base.size() > 2);
   draw_rays(painter, view);
@@ -359,6 +365,18 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
     if (figure.points.size() == 1)
       draw_ring(painter, figure.points[0], view.theme.accent_on_object);
   }
+}
+
+}  // namespace
+
+void draw_walkthrough(const Painter& painter, const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  const Placement& placement = walk.trace->placement;
+  const bool shows_step = !asks_of_other_robots(view.state);
+  painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);
+  if (walk.base.size() >= 3 && shows_step) painter.fill_convex(walk.base, view.theme.hull);
+  painter.outline(placement.vertices(), view.theme.object_outline, 2);
+  if (shows_step) draw_step(painter, view);
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
   draw_asked_places(painter, view);
   draw_values(painter, view);
