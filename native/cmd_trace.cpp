@@ -12,7 +12,8 @@ void cmd_trace(const Arguments& arguments) {
       "FILE is a path, - for standard input, or a share link, as for `evenlift place`.\n\n"
       "Examples:\n"
       "  evenlift trace table.txt\n"
-      "  evenlift trace table.txt --metric circle --teams 2 --json\n");
+      "  evenlift trace table.txt --metric circle --teams 2 --json\n"
+      "  evenlift trace table.txt --metric balanced --robots 6\n");
   std::string file;
   SettingOptions options;
   bool as_json = false;
@@ -25,7 +26,8 @@ void cmd_trace(const Arguments& arguments) {
 
   Input input = read_input(file, shapes);
   options.apply(input.document);
-  const Result<Placement> placement = place(input.document);
+  // The trace of balanced robots searches by itself.
+  const Result<Placement> placement = place(input.document, Effort::start);
   if (!placement) throw options.failure(input.source, placement.error());
   const Result<Trace> trace = make_trace(*placement);
   if (!trace) throw options.failure(input.source, trace.error());

@@ -517,11 +517,41 @@ TEST_CASE("objects of every size have readable numbers", "[trace][words]") {
 TEST_CASE("known polygons give the expected traces", "[trace][expected]") {
   const std::filesystem::path folder =
       std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected" / "trace";
-  for (const char* name : {"thesis-sample", "square", "horseshoe"}) {
+  const auto check = [&](const std::string& name, const Placement& placement) {
     INFO(name);
-    const std::string list = trace_list(traced(placed(corpus::polygon(name))));
-    const std::filesystem::path path = folder / (std::string(name) + ".txt");
+    const std::string list = trace_list(traced(placement));
+    const std::filesystem::path path = folder / (name + ".txt");
     if (std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr) corpus::write_file(path, list);
     CHECK(list == corpus::read_file(path));
+  };
+  for (const char* name : {"thesis-sample", "square", "horseshoe"})
+    check(name, placed(corpus::polygon(name)));
+  check("worktop.balanced", placed(corpus::polygon("worktop"), Method::balanced));
+  check("guitar.balanced", placed(corpus::polygon("guitar"), Method::balanced));
+}
+
+TEST_CASE("every step of balanced robots has its words, figures and numbers", "[trace][balanced]") {
+  for (const char* name : {"worktop", "letter-e", "square", "boomerang-moved", "round-table"}) {
+    for (const std::uint32_t robots : {2u, 3u, 4u, 7u}) {
+      INFO(name << ", " << robots);
+      Document document = corpus::polygon(name);
+      document.settings.robots = robots;
+      const Trace trace = traced(placed(document, Method::balanced));
+      for (std::uint32_t k = 0; k < trace.size(); ++k) {
+        INFO("step " << k);
+        const StepDetail detail = look_at(trace, k);
+        check_text(caption(trace, detail), true);
+        check_text(formula(trace, detail), false);
+        CHECK(pseudo_line(trace, detail) < pseudo_code(Method::balanced).size());
+        for (const Figure& figure : figures(trace, detail))
+          check_text(figure_text(trace, detail, figure), false);
+        for (const Number& number : numbers(trace, detail)) CHECK(std::isfinite(number.value));
+        if (const auto asked = question(trace, detail)) {
+          check_text(question_text(trace, detail, *asked), true);
+          if (asked->kind == QuestionKind::even_chord)
+            check_text(even_chord_text(trace, detail, asked->answer), true);
+        }
+      }
+    }
   }
 }

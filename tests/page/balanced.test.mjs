@@ -157,9 +157,27 @@ test("what balanced robots have not is off", async () => {
   assert.equal(await page.locator('#mirror [aria-label="Candidates"]').getAttribute("aria-disabled") ??
     String(await page.locator('#mirror [aria-label="Candidates"]').isDisabled()), "true");
   assert.ok(await control(page, "Chords"));
+  await page.done();
+});
+
+test("the lesson of balanced robots tells the search, and a link opens it at its step", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", robots: 6 });
   await page.keyboard.press("b");
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /steps of balanced robots cannot be shown one by one yet/i);
+  assert.deepEqual((await state(page)).robots ?? (await state(page)).teams, (program("grand-piano", "--robots", "6")).robots ?? program("grand-piano", "--robots", "6").teams);
+  const steps = JSON.parse(evenlift("trace", path.join(root, "assets/polygons/grand-piano.txt"), "--metric", "balanced", "--json"));
+  const settled = steps.findIndex((step) => step.kind === "settled");
+  await set(page, { step: settled });
+  await idle(page);
+  assert.match(await verdict(page), /No three robots can move to make it better/);
+  const shared = await link(page);
+  const other = await browser.open();
+  await load(other, shared);
+  await idle(other);
+  assert.ok((await verdict(other)).includes(steps[settled].caption));
+  await other.done();
   await page.done();
 });
 

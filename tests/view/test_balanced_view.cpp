@@ -6,6 +6,7 @@
 #include "app/search.h"
 #include "app/update.h"
 #include "evenlift/balanced.h"
+#include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
@@ -13,6 +14,7 @@
 #include "state/robots_text.h"
 #include "tools/pick.h"
 #include "view/view_page.h"
+#include "walkthrough/walkthrough.h"
 
 using namespace evenlift;
 using namespace evenlift::view;
@@ -284,4 +286,83 @@ TEST_CASE("the summary names each balanced robot", "[view][balanced]") {
   CHECK(text.find("6 robots, each exactly 16.7\u00A0kg of 100.") == 0);
   CHECK(text.find("6 robots of 6 asked for, method balanced, goal hold.") != std::string::npos);
   CHECK(text.find("Robot 6 at (") != std::string::npos);
+}
+
+TEST_CASE("the lesson of balanced robots searches to the end, and nobody searches beside",
+          "[view][balanced][walkthrough]") {
+  AppState state = balanced_state();
+  REQUIRE(state.search.under_way);
+  give(state, OpenWalkthrough{});
+  REQUIRE(walkthrough_is_open(state));
+  CHECK_FALSE(state.search.under_way);
+  CHECK(robots_text(shown(state)) == last_robots(state));
+  CHECK(timeline(state).count <= most_main_steps);
+  // To the end, with words at each step.
+  for (std::uint32_t step = 0; step < timeline(state).count; ++step) {
+    CHECK(summary(state).find("Step " + std::to_string(step + 1) + " of ") != std::string::npos);
+    give(state, MoveSteps{1});
+  }
+  CHECK(state.walkthrough.detail.step.kind == StepKind::result);
+}
+
+TEST_CASE("during a drag the lesson traces the start, and after it the whole search",
+          "[view][balanced][walkthrough]") {
+  AppState state = balanced_state();
+  give(state, OpenWalkthrough{});
+  const Vec2 corner = state.document.vertices[0];
+  give(state, MoveVertex{0, corner + Vec2(1, 1)});
+  REQUIRE(walkthrough_is_open(state));
+  CHECK(state.walkthrough.trace->count(StepKind::exchange) == 0);
+  CHECK(state.walkthrough.trace->history.found);
+  give(state, EndEdit{});
+  CHECK(state.walkthrough.trace->count(StepKind::settled) == 1);
+  CHECK(state.placement->search_ended);
+  CHECK_FALSE(state.search.under_way);
+  CHECK(robots_text(shown(state)) == last_robots(state));
+}
+
+TEST_CASE("a press on the edge asks why no robot stands there", "[view][balanced][walkthrough]") {
+  AppState state = balanced_state();
+  give(state, OpenWalkthrough{});
+  Walkthrough& walk = state.walkthrough;
+  give(state, GoToStep{walk.trace->size() - 1});
+  const Vec2 robot = shown(state)[0].position;
+  give(state, AskWhy{robot});
+  CHECK(walk.why_taken);
+  CHECK(walk.why.find("Robot 1 ") == 0);
+  const Vec2 corner = state.document.vertices[0];
+  give(state, AskWhy{corner});
+  CHECK_FALSE(walk.why_taken);
+  CHECK(walk.why.find("robot") != std::string::npos);
+  CHECK(walk.asked_places.front() == corner);
+  // The next step forgets it.
+  give(state, MoveSteps{-1});
+  CHECK(walk.asked_places.empty());
+}
+
+TEST_CASE("a learner guesses which chord two balanced robots take",
+          "[view][balanced][walkthrough]") {
+  AppState state;
+  Document guitar = document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"));
+  guitar.settings.method = Method::balanced;
+  start_with(state, placed(guitar), std::nullopt);
+  give(state, OpenWalkthrough{});
+  Walkthrough& walk = state.walkthrough;
+  give(state, SetPredict{true});
+  give(state, GoToStep{*walk.trace->find(StepKind::mirror, 0)});
+  give(state, MoveSteps{1});
+  REQUIRE(walk.ask.has_value());
+  CHECK(walk.ask->question.kind == QuestionKind::even_chord);
+  CHECK(walk.ask->choices.size() == 3);
+  const std::uint32_t answer = walk.ask->question.answer;
+  SECTION("right") {
+    give(state, Guess{answer});
+    CHECK(walk.verdict == "Right.");
+  }
+  SECTION("wrong: what that chord would come to is said") {
+    give(state, Guess{answer == 0 ? 1u : 0u});
+    CHECK(walk.verdict.find("Not this time. With chord ") == 0);
+    CHECK_FALSE(walk.was_right);
+  }
+  CHECK(walk.detail.step.kind == StepKind::completion);
 }

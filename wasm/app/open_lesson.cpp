@@ -35,6 +35,7 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   script.before = settings_before_script(state).value_or(settings(state));
   script.preview = start == LessonStart::preview;
   const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
+  of_it->placement = trace->placement;  // with balanced robots, what their search came to
   of_it->document.settings.step = of_it->placement.settings.step = first;
   of_it->trace = std::move(trace).value();
   const std::optional<Script>& former = state.walkthrough.script;

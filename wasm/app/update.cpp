@@ -115,6 +115,12 @@ void recompute(AppState& state) {
   follow_placement(state);
 }
 
+// During a drag the walkthrough shows only the start of a search for balanced robots.
+void trace_whole_search(AppState& state) {
+  const std::optional<Trace>& trace = state.walkthrough.trace;
+  if (trace && trace->balanced() && !trace->placement.search_ended) follow_placement(state);
+}
+
 // Forgets a selection of, or a grip on, a vertex that no longer exists.
 void drop_stale_picks(AppState& state) {
   const std::size_t count = state.document.vertices.size();
@@ -398,6 +404,7 @@ struct Applier {
     if (!state.edit_open) return;
     state.edit_open = false;
     if (state.camera_follows && !centre_is_shown(state)) state.fit_due = true;
+    trace_whole_search(state);
     follow_up(state);
   }
   void operator()(const MoveRobot& c) const { move_by_hand(state, c.robot, c.to); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "canvas/canvas_drawing.h"
 #include "canvas/canvas_marks.h"
@@ -112,6 +114,12 @@ std::optional<Stroke> stroke_of(FigureKind kind, const Theme& t, std::size_t cou
       return Stroke{t.hull_outline, 1.5f};
     case FigureKind::normal:
       return Stroke{t.amber.at(0.8f), 1.5f};
+    case FigureKind::lever:
+      return Stroke{t.hull_outline, 4};
+    case FigureKind::side:
+      return Stroke{t.chord, 2, dashed};
+    case FigureKind::even_chord:
+      return Stroke{t.chord, 1.6f, dashed};
     case FigureKind::object:
     case FigureKind::triangle:
     case FigureKind::centroid:
@@ -127,6 +135,13 @@ std::optional<Stroke> stroke_of(FigureKind kind, const Theme& t, std::size_t cou
     case FigureKind::clockwise:
     case FigureKind::counterclockwise:
     case FigureKind::translation:
+    case FigureKind::arm:
+    case FigureKind::sum:
+    case FigureKind::middle:
+    case FigureKind::stand:
+    case FigureKind::mirrored:
+    case FigureKind::left:
+    case FigureKind::way:
       break;
   }
   return std::nullopt;
@@ -143,6 +158,64 @@ void draw_circle_gained(const Painter& painter, const CanvasView& view, const Fi
 void draw_base(const Painter& painter, const Points& base, Colour fill, Colour line, float width) {
   if (base.size() >= 3 && fill.opacity > 0) painter.fill_convex(base, fill);
   if (base.size() >= 2) painter.outline(base, line, width, base.size() > 2);
+}
+
+// From C to a robot: an arrow where the arms are what the step is about, otherwise a thin line.
+void draw_arm(const Painter& painter, const CanvasView& view, const Points& p) {
+  if (view.state.walkthrough.detail.step.kind != StepKind::many)
+    return painter.line(p[0], p[1], view.theme.chord, 1);
+  constexpr double before_robot = 13;  // CSS pixels
+  const Vec2 tail = view.camera.to_screen(p[0]), way = view.camera.to_screen(p[1]) - tail;
+  const double length_shown = length(way) - before_robot;
+  if (length_shown > 0)
+    painter.arrow(tail, tail + way / length(way) * length_shown, view.theme.chord, 2);
+}
+
+// The arms laid end to end, each with its head.
+void draw_sum(const Painter& painter, const CanvasView& view, const Points& p) {
+  for (std::size_t i = 0; i < p.size(); ++i)
+    painter.arrow(view.camera.to_screen(p[i]),
+                  view.camera.to_screen(p[i + 1 == p.size() ? 0 : i + 1]),
+                  view.theme.accent_on_object, 2.5f);
+}
+
+// A robot's way, which ends before the robot that is drawn over its end.
+void draw_way(const Painter& painter, const CanvasView& view, const Points& p) {
+  constexpr double before_robot = 15;  // CSS pixels
+  const Vec2 tail = view.camera.to_screen(p[0]), way = view.camera.to_screen(p[1]) - tail;
+  const double length_shown = length(way) - before_robot;
+  if (length_shown > 0)
+    painter.arrow(tail, tail + way / length(way) * length_shown, view.theme.amber_on_object, 2.5f);
+}
+
+// The point M, with its name.
+void draw_middle(const Painter& painter, const CanvasView& view, const Vec2& world) {
+  const ImVec2 at = painter.at(world), text = text_size(Face::strong_label, "M");
+  painter.list().AddCircleFilled(at, 6, view.theme.object.packed(), 24);
+  painter.list().AddCircle(at, 5, view.theme.accent_on_object.packed(), 24, 2);
+  painter.list().AddCircleFilled(at, 2, view.theme.accent_on_object.packed(), 12);
+  draw_text(painter.list(), Face::strong_label, ImVec2(at.x + 9, at.y - text.y - 1),
+            view.theme.accent_on_object, "M");
+}
+
+void draw_balanced_shape(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const Theme& t = view.theme;
+  switch (figure.kind) {
+    case FigureKind::arm:
+      return draw_arm(painter, view, figure.points);
+    case FigureKind::sum:
+      return draw_sum(painter, view, figure.points);
+    case FigureKind::middle:
+      return draw_middle(painter, view, figure.points[0]);
+    case FigureKind::stand:
+      return draw_ring(painter, figure.points[0], t.amber_on_object);
+    case FigureKind::mirrored:
+      return draw_area(painter, figure.points, t.clockwise_line.at(0.08f), t.clockwise_line, 2);
+    case FigureKind::way:
+      return draw_way(painter, view, figure.points);
+    default:
+      return;  // robots, and where they stood, are drawn with all marks
+  }
 }
 
 // A figure that is not a segment.
@@ -179,7 +252,7 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Figure& fi
       if (p.size() >= 2) draw_arrow(painter, view, p[0], p[1]);
       return;
     default:
-      return;  // a robot is drawn with all the others
+      return draw_balanced_shape(painter, view, figure);
   }
 }
 
@@ -196,10 +269,10 @@ void draw_figure(const Painter& painter, const CanvasView& view, const Figure& f
     painter.line(p[0], p[1], stroke->colour, stroke->width);
 }
 
-// Writes a chord's ratio beside it.
-void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure) {
+// Writes a text beside a chord.
+void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure,
+                const std::string& text) {
   const Vec2 middle = figure.points[0] + (figure.points[1] - figure.points[0]) * 0.75;
-  const std::string text = ratio_in_words(figure.value);
   const ImVec2 size = text_size(Face::strong_label, text), at = painter.at(middle);
   const ImVec2 low(at.x - size.x / 2 - 5, at.y - size.y / 2 - 2);
   painter.list().AddRectFilled(low, ImVec2(low.x + size.x + 10, low.y + size.y + 4),
@@ -208,28 +281,50 @@ void draw_value(const Painter& painter, const CanvasView& view, const Figure& fi
             text);
 }
 
+// What is written beside a chord: its load ratio, or which of several even chords it is.
+std::string value_of(const Figure& figure, bool balanced) {
+  if (figure.points.size() != 2) return {};
+  if (figure.kind == FigureKind::even_chord) return std::to_string(figure.item.value_or(0) + 1);
+  const bool has = figure.kind == FigureKind::section_end || figure.kind == FigureKind::chosen ||
+                   figure.kind == FigureKind::chord;
+  return has && !balanced ? ratio_in_words(figure.value) : std::string();
+}
+
 void draw_values(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
-  std::vector<const Figure*> valued;
-  for (const Figure& figure : walk.figures) {
-    const bool has = figure.kind == FigureKind::section_end || figure.kind == FigureKind::chosen ||
-                     figure.kind == FigureKind::chord;
-    if (has && figure.points.size() == 2) valued.push_back(&figure);
-  }
+  if (walk.ask && walk.trace->balanced()) return;  // the choices have numbers of their own
+  std::vector<std::pair<const Figure*, std::string>> valued;
+  for (const Figure& figure : walk.figures)
+    if (std::string text = value_of(figure, walk.trace->balanced()); !text.empty())
+      valued.emplace_back(&figure, std::move(text));
   if (valued.size() > most_valued) return;
-  for (const Figure* figure : valued) draw_value(painter, view, *figure);
+  for (const auto& [figure, text] : valued) draw_value(painter, view, *figure, text);
+}
+
+// What a question about even chords is about: the place where one robot comes, and M.
+void draw_asked_completion(const Painter& painter, const CanvasView& view, const Ask& ask) {
+  if (ask.question.kind != QuestionKind::even_chord) return;
+  const BalancedDetail& balanced = *ask.detail.balanced;
+  if (balanced.stand) draw_ring(painter, balanced.stand->position, view.theme.amber_on_object);
+  draw_middle(painter, view, balanced.middle);
+}
+
+// Where robots would come if one came to the place that was asked about.
+void draw_asked_places(const Painter& painter, const CanvasView& view) {
+  for (const Vec2& place : view.state.walkthrough.asked_places)
+    draw_ring(painter, place, view.theme.amber_on_object);
 }
 
 // The choices of a question; the one that the buttons point at is stronger.
 void draw_choices(const Painter& painter, const CanvasView& view) {
   const std::optional<Ask>& ask = view.state.walkthrough.ask;
   if (!ask) return;
+  draw_asked_completion(painter, view, *ask);
   for (std::size_t i = 0; i < ask->choices.size(); ++i) {
     const std::uint32_t choice = ask->choices[i];
     const bool pointed = ask->choices.size() > 3 && i == ask->pointed;
-    const Chord& chord = ask->question.kind == QuestionKind::nearer_end
-                             ? ask->detail.pair->ends[choice]
-                             : view.state.walkthrough.trace->placement.candidates[choice].chord;
+    const Chord& chord =
+        chord_of_choice(*view.state.walkthrough.trace, ask->detail, ask->question, choice);
     draw_chord(painter, chord, view.theme.accent_on_object.at(pointed ? 1 : 0.45f),
                pointed ? 4.0f : 2.5f);
     if (ask->choices.size() > most_valued) continue;
@@ -243,12 +338,18 @@ void draw_choices(const Painter& painter, const CanvasView& view) {
 
 }  // namespace
 
-void draw_walkthrough(const Painter& painter, const CanvasView& view) {
+bool asks_of_other_robots(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  return walk.ask && walk.ask->question.kind == QuestionKind::even_chord &&
+         walk.detail.step.kind != StepKind::mirror;
+}
+
+namespace {
+
+// What the step is about, over what is known so far.
+void draw_step(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
   const Placement& placement = walk.trace->placement;
-  painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);
-  if (walk.base.size() >= 3) painter.fill_convex(walk.base, view.theme.hull);
-  painter.outline(placement.vertices(), view.theme.object_outline, 2);
   if (walk.base.size() >= 2)
     painter.outline(walk.base, view.theme.hull_outline, 2, walk.base.size() > 2);
   draw_rays(painter, view);
@@ -264,7 +365,20 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
     if (figure.points.size() == 1)
       draw_ring(painter, figure.points[0], view.theme.accent_on_object);
   }
+}
+
+}  // namespace
+
+void draw_walkthrough(const Painter& painter, const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  const Placement& placement = walk.trace->placement;
+  const bool shows_step = !asks_of_other_robots(view.state);
+  painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);
+  if (walk.base.size() >= 3 && shows_step) painter.fill_convex(walk.base, view.theme.hull);
+  painter.outline(placement.vertices(), view.theme.object_outline, 2);
+  if (shows_step) draw_step(painter, view);
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
+  draw_asked_places(painter, view);
   draw_values(painter, view);
   draw_choices(painter, view);
 }

@@ -17,6 +17,7 @@ std::string hint_of_walkthrough(const AppState& state) {
   if (walk.ask) return "Click the one that you expect";
   if (walk.hovered && *walk.hovered < walk.figures.size())
     return capitalised(figure_text(*walk.trace, walk.detail, walk.figures[*walk.hovered]));
+  if (walk.trace->balanced()) return "Click the boundary: why does no robot stand here?";
   return "Click a chord, or anywhere: why not this one?";
 }
 

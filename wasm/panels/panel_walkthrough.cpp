@@ -47,6 +47,7 @@ constexpr Faces for_a_room{Face::large, Face::verdict, Face::large, Face::verdic
 std::string choice_name(const Ask& ask, std::uint32_t choice) {
   if (ask.question.kind == QuestionKind::winning_chord)
     return "Candidate " + std::to_string(choice + 1);
+  if (ask.question.kind == QuestionKind::even_chord) return "Chord " + std::to_string(choice + 1);
   return choice == 0 ? "The first end" : "The second end";
 }
 
@@ -92,8 +93,11 @@ void draw_answers(const Ui& ui, const Faces& faces) {
     draw_box(ui.theme.well, colour, faces.strong, walk.verdict);
   }
   if (!walk.why.empty()) {
+    const bool robot = walk.trace->balanced();
     text_line(Face::strong_label, ui.theme.second_text,
-              walk.why_taken ? "Why this one?" : "Why not this one?");
+              walk.why_taken ? (robot ? "Why does a robot stand here?" : "Why this one?")
+              : robot        ? "Why does no robot stand here?"
+                             : "Why not this one?");
     draw_box(ui.theme.well, ui.theme.text, faces.words, walk.why);
   }
 }

@@ -25,9 +25,9 @@ Result<Placement> compute_placement(const Document& document,
   return place(document, Effort::start);
 }
 
-Result<Trace> compute_trace(const Placement& placement) {
+Result<Trace> compute_trace(const Placement& placement, HistoryLength length) {
   ++so_far.traces;
-  return make_trace(placement);
+  return make_trace(placement, length);
 }
 
 Computed computed() { return so_far; }

@@ -31,10 +31,11 @@ Result<Document> parse_document(std::string_view text);
 // The view computes placements and traces only through these two functions. They count, so that a
 // test can check that an action computes one placement, and none if it changes only the picture.
 // With a placement of the same vertices their check is spared. Balanced robots are those of the start:
-// a search goes on from there (search.h).
+// a search goes on from there (search.h), unless their whole search is traced.
 Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before = std::nullopt);
-Result<Trace> compute_trace(const Placement& placement);
+Result<Trace> compute_trace(const Placement& placement,
+                            HistoryLength length = HistoryLength::whole);
 struct Computed {
   std::uint64_t placements = 0, traces = 0;
 };

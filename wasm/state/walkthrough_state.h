@@ -41,7 +41,7 @@ struct Ask {
   StepDetail detail;
   Question question;
   std::string text;
-  std::vector<std::uint32_t> choices;  // ends of the pair, or candidates
+  std::vector<std::uint32_t> choices;  // ends of the pair, candidates, or even chords
   std::size_t pointed = 0;             // index of the choice that the buttons point at
 };
 
@@ -54,8 +54,9 @@ struct Visited {
 struct Guesses {
   std::vector<std::uint32_t> steps;
   std::uint32_t right = 0;
-  std::array<std::vector<std::uint32_t>, 2> asked;  // by QuestionKind: the steps of its questions
-  std::vector<std::uint32_t> told;                  // choices that were shown without a question
+  // By QuestionKind: the steps of its questions.
+  std::array<std::vector<std::uint32_t>, question_kind_count> asked;
+  std::vector<std::uint32_t> told;  // choices that were shown without a question
 };
 
 struct Walkthrough {
@@ -83,6 +84,7 @@ struct Walkthrough {
   Guesses guesses;
 
   std::optional<Chord> asked;  // "why not this one?"
+  Points asked_places;  // "why no robot here?": where robots would come, the place itself first
   std::string why;
   bool why_taken = false;  // it is a team
 

@@ -122,6 +122,7 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
 
 bool can_take_robot(const AppState& state, const Pick& pick) {
   if (pick.kind != Pick::Kind::robot || pick.second || state.screen.embed) return false;
+  if (walkthrough_is_open(state)) return false;  // it shows other robots
   const Placement* placement = current_placement(state, false);
   return placement && placement->settings.method == Method::balanced &&
          count_robots(placement->teams) >= 3;

@@ -19,6 +19,7 @@ void forget_step(Walkthrough& walk) {
   walk.ask.reset();
   walk.verdict.clear();
   walk.asked.reset();
+  walk.asked_places.clear();
   walk.why.clear();
   walk.why_taken = false;
   walk.hovered.reset();
@@ -39,7 +40,7 @@ void look(Walkthrough& walk) {
   walk.detail = look_at(trace, walk.at);
   walk.known = progress_at(trace, walk.at);
   walk.figures = figures(trace, walk.detail);
-  walk.base = lifting_base(trace, walk.known.base_teams);
+  walk.base = trace.balanced() ? walk.detail.base : lifting_base(trace, walk.known.base_teams);
   walk.caption = caption(trace, walk.detail);
   walk.formula = formula(trace, walk.detail);
   const std::optional<TeamScores>& scores = walk.detail.scores;
@@ -111,9 +112,22 @@ void enter(AppState& state, std::uint32_t step) {
   publish(state, walk.at);
 }
 
-// Traces the placement. If that is impossible, says so in a notice and returns false.
+// Balanced robots: the trace has searched to the end, so nobody need go on with it.
+void take_over_search(AppState& state) {
+  const Placement& found = state.walkthrough.trace->placement;
+  if (!state.walkthrough.trace->balanced() || !found.search_ended || state.placement->search_ended)
+    return;
+  if (state.search.under_way) browser::end_search();
+  state.search.under_way = state.search.due = false;
+  state.placement = found;
+  ++state.revision;
+}
+
+// Traces the placement. During a drag only the start of a search for balanced robots is traced. If that is impossible, says so in a notice and returns false.
 bool trace_it(AppState& state, std::optional<Trace> made = std::nullopt) {
-  Result<Trace> trace = made ? Result<Trace>(std::move(*made)) : compute_trace(*state.placement);
+  const HistoryLength length = state.edit_open ? HistoryLength::start : HistoryLength::whole;
+  Result<Trace> trace =
+      made ? Result<Trace>(std::move(*made)) : compute_trace(*state.placement, length);
   if (!trace) {
     state.notice = {Notice::Kind::problem, sentence(trace.error()) + "."};
     browser::announce(state.notice.text);
@@ -122,6 +136,7 @@ bool trace_it(AppState& state, std::optional<Trace> made = std::nullopt) {
   }
   state.walkthrough.trace = std::move(trace).value();
   state.walkthrough.main = main_steps(*state.walkthrough.trace);
+  take_over_search(state);
   find_stops(state.walkthrough);
   return true;
 }
@@ -141,7 +156,7 @@ void enter_position(AppState& state, std::uint32_t position) {
 
 // Whether there is nothing to guess: one candidate only, or two ends that are as even as each other.
 bool is_trivial(const Ask& asked) {
-  if (asked.question.kind == QuestionKind::winning_chord) return asked.choices.size() < 2;
+  if (asked.question.kind != QuestionKind::nearer_end) return asked.choices.size() < 2;
   const auto& ends = asked.detail.pair->ends;
   return ratio_in_words(ends[0].ratio) == ratio_in_words(ends[1].ratio);
 }
@@ -149,7 +164,7 @@ bool is_trivial(const Ask& asked) {
 // Whether the question is one of the few of its kind; if not, the choice is told.
 bool may_ask(Walkthrough& walk, const Ask& asked) {
   std::vector<std::uint32_t>& steps =
-      walk.guesses.asked[asked.question.kind == QuestionKind::winning_chord];
+      walk.guesses.asked[static_cast<std::size_t>(asked.question.kind)];
   const auto has = [&](const std::vector<std::uint32_t>& some) {
     return std::find(some.begin(), some.end(), asked.step) != some.end();
   };
@@ -171,6 +186,14 @@ std::size_t first_offered(const Ask& asked) {
   return n < 2 ? 0 : (answer + 1 + asked.step % (n - 1)) % n;
 }
 
+std::vector<std::uint32_t> choices_of(const Ask& asked) {
+  if (asked.question.kind == QuestionKind::nearer_end) return {0, 1};
+  if (asked.question.kind == QuestionKind::winning_chord) return asked.detail.scores->ranking;
+  std::vector<std::uint32_t> chords(asked.detail.balanced->chords.size());
+  for (std::uint32_t i = 0; i < chords.size(); ++i) chords[i] = i;
+  return chords;
+}
+
 void ask(Walkthrough& walk, std::uint32_t step) {
   const Trace& trace = *walk.trace;
   Ask asked;
@@ -180,10 +203,7 @@ void ask(Walkthrough& walk, std::uint32_t step) {
   if (!question) return;
   asked.question = *question;
   asked.text = question_text(trace, asked.detail, *question);
-  if (question->kind == QuestionKind::nearer_end)
-    asked.choices = {0, 1};
-  else
-    asked.choices = asked.detail.scores->ranking;
+  asked.choices = choices_of(asked);
   // In the order of the candidates, as the ranking would give the answer away.
   std::sort(asked.choices.begin(), asked.choices.end());
   if (is_trivial(asked) || !may_ask(walk, asked)) return;
@@ -327,6 +347,8 @@ void guess(AppState& state, std::uint32_t answer) {
   std::string verdict = right ? "Right." : "Not this time.";
   if (!right && asked.question.kind == QuestionKind::winning_chord)
     verdict += " " + why_not_text(*walk.trace, why_not(*walk.trace, asked.step, answer));
+  if (!right && asked.question.kind == QuestionKind::even_chord)
+    verdict += " " + even_chord_text(*walk.trace, asked.detail, answer);
   if (walk.script && timeline(state).at + 1 < timeline(state).count)
     walk.script->position = timeline(state).at + 1;
   enter(state, asked.step);
@@ -335,9 +357,28 @@ void guess(AppState& state, std::uint32_t answer) {
   browser::announce(verdict);
 }
 
+namespace {
+
+// Why no balanced robot stands at the place of the boundary that is nearest.
+void ask_why_no_robot(AppState& state, const Vec2& at) {
+  Walkthrough& walk = state.walkthrough;
+  const double reach = (state.screen.touch ? 22 : 14) / state.camera.scale;
+  const WhyNoRobot answer = why_no_robot(*walk.trace, walk.at, at, reach);
+  walk.why = why_no_robot_text(*walk.trace, answer);
+  walk.why_taken =
+      answer.why == WhyNoRobot::Why::stands || answer.why == WhyNoRobot::Why::stands_from_start;
+  walk.asked_places = {answer.place.position};
+  for (const LiftingPoint& robot : answer.set.came)
+    if (!walk.why_taken) walk.asked_places.push_back(robot.position);
+  browser::announce(walk.why);
+}
+
+}  // namespace
+
 void ask_why(AppState& state, const Vec2& at) {
   Walkthrough& walk = state.walkthrough;
   if (!walkthrough_is_open(state)) return;
+  if (walk.trace->balanced()) return ask_why_no_robot(state, at);
   const Trace& trace = *walk.trace;
   // Near a candidate the question is about that; elsewhere it is about the chord through the point.
   const auto& candidates = trace.placement.candidates;
@@ -453,9 +494,7 @@ std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen
   std::optional<std::uint32_t> nearest;
   double least = state.screen.touch ? 22 : 12;
   for (const std::uint32_t choice : walk.ask->choices) {
-    const Chord& chord = walk.ask->question.kind == QuestionKind::nearer_end
-                             ? walk.ask->detail.pair->ends[choice]
-                             : walk.trace->placement.candidates[choice].chord;
+    const Chord& chord = chord_of_choice(*walk.trace, walk.ask->detail, walk.ask->question, choice);
     const Vec2 a = state.camera.to_screen(chord.r1.position);
     const Vec2 b = state.camera.to_screen(chord.r2.position);
     const double away = length(nearest_on_segment(a, b, screen) - screen);
@@ -578,6 +617,12 @@ std::string left_out_in_words(const AppState& state) {
   if (step.kind == StepKind::team)
     return number + (more == 1 ? " more team is" : " more teams are") +
            " chosen like this before the last: “All steps” shows them.";
+  if (step.kind == StepKind::exchange)
+    return number + (more == 1 ? " smaller exchange is" : " smaller exchanges are") +
+           " left out here: “All steps” shows them.";
+  if (step.kind == StepKind::start)
+    return number + (more == 1 ? " smaller set is" : " smaller sets are") +
+           " made on the way: “All steps” shows them.";
   return std::string("There ") + (more == 1 ? "is " : "are ") + number + " more " +
          (step.kind == StepKind::ray ? (more == 1 ? "ray" : "rays")
                                      : (more == 1 ? "pair" : "pairs")) +

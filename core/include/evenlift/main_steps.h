@@ -14,12 +14,14 @@ inline constexpr std::uint32_t most_main_steps = 22;
 
 // Numbers of steps, increasing; the first is the polygon, the last the result. Of what is done again and again one example
 // stands for all: the first ray; the first pair of edges that led to a candidate (or else the first pair); the scores and
-// choices of the first three teams, then the last team and the base that it completes. What is done once is in the list, but
-// for the centroid, radial edges, duplicates and the search for a direction to slide. O(pairs).
+// choices of the first three teams, then the last team and the base that it completes; the last set of the start, and the
+// three exchanges that widen the coverage the most. What is done once is in the list, but for the centroid, radial edges, duplicates, the search for
+// a direction to slide, and the contacts of balanced robots. O(pairs).
 std::vector<std::uint32_t> main_steps(const Trace& trace);
 
 // How many steps of the kind of a main step there are besides those in the list: of `ray` and `outcome` the other rays and
-// pairs, of `team` those between the third and the last. 0 for other kinds. O(1).
+// pairs, of `team` those between the third and the last, of `start` the smaller sets, of `exchange` all others, with the last
+// of the list. 0 for other kinds. O(1).
 std::uint32_t further_like(const Trace& trace, const Step& step);
 
 }  // namespace evenlift

@@ -24,6 +24,8 @@
 #include <string_view>
 #include <vector>
 
+#include "evenlift/balanced_history.h"
+#include "evenlift/failures.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
 
@@ -32,16 +34,20 @@ namespace evenlift {
 // The chapters in the thesis's order.
 enum class Chapter : std::uint8_t {
   object,         // the polygon and its centre of mass
+  law,            // balanced: from the law of the lever to the law of the centroid
   vertex_chords,  // from each vertex through C
   slopes,         // their order
   pairs,          // edges that face each other, opposite vertices, and the candidates of both
   candidates,     // the list
   first_team,
   further_teams,
+  start,     // balanced: a first set
+  exchange,  // balanced: three robots move at a time
   loads,
-  grasp,  // coverage and immobilization
+  failures,  // balanced: if a robot fails
+  grasp,     // coverage and immobilization
 };
-inline constexpr std::uint32_t chapter_count = 9;
+inline constexpr std::uint32_t chapter_count = 13;
 
 // What a step is about. The `item` of a step counts from 0 among the steps of its kind. The
 // comments say what it numbers; "1" means that there is only one such step.
@@ -71,8 +77,23 @@ enum class StepKind : std::uint8_t {
   closure,       // 1: form closure, margin
   second_order,  // 1: only where form closure does not hold
   result,        // 1: all that place() reports
+  // Balanced robots:
+  lever,       // 1: two of them, C in the middle
+  three,       // 1: three of them, and the law of the lever twice
+  many,        // 1, from four robots on: all of them, and the law of the centroid
+  rest,        // 1: some robots, and where the middle of two more must be
+  mirror,      // 1: the outline turned about that point, and the even chords through it
+  completion,  // 1: the chord that makes the best set
+  start,       // sets of the start: the robots that stayed, and those that came
+  exchange,    // exchanges: three robots leave, three come, and the set is better
+  round,       // rounds that changed something: their end
+  settled,     // 1: no three robots can move to make it better
+  failure,     // robots, of 3 to most_failing: it fails
+  failures,    // 1: how many may fail at once
+  pairs,       // 1, of an even number: as many robots in pairs on the same object
 };
-inline constexpr std::uint32_t step_kind_count = 25;
+inline constexpr std::uint32_t step_kind_count = 38;
+inline constexpr std::uint32_t most_failing = 16;
 
 // "pairs", "first_team"; "outcome", "second_order": as in JSON, lessons and links. O(1).
 std::string_view name(Chapter chapter);
@@ -117,6 +138,14 @@ struct Trace {
 
   std::vector<Contact> contacts;
 
+  // Balanced robots only: what the search did.
+  std::optional<BalancedProblem> problem;
+  BalancedHistory history;
+  // The robots' numbers from 0 in the last set of the start, and after each exchange. A robot keeps
+  // its number from exchange to exchange; in the last set they are in their order along the outline.
+  std::vector<std::vector<std::uint32_t>> robot_numbers;
+  std::optional<Placement> in_pairs;  // as many robots by area, if there are as many
+
   // A run of similar steps. Item i of it is the `kinds` steps from first + i * kinds on, one of
   // each kind in the order of `kind`.
   struct Block {
@@ -138,7 +167,13 @@ struct Trace {
   std::optional<std::uint32_t> chapter_begin(Chapter chapter) const;
   // Whether teams are chosen among candidates: area, circle or distance. O(1).
   bool by_candidates() const;
+  // Whether the robots are balanced. O(1).
+  bool balanced() const { return problem.has_value(); }
 };
+
+// The set of the start whose completion is shown in full: the first one of more than two robots, or
+// else the last. Nothing if there is none. O(1).
+const BalancedSet* shown_completion(const Trace& trace);
 
 // Whether C lies outside of the polygon. Its boundary counts as inside. Exact. O(n).
 bool centre_is_outside(const Trace& trace);
@@ -153,8 +188,11 @@ inline RobotIndex robot_of(const Contact& contact) {
 
 // The trace of a placement that place() returned. An error if it would have more than
 // max_trace_steps steps. Costs as much as place() without the selection: O(n log n + K log K) for K
-// edge-pairs and opposite vertices.
-Result<Trace> make_trace(const Placement& placement);
+// edge-pairs and opposite vertices. With balanced robots it costs as much as their search. It is an
+// error if that is not quick to finish, and the trace's placement is what the search came to,
+// wherever the given robots stand; with HistoryLength::start only its start is traced, if that is
+// quick, so that the trace can follow a drag.
+Result<Trace> make_trace(const Placement& placement, HistoryLength length = HistoryLength::whole);
 
 // The step of `trace` that is nearest to a step of another trace, from before an edit: the step
 // with the same kind and item, else the last of that kind, else the beginning of its chapter or of
@@ -262,6 +300,30 @@ struct TeamScores {
 TeamScores look_at_scores(const Trace& trace, std::uint32_t team);
 inline constexpr std::uint64_t exact_score_budget = 1u << 22;
 
+// What balanced robots do at a step.
+struct BalancedDetail {
+  std::vector<LiftingPoint> robots;    // that stand there
+  std::vector<std::uint32_t> numbers;  // theirs, from 0
+  // rest, mirror, completion, start, exchange: what completes the set
+  std::vector<LiftingPoint> rest;     // the robots that stay, and the one that came to a stand
+  std::optional<LiftingPoint> stand;  // that one
+  Vec2 middle = Vec2::Zero();         // of the two others
+  std::vector<Chord> chords;          // the even ones about the middle
+  std::uint32_t chosen = 0;           // of these
+  // exchange: against the set before
+  std::vector<std::uint32_t> moved;  // the numbers of the robots that moved, increasing
+  std::vector<Vec2> ways;            // of each from where and to where: twice as many
+  BalancedKeys keys_before;
+  std::optional<double> margin_before;
+  // start, exchange
+  BalancedKeys keys;
+  std::optional<double> margin;
+  // failure, failures: what is left if each of the robots fails; nothing where it falls
+  std::vector<std::optional<RestOfRobots>> rest_of;
+  std::optional<std::uint32_t> failed;  // failure: which robot does; the others are `robots`
+  std::vector<double> loads;            // failure: theirs, if they are equally stiff
+};
+
 // What a step shows beyond the trace itself. Members that the step is not about are empty.
 struct StepDetail {
   std::uint32_t number = 0;
@@ -269,12 +331,15 @@ struct StepDetail {
   std::optional<PairDetail> pair;          // sections, outcome
   std::optional<OppositeDetail> opposite;  // opposite
   std::optional<TeamScores> scores;        // scores, team: by candidates
-  Points base_before, base;                // scores, team, base: H without and with the team
+  Points base_before, base;  // scores, team, base: H without and with the team; start,
+                             // exchange, and all that follows: likewise
+  std::optional<BalancedDetail> balanced;  // balanced robots, from the first of them on
   FreeRegion clockwise, counterclockwise;  // contacts, cut: what is left after the step
   bool clockwise_before = true, counterclockwise_before = true;  // whether a region was left before
 };
 // O(1), except: `scores` and `team` cost as much as look_at_scores; `base` O(teams log teams);
-// `contacts` and `cut` O(c^2) at worst for c contacts so far.
+// `contacts` and `cut` O(c^2) at worst for c contacts so far; steps of balanced robots a completion
+// and the keys of a set.
 StepDetail look_at(const Trace& trace, std::uint32_t k);
 
 // What a figure means. The comment says its shape, and what its item and value are.
@@ -295,7 +360,7 @@ enum class FigureKind : std::uint8_t {
   chosen,       // the pair's candidate, or the chord that was refused; value: ratio
   candidate,    // chord; item: candidate; value: score, length or ratio
   team,         // chord; item: team; value: ratio
-  robot,        // point; item: 2 team + end; value: load, once known
+  robot,        // point; item: its number, team after team; value: load, once known
   gain_triangle,  // h1 h2 p; value: f(p)
   gain_part,      // what of it is in P: a chain that may touch itself along the triangle's sides
   gain_circle,    // 1 point, the middle; value: radius
@@ -308,6 +373,16 @@ enum class FigureKind : std::uint8_t {
   clockwise,  // area, segment or point of free rotation centres
   counterclockwise,
   translation,  // from C, a free direction
+  lever,        // from a robot through C to another, or to the middle of two others
+  side,         // between two robots
+  arm,          // from C to a robot; item: its number
+  sum,          // the arms laid end to end, each as short as its part of the weight
+  middle,       // point: where the middle of two more robots must be
+  stand,        // point: where one of three robots came to
+  mirrored,     // the polygon turned by half a turn about the middle (area)
+  even_chord,   // about the middle; item: its number
+  left,         // point: where a robot stood before; item: its number then
+  way,          // from there to where one came
 };
 std::string_view name(FigureKind kind);
 
@@ -339,7 +414,10 @@ std::vector<Number> numbers(const Trace& trace, const StepDetail& detail);
 enum class QuestionKind : std::uint8_t {
   nearer_end,     // outcome: which end is nearer to even? 0 or 1, of pair->ends
   winning_chord,  // scores: which candidate wins? an index of placement.candidates
+  even_chord,     // completion, exchange: which chord do two robots take? of balanced->chords
 };
+inline constexpr std::size_t question_kind_count = 3;
+
 struct Question {
   QuestionKind kind = QuestionKind::nearer_end;
   std::uint32_t answer = 0;
@@ -347,7 +425,11 @@ struct Question {
 // The question to ask before step detail.number is shown. Nothing if the step is not a choice.
 // O(1).
 std::optional<Question> question(const Trace& trace, const StepDetail& detail);
-// Whether step k is a choice, without its detail. O(1).
+// The chord that a choice of a question stands for. O(1).
+const Chord& chord_of_choice(const Trace& trace, const StepDetail& detail, const Question& question,
+                             std::uint32_t choice);
+
+// Whether step k is a choice, without its detail. O(1), with balanced robots a completion.
 bool is_choice(const Trace& trace, std::uint32_t k);
 
 }  // namespace evenlift

@@ -59,4 +59,39 @@ std::optional<Chord> chord_at(const Trace& trace, const Vec2& point);
 // O(n + K), besides the cost of why_not.
 WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Chord>& chord);
 
+// Two sets of balanced robots by their keys.
+struct SetComparison {
+  BalancedKeys keys, keys_now;               // of the set asked about, and of that of the step
+  std::optional<double> margin, margin_now;  // none without contacts
+  BalancedKey decided_by = BalancedKey::coverage;
+  bool better = false;  // whether the set asked about is
+};
+
+// Why no balanced robot stands at a place, or why one does.
+struct WhyNoRobot {
+  enum class Why : std::uint8_t {
+    no_set,             // three robots are not found yet
+    stands_from_start,  // a robot stands there since the last set of the start
+    stands,             // a robot came there by an exchange
+    no_completion,      // no set of three others with one at the place has the centroid C
+    other_set,          // some have: `set` is the best of them
+  };
+  Why why = Why::no_set;
+  LiftingPoint place;        // the point of the boundary that is asked about
+  std::uint32_t robot = 0;   // stands: its number
+  std::size_t move = 0;      // stands: the exchange by which it came
+  BalancedSet set;           // other_set
+  SetComparison comparison;  // other_set: of that set with the step's
+};
+
+// About the boundary point that is nearest to `at`, and the robots of step k, or of the last set if
+// they are less than three. A robot within `reach` of `at` counts as standing there. One completion
+// for each three robots that could leave.
+WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, double reach);
+
+// What the other robots and another of the even chords of a completion or an exchange would make,
+// compared with what the chosen one makes. `choice` is an index of detail.balanced->chords.
+SetComparison compare_even_chord(const Trace& trace, const StepDetail& detail,
+                                 std::uint32_t choice);
+
 }  // namespace evenlift

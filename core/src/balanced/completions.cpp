@@ -7,13 +7,6 @@
 namespace evenlift::balanced {
 namespace {
 
-// Where the middle of two more robots must be, so that C is the centroid of all.
-Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre) {
-  Vec2 sum = static_cast<double>(robots.size() + 2) * centre;
-  for (const LiftingPoint& robot : robots) sum -= robot.position;
-  return sum / 2;
-}
-
 bool strictly_inside(const Points& hull, const Vec2& p) {
   for (std::size_t i = 0; i < hull.size(); ++i)
     if (orient(hull[i], hull[i + 1 == hull.size() ? 0 : i + 1], p) <= 0) return false;
@@ -21,6 +14,12 @@ bool strictly_inside(const Points& hull, const Vec2& p) {
 }
 
 }  // namespace
+
+Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre) {
+  Vec2 sum = static_cast<double>(robots.size() + 2) * centre;
+  for (const LiftingPoint& robot : robots) sum -= robot.position;
+  return sum / 2;
+}
 
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
                                          const std::vector<LiftingPoint>& robots) {
@@ -30,7 +29,7 @@ std::vector<Candidate> pairs_to_complete(const Rules& rules,
 }
 
 void Best::offer_two_more(const std::vector<LiftingPoint>& robots) {
-  complete(robots, rules_.near_pairs(robots));
+  complete(robots, 0, rules_.near_pairs(robots));
 }
 
 void Best::offer_three_more(const std::vector<LiftingPoint>& robots) {
@@ -39,11 +38,18 @@ void Best::offer_three_more(const std::vector<LiftingPoint>& robots) {
   all.emplace_back();
   for (const LiftingPoint& stand : rules_.stands()) {
     all.back() = stand;
-    complete(all, near_pairs + rules_.near_pairs(robots, robots.size(), stand));
+    complete(all, 1, near_pairs + rules_.near_pairs(robots, robots.size(), stand));
   }
 }
 
-void Best::complete(const std::vector<LiftingPoint>& robots, std::uint32_t near_pairs) {
+void Best::offer_three_more(const std::vector<LiftingPoint>& robots, const LiftingPoint& place) {
+  std::vector<LiftingPoint> all = robots;
+  all.push_back(place);
+  complete(all, 1, rules_.near_pairs(all));
+}
+
+void Best::complete(const std::vector<LiftingPoint>& robots, std::size_t added,
+                    std::uint32_t near_pairs) {
   // More pairs do not make a set better.
   if (set_ && near_pairs > set_->near_pairs) return;
   for (const Candidate& candidate : pairs_to_complete(rules_, robots)) {
@@ -57,6 +63,7 @@ void Best::complete(const std::vector<LiftingPoint>& robots, std::uint32_t near_
     if (set_ && !rules_.better(offered_, *set_)) continue;
     set_ = std::exchange(offered_, {});
     completed_ = true;
+    kept_ = robots.size() - added;
   }
 }
 

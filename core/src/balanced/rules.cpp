@@ -145,14 +145,34 @@ bool Rules::surely_loses_by_coverage(RatedSet& a, RatedSet& b) const {
   return covers_less(a, coverage(b) - coverage_tie);
 }
 
+Rules::Decision Rules::decide(RatedSet& a, RatedSet& b) const {
+  const auto sign = [](auto x, auto y) { return x > y ? 1 : x < y ? -1 : 0; };
+  if (const int order = sign(b.near_pairs, a.near_pairs)) return {order, BalancedKey::near_pairs};
+  if (survive_ > 0)
+    if (const int order = sign(steady(a), steady(b))) return {order, BalancedKey::steady};
+  if (holds_)
+    if (const int order = sign(level(a), level(b))) return {order, BalancedKey::level};
+  if (const int order = compare(coverage(a), coverage(b), coverage_tie))
+    return {order, BalancedKey::coverage};
+  if (const int order = compare_spreads(spread(a), spread(b))) return {order, BalancedKey::spread};
+  return {compare_places(places(a), places(b), tau * outline_.length()), BalancedKey::places};
+}
+
 bool Rules::better(RatedSet& a, RatedSet& b) const {
-  if (a.near_pairs != b.near_pairs) return a.near_pairs < b.near_pairs;
-  if (surely_loses_by_coverage(a, b)) return false;
-  if (survive_ > 0 && steady(a) != steady(b)) return steady(a) > steady(b);
-  if (holds_ && level(a) != level(b)) return level(a) > level(b);
-  if (const int order = compare(coverage(a), coverage(b), coverage_tie)) return order > 0;
-  if (const int order = compare_spreads(spread(a), spread(b))) return order > 0;
-  return compare_places(places(a), places(b), tau * outline_.length()) > 0;
+  if (a.near_pairs == b.near_pairs && surely_loses_by_coverage(a, b)) return false;
+  return decide(a, b).order > 0;
+}
+
+std::optional<BalancedKey> Rules::decided_by(RatedSet& a, RatedSet& b) const {
+  const Decision decision = decide(a, b);
+  return decision.order == 0 ? std::nullopt : std::optional(decision.key);
+}
+
+RatedSet Rules::rated(const std::vector<LiftingPoint>& robots) const {
+  RatedSet set;
+  set.robots = robots;
+  set.begin(near_pairs(robots));
+  return set;
 }
 
 BalancedKeys Rules::keys(RatedSet& set) const {

@@ -13,6 +13,7 @@
 #include "balanced/triples.h"
 #include "candidates/even_chords.h"
 #include "evenlift/balanced.h"
+#include "evenlift/balanced_history.h"
 #include "grasp/margins.h"
 
 namespace evenlift::balanced {
@@ -55,6 +56,12 @@ class Rules {
   // Whether a is better than b.
   bool better(RatedSet& a, RatedSet& b) const;
 
+  // Which key tells the two apart; nothing if they tie in all.
+  std::optional<BalancedKey> decided_by(RatedSet& a, RatedSet& b) const;
+
+  // Robots whose pairs that are too near to each other are counted. O(m^2).
+  RatedSet rated(const std::vector<LiftingPoint>& robots) const;
+
   // All keys, as values.
   BalancedKeys keys(RatedSet& set) const;
 
@@ -70,6 +77,14 @@ class Rules {
   double spread(RatedSet& set) const;
   const std::vector<double>& places(RatedSet& set) const;
   bool surely_loses_by_coverage(RatedSet& a, RatedSet& b) const;
+
+  // The first key in which two sets differ, and for which of them it decides: 1 for a, -1 for b, 0 if
+  // there is none.
+  struct Decision {
+    int order = 0;
+    BalancedKey key = BalancedKey::near_pairs;
+  };
+  Decision decide(RatedSet& a, RatedSet& b) const;
 
   Polygon polygon_;
   Vec2 centre_;

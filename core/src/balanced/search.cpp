@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "balanced/completions.h"
+#include "balanced/start.h"
 #include "balanced/triples.h"
+#include "evenlift/balanced_history.h"
 
 namespace evenlift {
 namespace {
@@ -13,25 +15,18 @@ using balanced::Best;
 using balanced::RatedSet;
 using balanced::Rules;
 
-RatedSet rated(const Rules& rules, const std::vector<LiftingPoint>& robots) {
-  RatedSet set;
-  set.robots = robots;
-  set.begin(rules.near_pairs(robots));
-  return set;
+// How many completions the start takes.
+std::size_t completions_of_start(const Rules& rules) {
+  const std::size_t stands = rules.stands().size(), robots = rules.robots();
+  return stands * (robots - 1) + (robots == 4 ? stands * stands : 0);
 }
 
-// The sets of the start, by their number of robots.
-using Sets = std::vector<std::optional<RatedSet>>;
-
-std::optional<RatedSet> next_set(const Rules& rules, const Sets& sets) {
-  const std::size_t number = sets.size();
-  Best best(rules);
-  if (sets[number - 2]) best.offer_two_more(sets[number - 2]->robots);
-  if (number >= 3 && sets[number - 3]) best.offer_three_more(sets[number - 3]->robots);
-  if (number == 4 && (rules.robots() == 4 || !best.set()))
-    for (const LiftingPoint& stand : rules.stands()) best.offer_three_more({stand});
-  if (!best.set()) return std::nullopt;
-  return rules.in_order(*best.set());
+// A step is about a microsecond. A candidate costs one, and more the more the outline winds, since
+// the coverage of its set is added up along it.
+std::size_t steps_of_completion(const Rules& rules) {
+  constexpr std::size_t most_candidates = 2'000, winding = 50;
+  const std::size_t candidates = rules.chords().count_about(rules.centre(), most_candidates);
+  return candidates * (1 + candidates / winding);
 }
 
 BalancedSearch ended(BalancedSearch search, std::size_t triples) {
@@ -50,36 +45,37 @@ BalancedProblem::BalancedProblem(Polygon polygon, const Vec2& centre, const Sett
 
 BalancedKeys balanced_keys(const BalancedProblem& problem,
                            const std::vector<LiftingPoint>& robots) {
-  RatedSet set = rated(problem.rules(), robots);
+  RatedSet set = problem.rules().rated(robots);
   return problem.rules().keys(set);
 }
 
 bool is_better(const BalancedProblem& problem, const std::vector<LiftingPoint>& a,
                const std::vector<LiftingPoint>& b) {
-  RatedSet first = rated(problem.rules(), a), second = rated(problem.rules(), b);
-  return problem.rules().better(first, second);
+  const Rules& rules = problem.rules();
+  RatedSet first = rules.rated(a), second = rules.rated(b);
+  return rules.better(first, second);
 }
 
 std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem) {
   const Rules& rules = problem.rules();
-  Sets sets{RatedSet{}, std::nullopt};
-  while (sets.size() <= rules.robots()) sets.push_back(next_set(rules, sets));
+  auto sets = balanced::start_sets(rules);
   if (!sets.back()) return std::nullopt;
   BalancedSearch search;
-  search.robots = sets.back()->robots;
+  search.robots = std::move(sets.back()->set.robots);
   search.finished = rules.robots() < 3;
   return search;
 }
 
 bool is_quick_to_start(const BalancedProblem& problem) {
-  // A step is about a microsecond. A candidate costs one, and more the more the outline winds, since
-  // the coverage of its set is added up along it.
-  constexpr std::size_t most_steps = 100'000, most_candidates = 2'000, winding = 50;
+  return completions_of_start(problem.rules()) * steps_of_completion(problem.rules()) <= 100'000;
+}
+
+bool is_quick_to_finish(const BalancedProblem& problem) {
+  constexpr std::size_t usual_rounds = 3;
   const Rules& rules = problem.rules();
-  const std::size_t stands = rules.stands().size(), robots = rules.robots();
-  const std::size_t completions = stands * (robots - 1) + (robots == 4 ? stands * stands : 0);
-  const std::size_t candidates = rules.chords().count_about(rules.centre(), most_candidates);
-  return completions * candidates * (1 + candidates / winding) <= most_steps;
+  const std::size_t completions =
+      completions_of_start(rules) + usual_rounds * rules.triples().size() * rules.stands().size();
+  return completions * steps_of_completion(rules) <= 500'000;
 }
 
 BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch search) {
@@ -88,7 +84,7 @@ BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch sear
   const std::vector<balanced::Triple>& triples = rules.triples();
   const balanced::Triple& triple = triples[search.next++];
   Best best(rules);
-  best.offer(rated(rules, search.robots));
+  best.offer(rules.rated(search.robots));
   best.offer_three_more(balanced::others(search.robots, triple));
   std::optional<BalancedExchange> exchange;
   if (best.completed()) {

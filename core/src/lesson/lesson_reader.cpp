@@ -91,7 +91,7 @@ class Reader {
       if (each.name == key) known = &each;
     if (!known)
       return refuse(
-          "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, seed and predict");
+          "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, seed, robots, goal and predict");
     bool& seen = seen_[static_cast<std::size_t>(known - keys)];
     if (seen) return refuse("the setting is there twice");
     seen = true;
@@ -139,6 +139,8 @@ class Reader {
       {"com", &Reader::take_setting, Setting::com},
       {"weight", &Reader::take_setting, Setting::weight},
       {"seed", &Reader::take_setting, Setting::seed},
+      {"robots", &Reader::take_setting, Setting::robots},
+      {"goal", &Reader::take_setting, Setting::goal},
       {"predict", &Reader::take_predict, {}},
   };
 

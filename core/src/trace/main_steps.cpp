@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "exact/sorted_indices.h"
+
 namespace evenlift {
 namespace {
 
 constexpr std::uint32_t teams_shown = 3;  // besides the last
+constexpr std::uint32_t exchanges_shown = 3;
 
 // The pair that stands for all.
 std::uint32_t telling_pair(const Trace& trace) {
@@ -13,6 +16,26 @@ std::uint32_t telling_pair(const Trace& trace) {
   for (std::uint32_t i = 0; i < pairs; ++i)
     if (trace.candidate_of_source[i] != no_index) return i;
   return 0;
+}
+
+// The exchanges that gain the most coverage, in their order.
+std::vector<std::uint32_t> telling_exchanges(const Trace& trace) {
+  const BalancedHistory& history = trace.history;
+  std::vector<double> gains;
+  double before = 0;
+  for (std::size_t i = 0; i <= history.moves.size() && history.found; ++i) {
+    const auto& robots = i == 0 ? history.start.back().robots : history.moves[i - 1].set.robots;
+    const double coverage = balanced_keys(*trace.problem, robots).coverage;
+    if (i > 0) gains.push_back(coverage - before);
+    before = coverage;
+  }
+  std::vector<std::uint32_t> order =
+      sorted_indices(gains.size(), [&](std::uint32_t i, std::uint32_t j) {
+        return gains[i] > gains[j] || (gains[i] == gains[j] && i < j);
+      });
+  if (order.size() > exchanges_shown) order.resize(exchanges_shown);
+  std::sort(order.begin(), order.end());
+  return order;
 }
 
 }  // namespace
@@ -27,19 +50,24 @@ std::vector<std::uint32_t> main_steps(const Trace& trace) {
   const std::uint32_t pair = telling_pair(trace);
   for (const StepKind kind : {StepKind::sections, StepKind::outcome}) add(kind, pair);
   if (trace.pairs.empty()) add(StepKind::opposite, 0);
-  add(StepKind::candidates, 0);
-  add(StepKind::directions, 0);
+  for (const StepKind kind :
+       {StepKind::candidates, StepKind::directions, StepKind::lever, StepKind::three,
+        StepKind::many, StepKind::rest, StepKind::mirror, StepKind::completion})
+    add(kind, 0);
+  if (const std::uint32_t sets = trace.count(StepKind::start)) add(StepKind::start, sets - 1);
   const auto teams = static_cast<std::uint32_t>(trace.placement.teams.size());
   for (std::uint32_t team = 0; team < std::min(teams, teams_shown); ++team) {
     add(StepKind::scores, team);
     add(StepKind::team, team);
   }
+  for (const std::uint32_t exchange : telling_exchanges(trace)) add(StepKind::exchange, exchange);
+  add(StepKind::settled, 0);
   if (teams > teams_shown) add(StepKind::team, teams - 1);
   if (teams > 0) add(StepKind::base, teams - 1);
   for (const StepKind kind :
-       {StepKind::fewer, StepKind::loads, StepKind::coverage, StepKind::contacts, StepKind::closure,
-        StepKind::second_order, StepKind::result})
-    add(kind, 0);
+       {StepKind::fewer, StepKind::loads, StepKind::failures, StepKind::pairs, StepKind::coverage,
+        StepKind::contacts, StepKind::closure, StepKind::second_order, StepKind::result})
+    if (kind != StepKind::contacts || !trace.balanced()) add(kind, 0);
   return steps;
 }
 
@@ -48,6 +76,10 @@ std::uint32_t further_like(const Trace& trace, const Step& step) {
   if (step.kind == StepKind::ray || step.kind == StepKind::outcome) return all - 1;
   if (step.kind == StepKind::team && step.item + 1 == teams_shown && all > teams_shown + 1)
     return all - teams_shown - 1;
+  if (step.kind == StepKind::start) return all - 1;
+  if (step.kind == StepKind::exchange && all > exchanges_shown &&
+      step.item == telling_exchanges(trace).back())
+    return all - exchanges_shown;
   return 0;
 }
 

@@ -131,6 +131,10 @@ void StepFigures::base() {
 void StepFigures::share() { add_team(item_, true); }
 
 void StepFigures::loads() {
+  if (trace_.balanced()) {
+    add_arms();
+    return add_balanced(placement_.loads->max);
+  }
   for (std::uint32_t i = 0; i < placement_.teams.size(); ++i) add_team(i, true);
 }
 

@@ -38,6 +38,17 @@ class StepFigures : LookedAtStep {
   void slide();
   void closure();
   void result();
+  void lever();
+  void three();
+  void many();
+  void rest();
+  void mirror();
+  void completion();
+  void start();
+  void exchange();
+  void round();
+  void failure();
+  void pairs();
 
   // With C in front of all others.
   std::vector<Figure> take() &&;
@@ -52,6 +63,10 @@ class StepFigures : LookedAtStep {
   void add_team(std::uint32_t index, bool loaded);
   void add_regions(const FreeRegion& clockwise, const FreeRegion& counterclockwise);
   void add_contacts(std::size_t number);
+  void add_balanced(double load);
+  void add_arms();
+  void add_even_chords();
+  void add_completion();
 
   std::vector<Figure> figures_;
 };

@@ -42,6 +42,19 @@ class StepNumbers : LookedAtStep {
   void closure();
   void second_order();
   void result();
+  void lever();
+  void three();
+  void many();
+  void rest();
+  void mirror();
+  void completion();
+  void start();
+  void exchange();
+  void round();
+  void settled();
+  void failure();
+  void failures();
+  void pairs();
 
   std::vector<Number> take() && { return std::move(numbers_); }
 
@@ -50,6 +63,8 @@ class StepNumbers : LookedAtStep {
   void count(std::string_view name, std::size_t value) { add(name, static_cast<double>(value)); }
   void point(std::string_view x, std::string_view y, const Vec2& p);
   void ratio_and_candidate(double ratio, std::optional<std::uint32_t> candidate);
+
+  void robots_and_coverage();
 
   std::vector<Number> numbers_;
 };

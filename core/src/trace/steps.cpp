@@ -9,9 +9,9 @@
 namespace evenlift {
 namespace {
 
-constexpr std::string_view chapter_names[] = {"object",        "vertex_chords", "slopes",
-                                              "pairs",         "candidates",    "first_team",
-                                              "further_teams", "loads",         "grasp"};
+constexpr std::string_view chapter_names[] = {
+    "object",        "law",   "vertex_chords", "slopes", "pairs",    "candidates", "first_team",
+    "further_teams", "start", "exchange",      "loads",  "failures", "grasp"};
 static_assert(std::size(chapter_names) == chapter_count);
 
 // What a kind of step is called, and which numbers and figures it has. Its words are a row of
@@ -52,6 +52,19 @@ constexpr StepRow steps[] = {
     {StepKind::closure,      "closure",      &N::closure,      &F::closure},
     {StepKind::second_order, "second_order", &N::second_order, &F::closure},
     {StepKind::result,       "result",       &N::result,       &F::result},
+    {StepKind::lever,        "lever",        &N::lever,        &F::lever},
+    {StepKind::three,        "three",        &N::three,        &F::three},
+    {StepKind::many,         "many",         &N::many,         &F::many},
+    {StepKind::rest,         "rest",         &N::rest,         &F::rest},
+    {StepKind::mirror,       "mirror",       &N::mirror,       &F::mirror},
+    {StepKind::completion,   "completion",   &N::completion,   &F::completion},
+    {StepKind::start,        "start",        &N::start,        &F::start},
+    {StepKind::exchange,     "exchange",     &N::exchange,     &F::exchange},
+    {StepKind::round,        "round",        &N::round,        &F::round},
+    {StepKind::settled,      "settled",      &N::settled,      &F::round},
+    {StepKind::failure,      "failure",      &N::failure,      &F::failure},
+    {StepKind::failures,     "failures",     &N::failures,     &F::round},
+    {StepKind::pairs,        "pairs",        &N::pairs,        &F::pairs},
 };
 // clang-format on
 
@@ -60,14 +73,16 @@ static_assert(has_each_step(steps));
 const StepRow& row_of(StepKind kind) { return steps[static_cast<std::size_t>(kind)]; }
 
 constexpr std::string_view figure_names[] = {
-    "object",     "triangle",      "centroid",    "centre",
-    "vertex",     "radial_edge",   "ray",         "chord",
-    "edge",       "section",       "reflected",   "section_end",
-    "bisecting",  "chosen",        "candidate",   "team",
-    "robot",      "gain_triangle", "gain_part",   "gain_circle",
-    "arm_before", "arm_after",     "base_before", "base",
-    "contact",    "normal",        "clockwise",   "counterclockwise",
-    "translation"};
+    "object",      "triangle",      "centroid",    "centre",
+    "vertex",      "radial_edge",   "ray",         "chord",
+    "edge",        "section",       "reflected",   "section_end",
+    "bisecting",   "chosen",        "candidate",   "team",
+    "robot",       "gain_triangle", "gain_part",   "gain_circle",
+    "arm_before",  "arm_after",     "base_before", "base",
+    "contact",     "normal",        "clockwise",   "counterclockwise",
+    "translation", "lever",         "side",        "arm",
+    "sum",         "middle",        "stand",       "mirrored",
+    "even_chord",  "left",          "way"};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "chords/radial_view.h"
 #include "evenlift/hull.h"
 #include "evenlift/tolerance.h"
+#include "trace/balanced_steps.h"
 
 namespace evenlift {
 namespace {
@@ -65,35 +66,86 @@ class BlockWriter {
   std::uint64_t steps_ = 0;
 };
 
-std::uint64_t write_blocks(Trace& trace) {
+// Teams that are chosen among candidates, and how these are found.
+void write_candidates(const Trace& trace, BlockWriter& blocks) {
+  blocks.add(Chapter::vertex_chords, {StepKind::radial}, !trace.radial_edges.empty());
+  blocks.add(Chapter::vertex_chords, {StepKind::ray}, trace.rays.vertices.size());
+  blocks.add(Chapter::slopes, {StepKind::slopes});
+  blocks.add(Chapter::pairs, {StepKind::sections, StepKind::outcome}, trace.pairs.size());
+  blocks.add(Chapter::pairs, {StepKind::opposite}, trace.opposite.size());
+  blocks.add(Chapter::pairs, {StepKind::duplicates});
+  blocks.add(Chapter::candidates, {StepKind::candidates});
+}
+
+void write_teams(const Trace& trace, BlockWriter& blocks, std::initializer_list<StepKind> choice) {
   const Placement& placement = trace.placement;
   const auto teams = static_cast<std::uint32_t>(placement.teams.size());
+  blocks.add(Chapter::first_team, {StepKind::directions},
+             placement.settings.method == Method::distributed);
+  blocks.add(Chapter::first_team, choice, std::min(teams, 1u));
+  blocks.add(Chapter::further_teams, choice, teams - std::min(teams, 1u), 1);
+  const Chapter last = teams > 1 ? Chapter::further_teams : Chapter::first_team;
+  blocks.add(last, {StepKind::fewer}, teams == 0 || teams < placement.requested_teams);
+}
+
+// The exchanges round by round.
+void write_rounds(const BalancedHistory& history, BlockWriter& blocks) {
+  const auto moves_of = [&](std::uint32_t round) {
+    return static_cast<std::uint32_t>(
+        std::count_if(history.moves.begin(), history.moves.end(),
+                      [&](const BalancedMove& move) { return move.round == round; }));
+  };
+  std::uint32_t first = 0;
+  for (std::uint32_t round = 0; round < history.rounds; ++round) {
+    const std::uint32_t moves = moves_of(round);
+    blocks.add(Chapter::exchange, {StepKind::exchange}, moves, first);
+    blocks.add(Chapter::exchange, {StepKind::round}, moves > 0, round);
+    first += moves;
+  }
+  blocks.add(Chapter::exchange, {StepKind::settled}, history.rounds > 0);
+}
+
+void write_balanced(const Trace& trace, BlockWriter& blocks) {
+  const BalancedHistory& history = trace.history;
+  const auto has = [&](StepKind kind) {
+    return balanced_set_at(trace, {kind, Chapter::law, 0}) != nullptr;
+  };
+  blocks.add(Chapter::law, {StepKind::lever}, has(StepKind::lever));
+  blocks.add(Chapter::law, {StepKind::three}, has(StepKind::three));
+  blocks.add(Chapter::law, {StepKind::many},
+             has(StepKind::many) && trace.placement.settings.robots > 3);
+  for (const StepKind kind : {StepKind::rest, StepKind::mirror, StepKind::completion})
+    blocks.add(Chapter::start, {kind}, has(kind));
+  blocks.add(Chapter::start, {StepKind::start}, history.start.size());
+  blocks.add(Chapter::start, {StepKind::fewer}, !history.found);
+  write_rounds(history, blocks);
+}
+
+void write_failures(const Trace& trace, BlockWriter& blocks) {
+  const std::uint32_t robots = trace.placement.settings.robots;
+  if (robots < 3 || robots > most_failing) return;
+  blocks.add(Chapter::failures, {StepKind::failure}, robots);
+  blocks.add(Chapter::failures, {StepKind::failures});
+  blocks.add(Chapter::failures, {StepKind::pairs}, trace.in_pairs.has_value());
+}
+
+void write_blocks_of_method(const Trace& trace, BlockWriter& blocks) {
+  if (trace.balanced()) return write_balanced(trace, blocks);
+  if (!trace.by_candidates()) return write_teams(trace, blocks, {StepKind::team, StepKind::base});
+  write_candidates(trace, blocks);
+  write_teams(trace, blocks, {StepKind::scores, StepKind::team, StepKind::base});
+}
+
+std::uint64_t write_blocks(Trace& trace) {
+  const Placement& placement = trace.placement;
   BlockWriter blocks(trace);
   for (const StepKind kind : {StepKind::polygon, StepKind::centroid, StepKind::centre})
     blocks.add(Chapter::object, {kind});
-  const Chapter last_choice = teams > 1 ? Chapter::further_teams : Chapter::first_team;
-  if (trace.by_candidates()) {
-    blocks.add(Chapter::vertex_chords, {StepKind::radial}, !trace.radial_edges.empty());
-    blocks.add(Chapter::vertex_chords, {StepKind::ray}, trace.rays.vertices.size());
-    blocks.add(Chapter::slopes, {StepKind::slopes});
-    blocks.add(Chapter::pairs, {StepKind::sections, StepKind::outcome}, trace.pairs.size());
-    blocks.add(Chapter::pairs, {StepKind::opposite}, trace.opposite.size());
-    blocks.add(Chapter::pairs, {StepKind::duplicates});
-    blocks.add(Chapter::candidates, {StepKind::candidates});
-    const auto choice = {StepKind::scores, StepKind::team, StepKind::base};
-    blocks.add(Chapter::first_team, choice, std::min(teams, 1u));
-    blocks.add(Chapter::further_teams, choice, teams - std::min(teams, 1u), 1);
-  } else {
-    const auto choice = {StepKind::team, StepKind::base};
-    blocks.add(Chapter::first_team, {StepKind::directions},
-               placement.settings.method == Method::distributed);
-    blocks.add(Chapter::first_team, choice, std::min(teams, 1u));
-    blocks.add(Chapter::further_teams, choice, teams - std::min(teams, 1u), 1);
-  }
-  blocks.add(last_choice, {StepKind::fewer}, teams == 0 || teams < placement.requested_teams);
-  if (teams > 0) {
-    blocks.add(Chapter::loads, {StepKind::share}, teams);
+  write_blocks_of_method(trace, blocks);
+  if (!placement.teams.empty()) {
+    blocks.add(Chapter::loads, {StepKind::share}, trace.balanced() ? 0 : placement.teams.size());
     blocks.add(Chapter::loads, {StepKind::loads});
+    if (trace.balanced()) write_failures(trace, blocks);
     blocks.add(Chapter::grasp, {StepKind::coverage});
     blocks.add(Chapter::grasp, {StepKind::contacts});
     blocks.add(Chapter::grasp, {StepKind::cut}, trace.contacts.size());
@@ -148,10 +200,7 @@ std::optional<InputError> collect(Trace& trace) {
 
 }  // namespace
 
-Result<Trace> make_trace(const Placement& placement) {
-  if (placement.settings.method == Method::balanced)
-    return InputError{
-        ErrorCode::unsupported, "the steps of balanced robots cannot be shown one by one yet", {}};
+Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
   Trace trace{.placement = placement,
               .polygon = placement.polygon,
               .centre = placement.centre_of_mass,
@@ -163,10 +212,16 @@ Result<Trace> make_trace(const Placement& placement) {
               .source_of_candidate = {},
               .first_source_of_candidate = {},
               .contacts = {},
+              .problem = {},
+              .history = {},
+              .robot_numbers = {},
+              .in_pairs = {},
               .blocks = {}};
+  if (placement.settings.method == Method::balanced)
+    if (auto error = trace_search(trace, length)) return *error;
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
-  trace.contacts = contacts(trace.polygon, lifting_points(placement.teams));
+  trace.contacts = contacts(trace.polygon, lifting_points(trace.placement.teams));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;
 }

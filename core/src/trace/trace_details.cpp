@@ -3,6 +3,7 @@
 
 #include "evenlift/predicates.h"
 #include "evenlift/trace.h"
+#include "trace/balanced_steps.h"
 
 namespace evenlift {
 namespace {
@@ -42,6 +43,7 @@ StepDetail look_at(const Trace& trace, std::uint32_t k) {
   detail.number = k;
   detail.step = trace.step(k);
   const std::uint32_t item = detail.step.item;
+  if (trace.balanced()) look_at_balanced(trace, detail);
   switch (detail.step.kind) {
     case StepKind::sections:
     case StepKind::outcome:
@@ -74,6 +76,8 @@ bool is_choice(const Trace& trace, std::uint32_t k) {
   const Step step = trace.step(k);
   if (step.kind == StepKind::scores)  // of one candidate there is no choice
     return trace.placement.candidates.size() > step.item + std::size_t{1};
+  if (step.kind == StepKind::completion || step.kind == StepKind::exchange)
+    return look_at(trace, k).balanced->chords.size() > 1;
   if (step.kind != StepKind::outcome) return false;
   const Outcome outcome = look_at_pair(trace, step.item).outcome;
   return outcome == Outcome::nearer_end || outcome == Outcome::too_uneven;
@@ -82,7 +86,21 @@ bool is_choice(const Trace& trace, std::uint32_t k) {
 std::optional<Question> question(const Trace& trace, const StepDetail& detail) {
   if (!is_choice(trace, detail.number)) return std::nullopt;
   if (detail.pair) return Question{QuestionKind::nearer_end, detail.pair->nearer};
+  if (detail.balanced) return Question{QuestionKind::even_chord, detail.balanced->chosen};
   return Question{QuestionKind::winning_chord, detail.scores->ranking.front()};
+}
+
+const Chord& chord_of_choice(const Trace& trace, const StepDetail& detail, const Question& question,
+                             std::uint32_t choice) {
+  switch (question.kind) {
+    case QuestionKind::nearer_end:
+      return detail.pair->ends[choice];
+    case QuestionKind::even_chord:
+      return detail.balanced->chords[choice];
+    case QuestionKind::winning_chord:
+      break;
+  }
+  return trace.placement.candidates[choice].chord;
 }
 
 }  // namespace evenlift

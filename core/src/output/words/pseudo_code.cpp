@@ -50,8 +50,22 @@ constexpr Line by_chance[] = {
     {Statement::second_robot,
      "  r2 := one of the boundary points straight across C; if none, draw again"},
     {Statement::wider_base, "  H := the convex hull of H and its robots"}};
+constexpr Line by_centroid[] = {
+    {Statement::centroid_law, "m robots bear W/m each if C is the centroid of their places"},
+    {Statement::each_number, "for i = 2 … m: some robots Q stand, two more make i of them"},
+    {Statement::middle, "  M := (i C − the sum of Q) / 2, the middle between the two"},
+    {Statement::even_chords, "  chords := between points of P and of P turned about M"},
+    {Statement::best_set,
+     "  S(i) := the best of S(i − 2) with two more, S(i − 3) with a stand and two more"},
+    {Statement::exchange,
+     "for each three robots of S: let them go; S := the best with three others"},
+    {Statement::rounds, "again, until a round changes nothing, at most 8 times"}};
+constexpr Line equal_loads[] = {
+    {Statement::equal_loads, "loads := W/m for each robot"},
+    {Statement::failures, "for each robot that fails: is C within the hull of the others?"}};
+constexpr Line loads_of_teams[] = {
+    {Statement::loads, "for each team: a robot bears W/t × the other's arm / the chord"}};
 constexpr Line tail[] = {
-    {Statement::loads, "for each team: a robot bears W/t × the other's arm / the chord"},
     {Statement::coverage, "coverage := area of P in H / area of P"},
     {Statement::cut, "for each contact: cut the free rotation centres by its normal line"},
     {Statement::slide, "slide := is some direction against no contact?"},
@@ -63,8 +77,12 @@ std::vector<Line> program(Method method) {
   std::span<const Line> selection = by_candidates;
   if (method == Method::distributed) selection = by_angle;
   if (method == Method::random) selection = by_chance;
+  if (method == Method::balanced) selection = by_centroid;
+  const std::span<const Line> loads =
+      method == Method::balanced ? std::span<const Line>(equal_loads) : loads_of_teams;
   std::vector<Line> lines(std::begin(head), std::end(head));
   lines.insert(lines.end(), selection.begin(), selection.end());
+  lines.insert(lines.end(), loads.begin(), loads.end());
   lines.insert(lines.end(), std::begin(tail), std::end(tail));
   return lines;
 }
@@ -103,6 +121,14 @@ Statement statement_of_team(const Trace& trace, const StepDetail& detail) {
       break;
   }
   return detail.step.item == 0 ? Statement::first_team : Statement::next_team;
+}
+
+Statement statement_of_fewer(const Trace& trace, const StepDetail&) {
+  return trace.balanced() ? Statement::each_number : Statement::each_team;
+}
+
+Statement statement_of_loads(const Trace& trace, const StepDetail&) {
+  return trace.balanced() ? Statement::equal_loads : Statement::loads;
 }
 
 Statement statement_of_base(const Trace& trace, const StepDetail& detail) {

@@ -34,6 +34,16 @@ enum class Statement : std::uint8_t {
   // random
   first_robot,
   second_robot,
+  // balanced
+  centroid_law,
+  each_number,
+  middle,
+  even_chords,
+  best_set,
+  exchange,
+  rounds,
+  equal_loads,
+  failures,
   // all
   loads,
   coverage,
@@ -47,6 +57,8 @@ enum class Statement : std::uint8_t {
 Statement statement_of_outcome(const Trace& trace, const StepDetail& detail);
 Statement statement_of_scores(const Trace& trace, const StepDetail& detail);
 Statement statement_of_team(const Trace& trace, const StepDetail& detail);
+Statement statement_of_fewer(const Trace& trace, const StepDetail& detail);
+Statement statement_of_loads(const Trace& trace, const StepDetail& detail);
 Statement statement_of_base(const Trace& trace, const StepDetail& detail);
 
 }  // namespace evenlift

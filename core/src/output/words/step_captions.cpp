@@ -55,7 +55,7 @@ std::string StepCaptions::centroid() const {
       {point_text(trace_, trace_.polygon.centroid())});
 }
 
-std::string StepCaptions::centre() const {
+std::string StepCaptions::what_c_is() const {
   const double moved = length(trace_.centre - trace_.polygon.centroid());
   std::string text =
       moved == 0
@@ -64,7 +64,14 @@ std::string StepCaptions::centre() const {
                 "The centre of mass C is at #, # away from the centroid: the object is heavier on that side.",
                 {point_text(trace_, trace_.centre), length_text(trace_, moved)});
   if (centre_is_outside(trace_)) text += " It lies outside of the polygon.";
-  return text +
+  return text;
+}
+
+std::string StepCaptions::centre() const {
+  if (trace_.balanced())
+    return what_c_is() + fill(" Where must # stand on the boundary so that all bear the same?",
+                              {counted(placement_.settings.robots, "robot")});
+  return what_c_is() +
          " Two robots hold the object without tipping only if C is between them: a team stands at the two ends of a chord through C.";
 }
 
@@ -394,11 +401,9 @@ std::string StepCaptions::contacts() const {
 
 std::string StepCaptions::cut() const {
   const Contact& contact = trace_.contacts[item_];
-  const RobotIndex robot = robot_of(contact);
   std::string text = fill(
-      "Contact #, robot # of team # on edge #. It pushes along its normal line: the object can turn clockwise only about points to the right of it, counter-clockwise only to the left. ",
-      {counted_from_1(item_), counted_from_1(robot.end), counted_from_1(robot.team),
-       counted_from_1(contact.edge)});
+      "Contact #, # on edge #. It pushes along its normal line: the object can turn clockwise only about points to the right of it, counter-clockwise only to the left. ",
+      {counted_from_1(item_), robot_of_contact(trace_, contact), counted_from_1(contact.edge)});
   return text + left("clockwise", detail_.clockwise, detail_.clockwise_before) + " " +
          left("counter-clockwise", detail_.counterclockwise, detail_.counterclockwise_before);
 }

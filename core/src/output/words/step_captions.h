@@ -40,6 +40,19 @@ class StepCaptions : LookedAtStep {
   std::string closure() const;
   std::string second_order() const;
   std::string result() const;
+  std::string lever() const;
+  std::string three() const;
+  std::string many() const;
+  std::string rest() const;
+  std::string mirror() const;
+  std::string completion() const;
+  std::string start() const;
+  std::string exchange() const;
+  std::string round() const;
+  std::string settled() const;
+  std::string failure() const;
+  std::string failures() const;
+  std::string pairs() const;
 
  private:
   Piece load(double value) const;
@@ -53,6 +66,7 @@ class StepCaptions : LookedAtStep {
   static double neighbour(const TeamScores& scores, std::size_t i);
   std::string first_scores(const TeamScores& scores) const;
   std::string team_without_candidates() const;
+  std::string what_c_is() const;
   static std::string left(const char* sense, const FreeRegion& region, bool before);
 };
 

@@ -32,6 +32,11 @@ class StepFormulas : LookedAtStep {
   std::string coverage() const;
   std::string cut() const;
   std::string closure() const;
+  std::string lever() const;
+  std::string three() const;
+  std::string many() const;
+  std::string rest() const;
+  std::string exchange() const;
 
  private:
   Piece load(double value) const;

@@ -12,13 +12,17 @@ namespace evenlift {
 namespace {
 
 constexpr std::string_view titles[] = {"The object and its centre of mass",
+                                       "From the lever to the centroid",
                                        "Chords from the vertices",
                                        "In order of slope",
                                        "Edges that face each other",
                                        "The candidates",
                                        "The first team",
                                        "Further teams",
+                                       "A first set",
+                                       "Three robots move at a time",
                                        "What each robot bears",
+                                       "If a robot fails",
                                        "What holds it"};
 static_assert(std::size(titles) == chapter_count);
 
@@ -54,9 +58,9 @@ constexpr StepRow steps[] = {
     {StepKind::scores,       &C::scores,       &F::scores,     statement_of_scores},
     {StepKind::team,         &C::team,         &F::scores,     statement_of_team},
     {StepKind::base,         &C::base,         &F::base,       statement_of_base},
-    {StepKind::fewer,        &C::fewer,        &F::none,       always<S::each_team>},
+    {StepKind::fewer,        &C::fewer,        &F::none,       statement_of_fewer},
     {StepKind::share,        &C::share,        &F::share,      always<S::loads>},
-    {StepKind::loads,        &C::loads,        &F::loads,      always<S::loads>},
+    {StepKind::loads,        &C::loads,        &F::loads,      statement_of_loads},
     {StepKind::coverage,     &C::coverage,     &F::coverage,   always<S::coverage>},
     {StepKind::contacts,     &C::contacts,     &F::none,       always<S::cut>},
     {StepKind::cut,          &C::cut,          &F::cut,        always<S::cut>},
@@ -64,6 +68,19 @@ constexpr StepRow steps[] = {
     {StepKind::closure,      &C::closure,      &F::closure,    always<S::form_closure>},
     {StepKind::second_order, &C::second_order, &F::none,       always<S::second_order>},
     {StepKind::result,       &C::result,       &F::none,       always<S::form_closure>},
+    {StepKind::lever,        &C::lever,        &F::lever,      always<S::centroid_law>},
+    {StepKind::three,        &C::three,        &F::three,      always<S::centroid_law>},
+    {StepKind::many,         &C::many,         &F::many,       always<S::centroid_law>},
+    {StepKind::rest,         &C::rest,         &F::rest,       always<S::middle>},
+    {StepKind::mirror,       &C::mirror,       &F::none,       always<S::even_chords>},
+    {StepKind::completion,   &C::completion,   &F::none,       always<S::best_set>},
+    {StepKind::start,        &C::start,        &F::none,       always<S::best_set>},
+    {StepKind::exchange,     &C::exchange,     &F::exchange,   always<S::exchange>},
+    {StepKind::round,        &C::round,        &F::none,       always<S::rounds>},
+    {StepKind::settled,      &C::settled,      &F::none,       always<S::rounds>},
+    {StepKind::failure,      &C::failure,      &F::none,       always<S::failures>},
+    {StepKind::failures,     &C::failures,     &F::none,       always<S::failures>},
+    {StepKind::pairs,        &C::pairs,        &F::none,       always<S::failures>},
 };
 // clang-format on
 
@@ -102,6 +119,16 @@ std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {
       return "H is the lifting base.";
     case StepKind::share:
       return "W1 is what robot 1 bears; r1 and r2 are the places of the team's two robots.";
+    case StepKind::lever:
+      return "W1 is what robot 1 bears; r1 and r2 are the places of the two robots.";
+    case StepKind::three:
+      return "W3 is what robot 3 bears; r3 is its place, and M the middle between the other two.";
+    case StepKind::many:
+      return "p with a number is the place of that robot.";
+    case StepKind::rest:
+      return detail.balanced->rest.size() == 1 ? "p1 is the place that is taken." : "";
+    case StepKind::exchange:
+      return "M is the middle between the last two of the robots that come.";
     case StepKind::coverage:
       return "P is the object, and H the lifting base.";
     case StepKind::closure:

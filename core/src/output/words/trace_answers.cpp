@@ -1,6 +1,9 @@
 // Questions, answers, and what a figure is.
+#include <algorithm>
+
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
+#include "output/words/listed.h"
 #include "output/words/trace_text.h"
 
 namespace evenlift {
@@ -58,12 +61,34 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
        score_text(trace, answer.rule, answer.best, answer.value), whole(answer.rank)});
 }
 
+std::string robot_in_words(const Trace& trace, std::uint32_t number) {
+  if (trace.balanced()) return fill("Robot #", {counted_from_1(number)});
+  const RobotOfTeam robot = find_robot(trace.placement.teams, number);
+  return fill("Team #, robot #", {counted_from_1(robot.team), counted_from_1(robot.robot)});
+}
+
 std::string loaded(const Trace& trace, const Figure& figure) {
-  const RobotOfTeam robot = find_robot(trace.placement.teams, *figure.item);
-  std::string text =
-      fill("Team #, robot #", {counted_from_1(robot.team), counted_from_1(robot.robot)});
-  if (figure.value > 0) text += fill(": #", {kilograms_text(trace, figure.value)});
+  std::string text = robot_in_words(trace, *figure.item);
+  if (figure.value > 0)
+    text += fill(": #", {Piece{Piece::Kind::kilograms, figure.value,
+                               trace.balanced() ? figure.value : trace.placement.loads->max}});
   return text;
+}
+
+// What the step asks that shows which chord two balanced robots take.
+std::string chord_question(const Trace& trace, const StepDetail& detail) {
+  const BalancedDetail& balanced = *detail.balanced;
+  if (balanced.moved.empty())
+    return fill(
+        "Which chord makes the best set of #? Think of #.",
+        {counted(balanced.robots.size(), "robot"), goal_of(trace.placement.settings) == Goal::hold
+                                                       ? "a firm hold, and then of a wide base"
+                                                       : "a wide base"});
+  std::vector<std::size_t> moved;
+  for (const std::uint32_t number : balanced.moved) moved.push_back(number + std::size_t{1});
+  return fill(
+      "# # go elsewhere, and one comes to the place with the ring. Which chord with its middle in M do two robots take, so that the set is the best?",
+      {moved.size() == 1 ? "Robot" : "Robots", listed(moved, "and")});
 }
 
 }  // namespace
@@ -71,6 +96,7 @@ std::string loaded(const Trace& trace, const Figure& figure) {
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question) {
   if (question.kind == QuestionKind::nearer_end)
     return "None of the chords between these two sections is even. Which end is nearer to it?";
+  if (question.kind == QuestionKind::even_chord) return chord_question(trace, detail);
   return fill("Which candidate does team # take? The one that #.",
               {counted_from_1(detail.step.item), aim(trace, detail.scores->rule)});
 }
@@ -119,6 +145,77 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
   return {};
 }
 
+namespace {
+
+// What a set has of the key that tells it from the set of the step, beside what that one has.
+std::string compared(const SetComparison& sets) {
+  const BalancedKeys &other = sets.keys, &now = sets.keys_now;
+  const auto fail = [](int steady) { return whole(static_cast<std::size_t>(std::max(0, steady))); };
+  switch (sets.decided_by) {
+    case BalancedKey::near_pairs:
+      return fill("# of robots would be too near to each other, instead of #",
+                  {counted(other.near_pairs, "pair"), whole(now.near_pairs)});
+    case BalancedKey::steady:
+      return fill("the object would stay steady if # fail, instead of #",
+                  {fail(other.steady), fail(now.steady)});
+    case BalancedKey::level:
+      return fill("the hold would have a margin of #, instead of #",
+                  {margin_text(sets.margin.value_or(0)), margin_text(sets.margin_now.value_or(0))});
+    case BalancedKey::coverage: {
+      const int decimals = percentage(other.coverage) == percentage(now.coverage) ? 3 : 0;
+      return fill("they would cover # of the object, instead of #",
+                  {percentage(other.coverage, decimals), percentage(now.coverage, decimals)});
+    }
+    case BalancedKey::spread:
+      return sets.better ? "they would cover as much, and stand farther away from C"
+                         : "they would cover as much, but stand nearer to C";
+    case BalancedKey::places:
+      break;
+  }
+  return "they would be as good as those that stand";
+}
+
+}  // namespace
+
+std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer) {
+  const Piece robot = counted_from_1(answer.robot);
+  switch (answer.why) {
+    case WhyNoRobot::Why::no_set:
+      return "There are no three robots that could change places.";
+    case WhyNoRobot::Why::stands_from_start:
+      return fill(
+          "Robot # stands here since the first set: no exchange that took it away was better.",
+          {robot});
+    case WhyNoRobot::Why::stands:
+      return fill(
+          "Robot # came here in round #, with exchange # of #. No exchange since then that took it away was better.",
+          {robot, counted_from_1(trace.history.moves[answer.move].round),
+           counted_from_1(answer.move), whole(trace.history.moves.size())});
+    case WhyNoRobot::Why::no_completion:
+      return "With a robot here no two others bring C back into the middle of all: whichever three leave, no chord of the object has the point M in its middle that is needed then.";
+    case WhyNoRobot::Why::other_set:
+      break;
+  }
+  const std::size_t stay = answer.set.kept.size(), move = answer.set.came.size() - 1;
+  const std::string others =
+      move == 0 ? fill("the # others could stay where they are", {whole(stay)})
+                : fill("# of the others could stay at best, and # would have to go to the #",
+                       {whole(stay), move == 1 ? "one" : "two", move == 1 ? "ring" : "rings"});
+  return fill(
+      "With a robot here #, so that C stays the centroid. Then #.#",
+      {others, compared(answer.comparison),
+       answer.comparison.better
+           ? fill(
+                 " That would be better: but the search tries # stands, and this place is none of them.",
+                 {whole(trace.history.stands)})
+           : std::string()});
+}
+
+std::string even_chord_text(const Trace& trace, const StepDetail& detail, std::uint32_t choice) {
+  return fill("With chord # #.",
+              {counted_from_1(choice), compared(compare_even_chord(trace, detail, choice))});
+}
+
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure) {
   const std::uint32_t index = figure.item.value_or(0);
   const Piece item = counted_from_1(index);
@@ -154,9 +251,10 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
     case FigureKind::bisecting:
       return "The chord between the edges' lines that C bisects";
     case FigureKind::chosen:
-      return fill(detail.opposite ? "The chord between the two vertices, load ratio #"
-                  : !figure.item  ? "The best chord of the pair, load ratio #"
-                                  : "The pair's candidate, load ratio #",
+      return fill(detail.balanced   ? "The chord that two robots take, with M in its middle"
+                  : detail.opposite ? "The chord between the two vertices, load ratio #"
+                  : !figure.item    ? "The best chord of the pair, load ratio #"
+                                    : "The pair's candidate, load ratio #",
                   {ratio_text(figure.value, least)});
     case FigureKind::candidate: {
       const double ratio = trace.placement.candidates[index].chord.ratio;
@@ -190,10 +288,8 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
       return "Lifting base H";
     case FigureKind::contact: {
       const Contact& contact = trace.contacts[index];
-      const RobotIndex robot = robot_of(contact);
-      return fill("Contact #: team #, robot # on edge #",
-                  {item, counted_from_1(robot.team), counted_from_1(robot.end),
-                   counted_from_1(contact.edge)});
+      return fill("Contact #: # on edge #",
+                  {item, robot_of_contact(trace, contact), counted_from_1(contact.edge)});
     }
     case FigureKind::normal:
       return fill("Normal line of contact #", {item});
@@ -203,6 +299,26 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
       return "About these points it can turn counter-clockwise";
     case FigureKind::translation:
       return "A way to slide";
+    case FigureKind::lever:
+      return "A lever that turns about C";
+    case FigureKind::side:
+      return "Two robots that lift together, as if at the middle between them";
+    case FigureKind::arm:
+      return fill("From C to robot #", {item});
+    case FigureKind::sum:
+      return "The arrows end to end, each shortened to its part of the weight: they come back to C";
+    case FigureKind::middle:
+      return fill("M #, the middle between two robots", {point_text(trace, figure.points[0])});
+    case FigureKind::stand:
+      return fill("A stand #, where one robot comes", {point_text(trace, figure.points[0])});
+    case FigureKind::mirrored:
+      return "The object turned about M by half a turn";
+    case FigureKind::even_chord:
+      return fill("Chord #, with M in its middle", {item});
+    case FigureKind::left:
+      return fill("Where robot # stood before", {item});
+    case FigureKind::way:
+      return "Where the robot went";
   }
   return {};
 }

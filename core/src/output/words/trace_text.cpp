@@ -135,6 +135,12 @@ Piece kilograms_text(const Trace& trace, double value) {
 
 Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
 
+std::string robot_of_contact(const Trace& trace, const Contact& contact) {
+  if (trace.balanced()) return fill("robot #", {counted_from_1(contact.point)});
+  const RobotIndex robot = robot_of(contact);
+  return fill("robot # of team #", {counted_from_1(robot.end), counted_from_1(robot.team)});
+}
+
 Piece score_text(const Trace& trace, Rule rule, double value, double other) {
   if (rule == Rule::most_even) return ratio_text(value, other);
   const double size = trace.polygon.diagonal();

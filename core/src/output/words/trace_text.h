@@ -75,6 +75,9 @@ Piece load_text(const Trace& trace, double value);
 Piece kilograms_text(const Trace& trace, double value);
 Piece margin_text(double value);
 
+// Which robot a contact belongs to: "robot 1 of team 2", or of balanced robots "robot 3".
+std::string robot_of_contact(const Trace& trace, const Contact& contact);
+
 // The value of a score in the unit of the trace's metric and rule, told apart from `other`.
 Piece score_text(const Trace& trace, Rule rule, double value, double other);
 

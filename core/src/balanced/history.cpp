@@ -1,0 +1,103 @@
+#include "evenlift/balanced_history.h"
+
+#include <utility>
+
+#include "balanced/completions.h"
+#include "balanced/start.h"
+#include "balanced/triples.h"
+
+namespace evenlift {
+namespace {
+
+using balanced::Best;
+using balanced::RatedSet;
+using balanced::Rules;
+
+std::optional<BalancedKey> decided(const Rules& rules, const std::vector<LiftingPoint>& a,
+                                   const std::vector<LiftingPoint>& b) {
+  RatedSet first = rules.rated(a), second = rules.rated(b);
+  return rules.decided_by(first, second);
+}
+
+// Goes on from the start, and notes each exchange and each round.
+void follow(const BalancedProblem& problem, BalancedHistory& history) {
+  BalancedSearch search;
+  search.robots = history.start.back().robots;
+  search.finished = search.robots.size() < 3;
+  while (!search.finished) {
+    const std::vector<LiftingPoint> before = search.robots;
+    const std::uint32_t round = search.round;
+    BalancedStep step = try_next_triple(problem, std::move(search));
+    search = std::move(step.search);
+    history.rounds = search.round;
+    if (!step.exchange) continue;
+    BalancedMove move;
+    move.set = {search.robots,
+                balanced::others(before, step.exchange->numbers),
+                {step.exchange->to.begin(), step.exchange->to.end()}};
+    move.numbers = step.exchange->numbers;
+    move.round = round;
+    move.decided_by = decided(problem.rules(), search.robots, before).value_or(BalancedKey::places);
+    history.moves.push_back(std::move(move));
+  }
+  history.settled = history.moves.empty() || history.moves.back().round + 1 < history.rounds;
+}
+
+}  // namespace
+
+std::optional<BalancedKey> decided_by(const BalancedProblem& problem,
+                                      const std::vector<LiftingPoint>& a,
+                                      const std::vector<LiftingPoint>& b) {
+  return decided(problem.rules(), a, b);
+}
+
+BalancedHistory balanced_history(const BalancedProblem& problem, HistoryLength length) {
+  const Rules& rules = problem.rules();
+  auto sets = balanced::start_sets(rules);
+  BalancedHistory history;
+  history.triples = static_cast<std::uint32_t>(rules.triples().size());
+  history.stands = rules.stands().size();
+  history.found = sets.back().has_value();
+  for (auto& set : sets)
+    if (set && !set->set.robots.empty())
+      history.start.push_back(
+          {std::move(set->set.robots), std::move(set->kept), std::move(set->came)});
+  if (history.found && length == HistoryLength::whole) follow(problem, history);
+  return history;
+}
+
+Completions completions(const BalancedProblem& problem, const std::vector<LiftingPoint>& robots) {
+  const Rules& rules = problem.rules();
+  Completions result;
+  result.middle = balanced::middle_of_two_more(robots, rules.centre());
+  for (const Candidate& candidate : balanced::pairs_to_complete(rules, robots))
+    result.chords.push_back(candidate.chord);
+  return result;
+}
+
+std::optional<BalancedMove> best_with_robot_at(const BalancedProblem& problem,
+                                               const std::vector<LiftingPoint>& robots,
+                                               const LiftingPoint& place) {
+  const Rules& rules = problem.rules();
+  std::optional<RatedSet> best;
+  BalancedMove move;
+  for (const balanced::Triple& triple :
+       balanced::triples_of(static_cast<std::uint32_t>(robots.size()))) {
+    Best of_triple(rules);
+    const std::vector<LiftingPoint> rest = balanced::others(robots, triple);
+    of_triple.offer_three_more(rest, place);
+    if (!of_triple.set()) continue;
+    RatedSet set = *of_triple.set();
+    if (best && !rules.better(set, *best)) continue;
+    move.set.robots = rules.in_order(set).robots;
+    move.set.kept = rest;
+    move.set.came.assign(set.robots.end() - 3, set.robots.end());
+    move.numbers = triple;
+    best = std::move(set);
+  }
+  if (!best) return std::nullopt;
+  move.decided_by = decided(rules, move.set.robots, robots).value_or(BalancedKey::places);
+  return move;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,252 @@
+// What the steps of balanced robots say, and their formulas.
+#include <algorithm>
+
+#include "evenlift/output/robustness_words.h"
+#include "evenlift/output/words.h"
+#include "output/words/listed.h"
+#include "output/words/step_captions.h"
+#include "output/words/step_formulas.h"
+
+namespace evenlift {
+namespace {
+
+Piece bears(const Trace& trace, std::size_t robots) {
+  const double load = trace.placement.settings.weight / static_cast<double>(robots);
+  return {Piece::Kind::kilograms, load, load};
+}
+
+// "the coverage goes from 83 % to 89 %", with as many decimals as tell the two apart.
+std::string coverage_change(double before, double after) {
+  constexpr int most_decimals = 6;
+  int decimals = 0;
+  while (decimals < most_decimals && before != after &&
+         percentage(before, decimals) == percentage(after, decimals))
+    ++decimals;
+  const std::string from = percentage(before, decimals), to = percentage(after, decimals);
+  return from == to ? fill("the coverage stays at #", {to})
+                    : fill("the coverage goes from # to #", {from, to});
+}
+
+Piece margin_or_0(const std::optional<double>& margin) { return margin_text(margin.value_or(0)); }
+
+// "2, 4 and 5" for robots that are numbered from 0.
+std::string numbers_from_1(const std::vector<std::uint32_t>& numbers) {
+  std::vector<std::size_t> shown;
+  for (const std::uint32_t number : numbers) shown.push_back(number + std::size_t{1});
+  return listed(shown, "and");
+}
+
+// "the best by the goal": what is asked of a set.
+std::string aim_of_sets(const Settings& settings) {
+  return goal_of(settings) == Goal::hold
+             ? "room between the robots first, then a firm hold, then coverage"
+             : "room between the robots first, then coverage";
+}
+
+}  // namespace
+
+// --- From the lever to the centroid --------------------------------------------------------------
+
+std::string StepCaptions::lever() const {
+  return fill(
+      "Two robots, with C in the middle between them: equal arms. By the law of the lever both bear the same, #. But what about three?",
+      {bears(trace_, 2)});
+}
+
+std::string StepFormulas::lever() const {
+  const std::vector<LiftingPoint>& robots = detail_.balanced->robots;
+  const double arm = length(robots[1].position - trace_.centre),
+               whole_length = length(robots[1].position - robots[0].position);
+  return fill("W1 = W × |C r2| / |r1 r2| = # × # / # = #",
+              {exact(placement_.settings.weight), length_text(trace_, arm),
+               length_text(trace_, whole_length), bears(trace_, 2)});
+}
+
+std::string StepCaptions::three() const {
+  return "Three robots. Robots 1 and 2 together lift as if they were at the middle M between them. The lever from robot 3 to M has arms of 2 to 1: so robot 3 bears one third, and the other two bear two thirds, one each. The same is true from every corner: C is the centroid of the three.";
+}
+
+std::string StepFormulas::three() const {
+  const std::vector<LiftingPoint>& robots = detail_.balanced->robots;
+  const Vec2 middle = (robots[0].position + robots[1].position) / 2;
+  const double arm = length(middle - trace_.centre);
+  return fill("W3 = W × |C M| / |r3 M| = # × # / # = #",
+              {exact(placement_.settings.weight), length_text(trace_, arm),
+               length_text(trace_, length(robots[2].position - middle)), bears(trace_, 3)});
+}
+
+std::string StepCaptions::many() const {
+  const std::size_t robots = detail_.balanced->robots.size();
+  return fill(
+      "The law of the centroid: # bear the same as soon as C is the centroid of their places. Lay the arrows from C to the robots end to end, each shortened to its part of the weight: they come back to C, so no side pulls harder than another. In pairs or not, they may stand anywhere else.",
+      {counted(robots, "robot")});
+}
+
+std::string StepFormulas::many() const {
+  const std::size_t robots = detail_.balanced->robots.size();
+  return fill("(p1 + … + p#) / # = # = C, W / # = #",
+              {whole(robots), whole(robots), point_text(trace_, trace_.centre), whole(robots),
+               bears(trace_, robots)});
+}
+
+// --- A first set ---------------------------------------------------------------------------------
+
+std::string StepCaptions::rest() const {
+  const BalancedDetail& balanced = *detail_.balanced;
+  const std::size_t placed = balanced.rest.size();
+  if (placed == 0)
+    return "How does one find such places? The middle between two robots must be C itself.";
+  return fill(
+      "How does one find such places? Let # stand here. Two more are to come, so that C is the centroid of all #. Then the middle between those two can only be one point: M, at #.",
+      {placed == 1 ? Piece("one robot") : counted(placed, "robot"), whole(placed + 2),
+       point_text(trace_, balanced.middle)});
+}
+
+std::string StepFormulas::rest() const {
+  const BalancedDetail& balanced = *detail_.balanced;
+  if (balanced.rest.empty()) return {};
+  return fill(balanced.rest.size() == 1 ? "M = (# C − p1) / 2 = #"
+                                        : "M = (# C − the places that are taken) / 2 = #",
+              {whole(balanced.rest.size() + 2), point_text(trace_, balanced.middle)});
+}
+
+std::string StepCaptions::mirror() const {
+  const std::size_t chords = detail_.balanced->chords.size();
+  return fill(
+      "Which two points of the boundary have M in their middle? Turn the outline about M by half a turn. Where it meets its own copy, there is a point of the boundary, and straight across M another one: # #.",
+      {counted(chords, "chord"), chords == 1 ? "has M in its middle" : "have M in their middle"});
+}
+
+std::string StepCaptions::completion() const {
+  const BalancedDetail& balanced = *detail_.balanced;
+  const std::size_t chords = balanced.chords.size();
+  const Piece robots = whole(balanced.robots.size());
+  const std::string makes =
+      chords == 1
+          ? fill("This chord makes a set of # robots that bear the same.", {robots})
+          : fill(
+                "Each of the # chords makes a set of # robots that bear the same. The best is chord #.",
+                {whole(chords), robots, counted_from_1(balanced.chosen)});
+  if (balanced.rest.empty()) return makes;
+  return makes +
+         fill(
+             " The first robot was tried at # stands along the outline, and this set is the best of all (#): it covers # of the object.",
+             {whole(trace_.history.stands), aim_of_sets(placement_.settings),
+              percent(balanced.keys.coverage)});
+}
+
+std::string StepCaptions::start() const {
+  const BalancedSet& set = trace_.history.start[item_];
+  const std::size_t robots = set.robots.size(), kept = set.kept.size();
+  const Piece covers = percent(detail_.balanced->keys.coverage);
+  if (robots == 2) return "Two robots, at the ends of a chord with C in its middle.";
+  if (set.came.size() == 2)
+    return fill(
+        "# robots: the set of # stays, and two more come to the ends of a chord with C in its middle, so that C stays the centroid. They cover # of the object.",
+        {whole(robots), whole(kept), covers});
+  const std::string stays = kept == 0   ? std::string()
+                            : kept == 1 ? std::string("one stands, ")
+                                        : fill("the set of # stays, ", {whole(kept)});
+  return fill(
+      "# robots: #one comes to a stand, and two to the ends of a chord with M in its middle. They cover # of the object.",
+      {whole(robots), stays, covers});
+}
+
+// --- Three robots move at a time -----------------------------------------------------------------
+
+std::string StepCaptions::exchange() const {
+  const BalancedDetail& balanced = *detail_.balanced;
+  const BalancedMove& move = trace_.history.moves[item_];
+  const auto fail = [](int steady) { return whole(static_cast<std::size_t>(std::max(0, steady))); };
+  const std::string who = fill(balanced.moved.size() == 1 ? "Robot # moves" : "Robots # move",
+                               {numbers_from_1(balanced.moved)});
+  const std::string begin = fill("Round #. #: ", {counted_from_1(move.round), who});
+  const std::string change = coverage_change(balanced.keys_before.coverage, balanced.keys.coverage);
+  switch (move.decided_by) {
+    case BalancedKey::near_pairs:
+      return begin + fill("# of robots too near to each other, instead of #; #.",
+                          {counted(balanced.keys.near_pairs, "pair"),
+                           whole(balanced.keys_before.near_pairs), change});
+    case BalancedKey::steady:
+      return begin + fill("the object stays steady if # fail, instead of #; #.",
+                          {fail(balanced.keys.steady), fail(balanced.keys_before.steady), change});
+    case BalancedKey::level:
+      return begin +
+             fill("they hold the object more firmly, with a margin of # instead of #; #.",
+                  {margin_or_0(balanced.margin), margin_or_0(balanced.margin_before), change});
+    case BalancedKey::coverage:
+      return begin + change + ". C is still the centroid of all.";
+    case BalancedKey::spread:
+      return begin + change + ", and they stand farther away from C.";
+    case BalancedKey::places:
+      break;
+  }
+  return begin + "all else stays, and they come earlier along the outline.";
+}
+
+std::string StepFormulas::exchange() const {
+  const BalancedDetail& balanced = *detail_.balanced;
+  return fill("M = (# C − the sum of # places) / 2 = #: # about it",
+              {whole(balanced.robots.size()), whole(balanced.rest.size()),
+               point_text(trace_, balanced.middle), counted(balanced.chords.size(), "chord")});
+}
+
+std::string StepCaptions::round() const {
+  const auto& moves = trace_.history.moves;
+  const auto made = static_cast<std::size_t>(std::count_if(
+      moves.begin(), moves.end(), [&](const BalancedMove& move) { return move.round == item_; }));
+  return fill(
+      "Round # is over: of the # ways to let three robots go, # made the set better. It covers # of the object now. Once more from the beginning.",
+      {counted_from_1(item_), whole(trace_.history.triples), whole(made),
+       percent(detail_.balanced->keys.coverage)});
+}
+
+std::string StepCaptions::settled() const {
+  const BalancedHistory& history = trace_.history;
+  const Piece exchanges = counted(history.moves.size(), "exchange");
+  const Piece first = percent(balanced_keys(*trace_.problem, history.start.back().robots).coverage);
+  const Piece last = percent(detail_.balanced->keys.coverage);
+  if (!history.settled)
+    return fill("After # rounds the search ends. # took the coverage from # to #.",
+                {whole(history.rounds), exchanges, first, last});
+  if (history.moves.empty())
+    return fill(
+        "No three robots can move to make it better: the first set is the answer, with a coverage of #.",
+        {last});
+  return fill(
+      "No three robots can move to make it better: # changed nothing any more. # took the coverage from # to #.",
+      {fill("round #", {whole(history.rounds)}), exchanges, first, last});
+}
+
+// --- If a robot fails ----------------------------------------------------------------------------
+
+std::string StepCaptions::failure() const {
+  const std::optional<RestOfRobots>& rest = detail_.balanced->rest_of[item_];
+  const std::string fails = failure_in_words(item_, detail_.balanced->rest_of.size(), rest);
+  if (!rest) return fails + " C is outside of their hull: the object tips over.";
+  return fails +
+         fill(
+             " C is still within their hull, which covers # of the object. They # keep it from sliding and turning.",
+             {percent(rest->coverage), rest->form_closure ? "still" : "no longer"});
+}
+
+std::string StepCaptions::failures() const {
+  const int carried = robustness(placement_).failures_carried;
+  const std::string text = failures_in_words(detail_.balanced->rest_of);
+  return carried < 2 ? text
+                     : text + fill(" Even any # may fail at once, whichever they are.",
+                                   {whole(static_cast<std::size_t>(carried))});
+}
+
+std::string StepCaptions::pairs() const {
+  const Placement& pairs = *trace_.in_pairs;
+  const std::size_t teams = pairs.teams.size();
+  const double most = pairs.loads->max;
+  const std::string loads = kilograms(pairs.loads->min, most, most);
+  return fill(
+      "As many robots in pairs, chosen by area, cover # instead of #, and bear # each. But every line through C has one robot of each pair on either side, so # carry any # at once, wherever they stand. Balanced robots give no such promise: each set must be looked at.",
+      {percent(pairs.coverage), percent(placement_.coverage), loads, counted(teams, "pair"),
+       counted(teams - 1, "failure")});
+}
+
+}  // namespace evenlift
