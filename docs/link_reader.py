@@ -16,7 +16,8 @@ ALPHABET = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
 METRICS = ["area", "circle", "distance", "distributed", "random"]
 OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "tipping"]
 # What a record's payload is read as, by its tag; the other tags are those of later programs.
-RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int)}
+RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int),
+           7: ("com_radius", float), 8: ("capacity", float), 18: ("halo", str)}
 DOUBLES = 23  # the scale that numbers every double
 
 
@@ -184,6 +185,10 @@ def read_records(coder, settings):
             raise LinkError(f"{name}: {text}") from error
         if name == "robots":
             settings["metric"] = "balanced"
+        if name == "halo":  # an overlay, which comes last
+            if settings.pop("halo") != "shown":
+                raise LinkError(f"halo: {text}")
+            settings["overlays"] = settings["overlays"] + ["halo"]
 
 
 # --- Vertices ------------------------------------------------------------------------------------

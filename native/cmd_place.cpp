@@ -132,15 +132,15 @@ void cmd_place(const Arguments& arguments) {
       "  evenlift place table.txt --metric balanced --robots 5\n");
   std::string file;
   SettingOptions options;
-  std::optional<std::string> svg, capacity_text;
+  std::optional<std::string> svg;
+  DoubtOptions doubt;
   RobustnessOptions robustness_options;
   bool as_json = false, candidates = false;
   line.positional(file, "FILE", "the polygon");
   ShapeOptions shapes;
   options.declare(line);
   shapes.declare(line);
-  line.value(capacity_text, "--capacity", "K",
-             "what one robot can carry: who is overloaded, and how many are needed");
+  doubt.declare(line);
   robustness_options.declare(line);
   line.flag(as_json, "--json", "one JSON object instead of a table");
   line.flag(candidates, "--candidates", "list the candidates too, and show them in the picture");
@@ -149,13 +149,13 @@ void cmd_place(const Arguments& arguments) {
 
   Input input = read_input(file, shapes);
   options.apply(input.document);
-  std::optional<CapacityInJson> capacity;
-  if (input.capacity) capacity = CapacityInJson{*input.capacity, {}};
-  if (capacity_text) capacity = CapacityInJson{capacity_option(*capacity_text), {}};
-  const RobustnessAsked asked(robustness_options);
+  doubt.apply(input.document);
+  const RobustnessAsked asked(robustness_options, input.document.settings);
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.failure(input.source, placement.error());
-  if (capacity) capacity->plan = plan_capacity(*placement, capacity->limit);
+  std::optional<CapacityInJson> capacity;
+  if (const auto& limit = placement->settings.capacity)
+    capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit)};
   if (svg) {
     Placement pictured = *placement;
     pictured.settings.overlays.candidates |= candidates;

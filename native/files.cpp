@@ -35,7 +35,7 @@ std::string read_all(std::FILE* file, const std::string& source) {
 
 Input parsed(const std::string& text, const std::string& source, const ShapeOptions& options) {
   ChosenShape chosen = choose_shape(text, source, options);
-  return {source, std::move(chosen.document), chosen.capacity};
+  return {source, std::move(chosen.document)};
 }
 
 bool exists(const std::string& path) {
@@ -56,7 +56,7 @@ Input read_input(const std::string& file, const ShapeOptions& options) {
   if (!exists(file) && (looks_like_link(file) || file.find('#') != std::string::npos)) {
     Result<Document> document = decode_link(file);
     if (!document) throw bad_input("link", document.error());
-    return {"link", *std::move(document), {}};
+    return {"link", *std::move(document)};
   }
   const File opened(std::fopen(file.c_str(), "rb"));
   if (!opened) throw Failure{bad_input_status, file, system_error()};

@@ -14,7 +14,6 @@ namespace evenlift::native {
 struct Input {
   std::string source;  // what to call it in an error: the path, "standard input" or "link"
   Document document;
-  std::optional<double> capacity;  // of a robot, if the file is a result with one
 };
 Input read_input(const std::string& file, const ShapeOptions& options = {});
 

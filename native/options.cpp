@@ -37,14 +37,6 @@ void setting_option(Setting setting, const std::string& text, Document& document
     throw refused(as_typed(std::string(name(setting))), error->message, text);
 }
 
-double capacity_option(const std::string& text) {
-  return value_or_refusal(Setting::capacity, read_capacity(text), text);
-}
-
-double com_radius_option(const std::string& text) {
-  return value_or_refusal(Setting::com_radius, read_com_radius(text), text);
-}
-
 LoadModel loads_option(const std::string& text) {
   return value_or_refusal(Setting::loads, load_model_from_name(text), text);
 }
@@ -89,6 +81,18 @@ void SettingOptions::check_method(Method method) const {
     if (*typed)
       throw Failure{bad_input_status, option,
                     "it is for --metric balanced, not for " + std::string(name(method))};
+}
+
+void DoubtOptions::declare(CommandLine& line) {
+  line.value(capacity, "--capacity", "K",
+             "what one robot can carry: who is overloaded, and how many are needed");
+  line.value(com_radius, "--com-radius", "E",
+             "the centre of mass is known within E only: loads as ranges");
+}
+
+void DoubtOptions::apply(Document& document) const {
+  if (capacity) setting_option(Setting::capacity, *capacity, document);
+  if (com_radius) setting_option(Setting::com_radius, *com_radius, document);
 }
 
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {

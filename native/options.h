@@ -21,8 +21,6 @@ std::uint64_t whole_option(const std::string& option, const std::string& text,
 // Puts a setting that was typed into the document, and reads those that are no part of a document
 // (settings_text.h). Throws Failure naming the option where the text is no value of it.
 void setting_option(Setting setting, const std::string& text, Document& document);
-double capacity_option(const std::string& text);
-double com_radius_option(const std::string& text);
 LoadModel loads_option(const std::string& text);
 
 // What was typed. An option that was not given is empty: the file's value or the default applies.
@@ -42,6 +40,14 @@ struct SettingOptions {
 
  private:
   void check_method(Method method) const;
+};
+
+// What a robot carries and how well the centre of mass is known, as it was typed.
+struct DoubtOptions {
+  std::optional<std::string> capacity, com_radius;
+
+  void declare(CommandLine& line);
+  void apply(Document& document) const;  // throws Failure naming the option
 };
 
 }  // namespace evenlift::native

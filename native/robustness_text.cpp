@@ -23,21 +23,6 @@ const char* heading(LoadModel model) {
   return "";
 }
 
-std::vector<double> loads_of(LoadModel model, const Placement& placement,
-                             const ModelLoads& models) {
-  switch (model) {
-    case LoadModel::plan:
-      break;
-    case LoadModel::springs:
-      return models.springs.loads;
-    case LoadModel::best:
-      return std::vector<double>(models.worst.size(), models.best);
-    case LoadModel::worst:
-      return models.worst;
-  }
-  return planned_loads(placement.teams);
-}
-
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfRobots>& rest,
@@ -62,15 +47,13 @@ Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfR
 void RobustnessOptions::declare(CommandLine& line) {
   line.value(loads, "--loads", "MODEL",
              "which loads the table shows: plan (default), springs, best or worst");
-  line.value(com_radius, "--com-radius", "E",
-             "the centre of mass is known within E only: loads as ranges");
   line.flag(failures, "--failures", "what happens if one robot fails, for each of them");
 }
 
-RobustnessAsked::RobustnessAsked(const RobustnessOptions& options) : failures(options.failures) {
+RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Settings& settings)
+    : com_radius(settings.com_radius), failures(options.failures) {
   if (options.loads) model = loads_option(*options.loads);
-  if (options.com_radius) com_radius = com_radius_option(*options.com_radius);
-  if (com_radius > 0 && (model == LoadModel::best || model == LoadModel::worst))
+  if (com_radius > 0 && !has_ranges(model))
     throw Failure{bad_input_status, "--com-radius",
                   "ranges are known of the loads by plan and by springs only"};
 }
@@ -85,21 +68,13 @@ RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsk
 
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known) {
   const LoadModel model = known.models ? known.asked.model : LoadModel::plan;
-  const std::vector<double> loads =
-      known.models ? loads_of(model, placement, *known.models) : planned_loads(placement.teams);
-  std::vector<LoadRange> ranges;
-  if (known.models && known.asked.com_radius > 0) {
-    ranges = load_ranges(loads, known.models->springs, known.asked.com_radius);
-  } else {
-    for (const double load : loads) ranges.push_back({load, load});
-  }
+  const std::vector<LoadRange> ranges =
+      loads_by(model, placement, known.models, known.asked.com_radius);
   ShownLoads shown{heading(model), {}, {}};
   for (const LoadRange& range : ranges) shown.greatest.push_back(range.greatest);
   const double largest = *std::max_element(shown.greatest.begin(), shown.greatest.end());
-  for (const LoadRange& range : ranges) {
-    const std::string from = amount(range.least, largest), to = amount(range.greatest, largest);
-    shown.text.push_back(from == to ? from : from + "–" + to);
-  }
+  for (const LoadRange& range : ranges)
+    shown.text.push_back(amounts(range.least, range.greatest, largest));
   return shown;
 }
 

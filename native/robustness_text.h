@@ -14,15 +14,15 @@ namespace evenlift::native {
 
 // What was typed of it.
 struct RobustnessOptions {
-  std::optional<std::string> loads, com_radius;
+  std::optional<std::string> loads;
   bool failures = false;
 
   void declare(CommandLine& line);
 };
 
-// The values of these options. Throws Failure naming the option where they are none.
+// The values of these options, and of the settings. Throws Failure naming the option where they are none.
 struct RobustnessAsked {
-  explicit RobustnessAsked(const RobustnessOptions& options);
+  RobustnessAsked(const RobustnessOptions& options, const Settings& settings);
 
   LoadModel model = LoadModel::plan;
   double com_radius = 0;

@@ -86,7 +86,7 @@ ChosenShape choose_shape(const std::string& text, const std::string& source,
                    "curves were flattened to within " + shortest(*shape.tolerance) +
                        (options.flatten || !options.offered ? "" : "; --flatten T sets that"),
                    {}});
-  return {shape.document, import.capacity};
+  return {shape.document};
 }
 
 }  // namespace evenlift::native

@@ -20,7 +20,6 @@ struct ShapeOptions {
 // What a command reads from a text.
 struct ChosenShape {
   Document document;
-  std::optional<double> capacity;  // of a robot, if the text is a result with one
 };
 
 // Reads the text and takes the shape that is meant, or the only one. What was left out or decided is

@@ -15,10 +15,10 @@ using namespace evenlift;
 namespace {
 
 constexpr Setting all_settings[] = {
-    Setting::teams,    Setting::method,  Setting::min_ratio,  Setting::com,
-    Setting::weight,   Setting::seed,    Setting::overlays,   Setting::step,
-    Setting::capacity, Setting::robots,  Setting::goal,       Setting::min_margin,
-    Setting::apart,    Setting::survive, Setting::com_radius, Setting::loads};
+    Setting::teams, Setting::method,     Setting::min_ratio, Setting::com,      Setting::weight,
+    Setting::seed,  Setting::overlays,   Setting::step,      Setting::capacity, Setting::robots,
+    Setting::goal,  Setting::min_margin, Setting::apart,     Setting::survive,  Setting::com_radius,
+    Setting::loads, Setting::failed};
 
 struct Text {
   Setting setting;
@@ -61,6 +61,11 @@ constexpr Text good[] = {
     {Setting::apart, "1e6"},
     {Setting::survive, "0"},
     {Setting::survive, "30"},
+    {Setting::capacity, "12.5"},
+    {Setting::capacity, "1e-9"},
+    {Setting::capacity, "none"},
+    {Setting::com_radius, "0"},
+    {Setting::com_radius, "12.5"},
 };
 
 constexpr Text bad[] = {
@@ -131,9 +136,17 @@ constexpr Text bad[] = {
     {Setting::apart, "inf"},
     {Setting::survive, "31"},
     {Setting::survive, "-1"},
-    {Setting::capacity, "5"},    // not the document's
-    {Setting::com_radius, "5"},  // nor these
-    {Setting::loads, "plan"},
+    {Setting::capacity, ""},
+    {Setting::capacity, "0"},
+    {Setting::capacity, "-1"},
+    {Setting::capacity, "inf"},
+    {Setting::capacity, "0x10"},
+    {Setting::com_radius, ""},
+    {Setting::com_radius, "-1e-9"},
+    {Setting::com_radius, "nan"},
+    {Setting::com_radius, "1e999"},
+    {Setting::com_radius, "none"},
+    {Setting::loads, "plan"},  // not the document's
 };
 
 bool same(const Document& a, const Document& b) {
@@ -153,6 +166,8 @@ Document unusual() {
   document.settings.overlays = {true, false, true, false, true, true};
   document.settings.step = 4;
   document.settings.survive = 1;
+  document.settings.capacity = 20;
+  document.settings.com_radius = 3;
   return document;
 }
 
@@ -231,18 +246,10 @@ TEST_CASE("settings read from text have the values that are written", "[settings
   CHECK_FALSE(document.settings.step);
 }
 
-TEST_CASE("a capacity is a finite number above 0", "[settings][capacity]") {
-  CHECK(read_capacity("12.5") == 12.5);
-  CHECK(read_capacity("1e-9") == 1e-9);
-  for (const char* text : {"", "0", "-1", "nan", "inf", "1e999", "0x10", " 3", "none"})
-    CHECK_FALSE(read_capacity(text));
-}
-
-TEST_CASE("a radius of doubt is a finite number from 0", "[settings]") {
-  CHECK(read_com_radius("0") == 0);
-  CHECK(read_com_radius("12.5") == 12.5);
-  for (const char* text : {"", "-1", "-1e-9", "nan", "inf", "1e999", "0x10", " 3", "none"})
-    CHECK_FALSE(read_com_radius(text));
+TEST_CASE("the robot that fails is a number from 1, or none", "[settings]") {
+  CHECK(read_failed("none") == 0u);
+  CHECK(read_failed("3") == 3u);
+  for (const char* text : {"", "0", "-1", "2.5", "three", " 3"}) CHECK_FALSE(read_failed(text));
 }
 
 TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[settings][view]") {
@@ -252,7 +259,7 @@ TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[
     std::string method;
     if (of_balanced) method = "metric=balanced\n";
     if (of_balanced) method += given.setting == Setting::survive ? "robots=64\n" : "survive=0\n";
-    return view::with_settings({unusual(), std::nullopt},
+    return view::with_settings({unusual()},
                                method + std::string(name(given.setting)) + "=" + given.text);
   };
   for (const Text& given : good) {
@@ -261,7 +268,7 @@ TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[
     if (is_lesson_setting(given.setting)) CHECK(lesson_with(given).ok());
   }
   for (const Text& given : bad) {
-    if (given.setting == Setting::capacity) continue;  // which scripts can give
+    if (given.setting == Setting::loads) continue;  // which scripts can give
     INFO(name(given.setting) << "=" << given.text);
     const auto refused = script(given);
     // A text with the end of a line in it is two lines for a script.
@@ -273,35 +280,36 @@ TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[
 }
 
 TEST_CASE("a script's settings change together or say which is wrong", "[settings][view]") {
-  const view::Changeable before{unusual(), 20.0};
+  const view::Changeable before{unusual()};
   const auto changed = view::with_settings(
-      before, "teams=max\nmin_ratio=0.25\nmetric=distance\ncom=12.5,-3e-1\nstep=4\ncapacity=7");
+      before,
+      "teams=max\nmin_ratio=0.25\nmetric=distance\ncom=12.5,-3e-1\nstep=4\ncapacity=7\n"
+      "loads=springs\nfailed=3");
   REQUIRE(changed.ok());
   CHECK_FALSE(changed->document.settings.teams);
   CHECK(changed->document.settings.min_ratio == 0.25);
   CHECK(changed->document.settings.method == Method::distance);
   CHECK(changed->document.centre_of_mass == Vec2(12.5, -0.3));
   CHECK(changed->document.settings.step == 4u);
-  CHECK(changed->capacity == 7.0);
-  CHECK(view::with_settings(before, "")->capacity == 20.0);
-  CHECK_FALSE(view::with_settings(before, "capacity=none")->capacity);
+  CHECK(changed->document.settings.capacity == 7.0);
+  CHECK(changed->load_model == LoadModel::springs);
+  CHECK(changed->failed == 3u);
+  CHECK(view::with_settings(before, "")->document.settings.capacity == 20.0);
+  CHECK_FALSE(view::with_settings(before, "")->failed);
+  CHECK_FALSE(view::with_settings(before, "capacity=none")->document.settings.capacity);
   for (const char* bad : {"teams", "x=1", "=", "Teams=3", "min-ratio=0.5", "capacity=0",
-                          "capacity=", "teams=max\nmetric=random", "teams=3\n\nseed=1"}) {
+                          "capacity=", "loads=", "loads=most", "failed=0", "failed=x",
+                          "teams=max\nmetric=random", "teams=3\n\nseed=1"}) {
     INFO(bad);
     CHECK_FALSE(view::with_settings(before, bad).ok());
   }
 }
 
 TEST_CASE("what the browser keeps reads back, and nonsense is left out", "[settings][view]") {
-  const auto is = [](const view::Kept& kept, bool motion, std::optional<double> capacity) {
-    return kept.motion == motion && kept.capacity == capacity;
-  };
-  CHECK(is(view::read_kept(view::kept_text({false, 12.5})), false, 12.5));
-  CHECK(is(view::read_kept(view::kept_text({true, std::nullopt})), true, std::nullopt));
-  CHECK(is(view::read_kept(""), true, std::nullopt));
-  for (const char* capacity : {"0x10", " 3", "-1", "Infinity", "1e999", ""})
-    CHECK(is(view::read_kept(std::string("later=1\nmotion=0\ncapacity=") + capacity + "\n"), false,
-             std::nullopt));
+  for (const bool motion : {false, true})
+    CHECK(view::read_kept(view::kept_text({motion})).motion == motion);
+  CHECK(view::read_kept("").motion);
+  CHECK_FALSE(view::read_kept("later=1\nmotion=0\ncapacity=7\n").motion);
 }
 
 TEST_CASE("each range holds for settings as values, in links and placements alike",
@@ -317,6 +325,10 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
     CHECK(encode_link(document).error().message == error->message);
     CHECK(place(document).error().message == error->message);
   };
+  for (const double length : {-1e-9, infinity, std::nan("")})
+    check([&](Settings& s) { s.com_radius = length; }, Setting::com_radius);
+  for (const double load : {0.0, -1.0, infinity})
+    check([&](Settings& s) { s.capacity = load; }, Setting::capacity);
   check([](Settings& s) { s.teams = 0; }, Setting::teams);
   check([](Settings& s) { s.teams = max_teams + 1; }, Setting::teams);
   check([](Settings& s) { s.method = static_cast<Method>(6); }, Setting::method);

@@ -269,7 +269,7 @@ test("a robot that is pressed says why it stands there, and leads into the lesso
   });
   await page.mouse.click(x, y);
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^A robot of team 2\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. .*Team 2 takes candidate \d+/);
+  assert.match(await page.locator("#alert").textContent(), /^Robot [34], of team 2\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. .*Team 2 takes candidate \d+/);
   await press(page, "show in lesson");
   await idle(page);
   assert.match(await page.locator("#summary").textContent(), /Team 2 takes candidate/);

@@ -1,6 +1,9 @@
 // The robots of a placement one by one.
 #include "evenlift/placed_robots.h"
 
+#include <cmath>
+#include <string>
+
 #include "evenlift/angles.h"
 #include "evenlift/plane.h"
 #include "kit/catch.h"
@@ -104,4 +107,58 @@ TEST_CASE("even teams share evenly by themselves if the robots are equally stiff
   const auto loads = model_loads(placement);
   REQUIRE(loads);
   for (const double load : loads->springs.loads) CHECK(load == Approx(100.0 / 6).epsilon(1e-9));
+}
+
+TEST_CASE("with a robot that fails the others are in equilibrium, on what is left of the base",
+          "[robustness][robots]") {
+  for (const char* name : {"grand-piano", "boomerang", "square", "letter-e"}) {
+    const Placement placement = placed(corpus::polygon(name));
+    const auto rests = single_failures(placement);
+    for (std::size_t robot = 0; robot < rests.size(); ++robot) {
+      INFO(name << ", robot " << robot);
+      const Placement failing = with_failure(placement, robot);
+      REQUIRE(count_robots(failing.teams) == rests.size());
+      CHECK(failing.loads.has_value() == rests[robot].has_value());
+      CHECK(single_failure(placement, robot).has_value() == rests[robot].has_value());
+      CHECK(springs_without(placement, robot).has_value() == rests[robot].has_value());
+      const std::vector<double> loads = planned_loads(failing.teams);
+      CHECK(loads[robot] == 0);
+      if (!rests[robot]) {
+        CHECK(failing.coverage == 0);
+        continue;
+      }
+      double sum = 0;
+      Vec2 moment = Vec2::Zero();
+      const std::vector<LiftingPoint> points = lifting_points(failing.teams);
+      for (std::size_t i = 0; i < loads.size(); ++i) {
+        sum += loads[i];
+        moment += loads[i] * (points[i].position - placement.centre_of_mass);
+      }
+      CHECK(std::abs(sum - 100) < 1e-9 * 100);
+      CHECK(moment.norm() < 1e-9 * 100 * placement.polygon.diagonal());
+      CHECK(failing.loads->max == rests[robot]->greatest_by_springs);
+      CHECK(failing.loads->min > -1e-12);
+      CHECK(failing.coverage <= placement.coverage + 1e-12);
+    }
+  }
+}
+
+TEST_CASE("the loads that are shown are those of the model, with ranges where it has some",
+          "[robustness][robots]") {
+  const Placement placement = placed(corpus::polygon("grand-piano"));
+  const std::optional<ModelLoads> models = model_loads(placement);
+  REQUIRE(models);
+  const auto shown = [&](LoadModel model, double radius) {
+    return loads_by(model, placement, models, radius);
+  };
+  for (std::size_t i = 0; i < count_robots(placement.teams); ++i) {
+    CHECK(shown(LoadModel::plan, 0)[i].least == planned_loads(placement.teams)[i]);
+    CHECK(shown(LoadModel::springs, 0)[i].greatest == models->springs.loads[i]);
+    CHECK(shown(LoadModel::best, 5)[i].least == models->best);
+    CHECK(shown(LoadModel::worst, 5)[i].greatest == models->worst[i]);
+    const double change = 5 * models->springs.per_length[i];
+    CHECK(shown(LoadModel::springs, 5)[i].greatest == Approx(models->springs.loads[i] + change));
+    CHECK(loads_by(LoadModel::worst, placement, std::nullopt, 5)[i].least ==
+          planned_loads(placement.teams)[i]);
+  }
 }

@@ -546,10 +546,15 @@ TEST_CASE("a result opens again with all its settings", "[import][json]") {
     const Import result =
         read(placement_json(*placement, true, CapacityInJson{40, plan_capacity(*placement, 40)}));
     CHECK(result.has_settings);
-    CHECK(result.capacity == 40.0);
-    CHECK(evenlift::testing::same_document(result.shapes.at(0).document, document));
+    Document with_capacity = document;
+    with_capacity.settings.capacity = 40;
+    CHECK(evenlift::testing::same_document(result.shapes.at(0).document, with_capacity));
+    const Import doubted = read(placement_json(*placement, false, std::nullopt, {2.5, false}));
+    CHECK(doubted.shapes.at(0).document.settings.com_radius == 2.5);
     Document with_picture = document;
-    with_picture.settings.overlays = {true, false, false, true, false, true};
+    with_picture.settings.overlays = {true, false, false, true, false, true, true};
+    with_picture.settings.capacity = 17.5;
+    with_picture.settings.com_radius = 0.25;
     with_picture.settings.step = 12;
     with_picture.settings.method = Method::area;
     with_picture.settings.teams.reset();

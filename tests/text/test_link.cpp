@@ -240,6 +240,24 @@ TEST_CASE("balanced robots and their settings read back in every bit", "[link]")
   }
 }
 
+TEST_CASE("a doubt, a capacity and the halo read back in every bit, whatever the method",
+          "[link]") {
+  Rng rng(4);
+  for (int i = 0; i < 1000; ++i) {
+    Document document = i % 2 == 0 ? balanced_document(rng) : random_document(rng, 14);
+    Settings& settings = document.settings;
+    if (i % 3 != 0) settings.com_radius = std::fabs(evenlift::testing::any_double(rng, 1e300));
+    if (i % 5 != 0)
+      settings.capacity = 5e-324 + std::fabs(evenlift::testing::any_double(rng, 1e300));
+    settings.overlays.halo = i % 7 != 0;
+    const std::string link = encode(document);
+    INFO(link);
+    const Document back = decode(link);
+    REQUIRE(same_document(back, document));
+    REQUIRE(encode(back) == link);
+  }
+}
+
 TEST_CASE("what version 1 holds is written as version 1", "[link]") {
   Rng rng(3);
   for (int i = 0; i < 500; ++i) CHECK(encode(random_document(rng, 14)).starts_with("1."));
@@ -283,6 +301,10 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   const Document six = decode(link_with({{1, "6"}}, true));
   CHECK(six.settings.method == Method::balanced);
   CHECK(six.settings.robots == 6);
+  const Document doubted = decode(link_with({{7, "2.5"}, {8, "20"}, {18, "shown"}}, true));
+  CHECK(doubted.settings.com_radius == 2.5);
+  CHECK(doubted.settings.capacity == 20.0);
+  CHECK(doubted.settings.overlays.halo);
   for (const auto& records : std::vector<std::vector<std::pair<unsigned, std::string>>>{
            {},             // version 1 holds it
            {{2, "hold"}},  // of no balanced robots
@@ -300,11 +322,18 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{1, "6"}, {3, "2"}},
            {{1, "6"}, {4, "-1"}},
            {{1, "6"}, {5, "0"}},
+           {{7, "0"}},  // the default
+           {{7, "-1"}},
+           {{8, "none"}},
+           {{8, "0"}},
+           {{8, "20"}, {7, "1"}},
+           {{18, ""}},
+           {{18, "yes"}},
            {{1, "6"}, {4, std::string(33, '1')}},
            {{1, std::string(40000, '6')}}}) {
     CHECK(refusal(link_with(records, true)).code == ErrorCode::bad_link);
   }
-  for (const unsigned later : {6u, 8u, 17u, 18u, 255u}) {
+  for (const unsigned later : {6u, 9u, 17u, 19u, 255u}) {
     for (const bool ends : {true, false}) {
       const InputError error = refusal(link_with({{1, "6"}, {later, "anything"}}, ends));
       CHECK(error.code == ErrorCode::unknown_version);
@@ -322,8 +351,14 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
     const Settings& settings = document.settings;
     const auto held = nlohmann::json::parse(row[1])["settings"];
     CHECK(document.vertices.size() == 11);
-    CHECK(settings.method == Method::balanced);
-    CHECK(settings.robots == held["robots"].get<std::uint32_t>());
+    CHECK(held["metric"] == std::string(name(settings.method)));
+    CHECK(settings.robots == held.value("robots", 6u));
+    CHECK(settings.com_radius == held.value("com_radius", 0.0));
+    REQUIRE(settings.capacity.has_value() == held.contains("capacity"));
+    if (settings.capacity) CHECK(*settings.capacity == held["capacity"].get<double>());
+    const auto& overlays = held["overlays"];
+    CHECK(settings.overlays.halo ==
+          (std::find(overlays.begin(), overlays.end(), "halo") != overlays.end()));
     CHECK(settings.survive == held.value("survive", 0u));
     CHECK(settings.min_margin == held.value("min_margin", 0.05));
     CHECK(settings.weight == held["weight"].get<double>());

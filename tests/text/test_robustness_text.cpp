@@ -195,6 +195,10 @@ TEST_CASE("failures are told in sentences", "[words][robustness]") {
         "Robot 3 fails: held by the other five, at most 21.3 kg.");
   CHECK(plainly(failure_in_words(0, 14, rest(false, 21.34))) ==
         "Robot 1 fails: held by the other 13, at most 21.3 kg, but it can tip.");
+  CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34), 21.4)) ==
+        "Robot 3 fails: held by the other five, at most 21.3 kg.");
+  CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34), 20.0)) ==
+        "Robot 3 fails: held by the other five, at most 21.3 kg. One can carry 20 kg.");
   CHECK(failure_in_words(1, 2, std::nullopt) == "Robot 2 fails: the other one cannot hold it.");
 }
 

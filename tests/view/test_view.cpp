@@ -642,7 +642,7 @@ struct Count {
 };
 
 Document changed(const AppState& state, const char* lines) {
-  const Result<Changeable> result = with_settings({state.placed, state.capacity}, lines);
+  const Result<Changeable> result = with_settings({state.placed}, lines);
   REQUIRE(result.ok());
   return result->document;
 }

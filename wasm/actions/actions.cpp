@@ -174,7 +174,10 @@ void move_cursor(const AppState& s, Commands& out) {
 
 // Moves the selected vertex, or the whole polygon, by a dot of the grid.
 // A balanced robot can be moved while its card is open.
-bool on_robot(const AppState& s) { return on_parts(s) && s.explanation && s.explanation->robot; }
+bool on_robot(const AppState& s) {
+  return on_parts(s) && s.explanation && s.explanation->robot &&
+         settings(s).method == Method::balanced;
+}
 bool can_nudge(const AppState& s) {
   return on_vertex(s) || on_robot(s) || transforming(s) || drawing(s);
 }
@@ -233,7 +236,7 @@ void take_all_teams(const AppState& s, Commands& out) {
 
 // Opens the panel if it is closed, and then the field of a value (see the panels' names of their controls).
 constexpr char typed_ratio[] = "min ratio", typed_weight[] = "weight", typed_seed[] = "seed",
-               typed_centre[] = "com", typed_capacity[] = "capacity";
+               typed_centre[] = "com", typed_capacity[] = "capacity", typed_doubt[] = "com radius";
 template <const char* control>
 void type_value(const AppState& s, Commands& out) {
   if (!s.panel_open) out.push_back(SetPanelOpen{true});
@@ -241,25 +244,42 @@ void type_value(const AppState& s, Commands& out) {
   out.push_back(TypeValue{control});
 }
 void type_capacity(const AppState& s, Commands& out) {
-  const bool carries = s.placement && s.placement->loads;
-  if (!s.capacity) out.push_back(SetCapacity{carries ? std::ceil(s.placement->loads->max) : 20.0});
+  const double greatest = s.outlook.greatest;
+  if (!settings(s).capacity) out.push_back(SetCapacity{greatest > 0 ? std::ceil(greatest) : 20.0});
   type_value<typed_capacity>(s, out);
+}
+void type_doubt(const AppState& s, Commands& out) {
+  out.push_back(SetMoreOpen{true});
+  type_value<typed_doubt>(s, out);
 }
 bool is_random(const AppState& s) { return editing(s) && settings(s).method == Method::random; }
 bool has_own_centre(const AppState& s) {
   return editing(s) && s.document.centre_of_mass.has_value();
 }
 
+bool can_fail(const AppState& s) {
+  return on_parts(s) && s.placement && !s.placement->teams.empty() && !s.refusal &&
+         !in_walkthrough(s);
+}
+// The robot whose card is open, or else the next one; after the last, none.
+void fail_next(const AppState& s, Commands& out) {
+  const std::optional<std::size_t> asked = s.explanation ? s.explanation->robot : std::nullopt;
+  if (asked && !(s.failure && s.failure->robot == *asked)) return out.push_back(Fail{asked});
+  const std::size_t next = s.failure ? s.failure->robot + 1 : 0;
+  const bool is_one = next < count_robots(s.placement->teams);
+  out.push_back(Fail{is_one ? std::optional<std::size_t>(next) : std::nullopt});
+}
+
 // Escape closes the topmost thing that is open.
 bool anything_open(const AppState& s) {
-  return s.list_open || s.explanation || s.selected || s.tool != Tool::parts ||
+  return s.list_open || s.explanation || failing(s) || s.selected || s.tool != Tool::parts ||
          !s.notice.text.empty() || (in_walkthrough(s) && editing(s));
 }
 void dismiss(const AppState& s, Commands& out) {
   if (s.list_open)
     out.push_back(CloseList{});
-  else if (s.explanation)
-    out.push_back(Explain{});
+  else if (s.explanation || failing(s))
+    out.insert(out.end(), {Command(Explain{}), Command(Fail{})});
   else if (drawing(s) && !s.drawing.points.empty())
     out.push_back(TakePointBack{});  // and the notice, if there is one, is about it
   else if (!s.notice.text.empty())
@@ -340,9 +360,11 @@ const std::vector<Action> table = {
     {ActionId::lower_ratio, Icon::none, "Lower the minimum load ratio", ",", {{","}}, editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, -1); }},
     {ActionId::all_teams, Icon::none, "A team on every candidate, or as many as before", "*", {{"*"}}, by_candidates, take_all_teams},
+    {ActionId::fail, Icon::none, "Let the next robot fail; after the last one, none", "Shift+F", {{"F"}}, can_fail, fail_next},
     {ActionId::type_ratio, Icon::none, "Type the minimum load ratio", "Shift+R", {{"R"}}, editing, type_value<typed_ratio>},
     {ActionId::type_weight, Icon::none, "Type the weight", "Y", {{"y"}}, editing, type_value<typed_weight>},
     {ActionId::type_capacity, Icon::none, "Type what a robot carries", "Shift+Y", {{"Y"}}, editing, type_capacity},
+    {ActionId::type_doubt, Icon::none, "Type within which distance the centre of mass is known", "Shift+E", {{"E"}}, editing, type_doubt},
     {ActionId::type_seed, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, is_random, type_value<typed_seed>},
     {ActionId::type_centre, Icon::none, "Type the centre of mass", "J", {{"j"}}, editing, type_value<typed_centre>},
     {ActionId::free_centre, Icon::none, "Centre of mass back to the centroid", "Shift+J", {{"J"}}, has_own_centre, ask<ReleaseCentre>},
@@ -353,6 +375,7 @@ const std::vector<Action> table = {
     {ActionId::toggle_chords, Icon::none, "Show the teams' chords", "C", {{"c"}}, always, toggle<&Overlays::chords>},
     {ActionId::toggle_candidates, Icon::none, "Show the candidates", "A", {{"a"}}, always, toggle<&Overlays::candidates>},
     {ActionId::toggle_tipping, Icon::none, "Show the force that tips", "F", {{"f"}}, always, toggle<&Overlays::tipping>},
+    {ActionId::toggle_halo, Icon::none, "Show how far the centre of mass may be off", "Shift+C", {{"C"}}, always, toggle<&Overlays::halo>},
     {ActionId::zoom_in, Icon::plus, "Zoom in", "+", {{"+"}, {"="}}, always,
      [](const AppState&, Commands& out) { out.push_back(ZoomView{1.25}); }},
     {ActionId::zoom_out, Icon::minus, "Zoom out", "−", {{"-"}}, always,

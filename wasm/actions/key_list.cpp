@@ -51,9 +51,11 @@ Group group_of(ActionId id) {
     case ActionId::higher_ratio:
     case ActionId::lower_ratio:
     case ActionId::all_teams:
+    case ActionId::fail:
     case ActionId::type_ratio:
     case ActionId::type_weight:
     case ActionId::type_capacity:
+    case ActionId::type_doubt:
     case ActionId::type_seed:
     case ActionId::type_centre:
     case ActionId::free_centre:
@@ -64,6 +66,7 @@ Group group_of(ActionId id) {
     case ActionId::toggle_chords:
     case ActionId::toggle_candidates:
     case ActionId::toggle_tipping:
+    case ActionId::toggle_halo:
     case ActionId::zoom_in:
     case ActionId::zoom_out:
     case ActionId::fit:

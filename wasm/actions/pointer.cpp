@@ -27,7 +27,7 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   // A finger cannot hover, so a press also counts as hovering.
   if (pointer.touch) commands.push_back(SetHover{under});
   const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre ||
-                    can_take_robot(state, under);
+                    under.kind == Pick::Kind::doubt || can_take_robot(state, under);
   if (!grip) under.kind = Pick::Kind::ground;
   // From now on `at` is the offset from the pointer to what it holds, so that nothing jumps.
   under.at = grip ? Vec2(state.camera.to_screen(under.at) - pointer.at) : pointer.at;
@@ -92,6 +92,8 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
         MoveVertex{held.index, snapped(state, to, neighbour(vertices, held.index, false),
                                        neighbour(vertices, held.index, true))});
   }
+  if (held.kind == Pick::Kind::doubt)
+    commands.push_back(SetComRadius{doubt_for_grip(state, pointer.at + held.at), true});
   if (held.kind == Pick::Kind::robot)
     commands.push_back(MoveRobot{static_cast<std::size_t>(held.end), to});
   if (held.kind == Pick::Kind::centre) {
@@ -133,6 +135,7 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
     commands.push_back(Explain{asked});
   else if (state.explanation)
     commands.push_back(Explain{});
+  if (asked.kind == Pick::Kind::none && clicked && failing(state)) commands.push_back(Fail{});
   if (state.tool == Tool::draw) {
     const bool on_placed = still_there && state.held.kind == Pick::Kind::vertex;
     if (clicked || (on_placed && closes(state, pointer.at)))

@@ -30,7 +30,7 @@ Pointer over_one_picture(App& app, Pointer pointer) {
 void draw_picture(App& app) {
   const AppState& state = app.state;
   const double now = ImGui::GetTime();
-  follow(app.scene, state, *state.placement, now);
+  follow(app.scene, state, shown_placement(state), now);
   if (state.second) follow(app.second_scene, state, *state.second, now);
   if (app.scene.progress < 1 || (state.second && app.second_scene.progress < 1))
     browser::request_frame();

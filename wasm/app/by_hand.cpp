@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/outlook.h"
 #include "app/search.h"
 #include "evenlift/balanced.h"
 #include "evenlift/plane.h"
@@ -46,6 +47,9 @@ void move_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   state.placement = with_robots(std::move(placement), *robots, true);
   state.by_hand = true;
   ++state.revision;
+  forget_failures(state);
+  renew_outlook(state);
+  renew_failures(state);
   follow_card(state);
   browser::summary_changed();
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "app/outlook.h"
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings_text.h"
@@ -70,10 +71,13 @@ bool take_robots(AppState& state, std::uint64_t number, std::string_view robots,
     if (robots_text(lifting_points(placement.teams)) != robots) {
       state.explanation.reset();
       ++state.revision;
+      if (shown == &state.placement) forget_failures(state);
     }
     *shown = with_robots(std::move(placement), *found, ended);
   }
   state.search.under_way = !ended;
+  renew_outlook(state);
+  renew_failures(state);
   browser::summary_changed();
   return true;
 }
@@ -81,6 +85,7 @@ bool take_robots(AppState& state, std::uint64_t number, std::string_view robots,
 void stop_search(AppState& state, std::uint64_t number) {
   if (!state.search.under_way || number != state.search.number) return;
   state.search.under_way = false;
+  renew_failures(state);
   state.notice = {Notice::Kind::problem,
                   "The search for better places stopped: a part of the page could not be loaded."};
   browser::announce(state.notice.text);

@@ -2,25 +2,30 @@
 
 #include <string>
 
-#include "evenlift/numbers.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings_text.h"
 
 namespace evenlift::view {
 namespace {
 
-// Whether scripts can set it.
-bool is_of_the_page(Setting setting) {
-  return setting != Setting::com_radius && setting != Setting::loads;
+// Takes over what was read, if it was a value.
+template <class Value, class Read>
+std::optional<InputError> take(Setting setting, const Read& read, Value& value) {
+  if (!read) return setting_error(setting);
+  value = *read;
+  return std::nullopt;
 }
 
 // Reads one setting into `changed`.
 std::optional<InputError> read(Setting setting, std::string_view text, Changeable& changed) {
-  if (setting != Setting::capacity) return read_setting(setting, text, changed.document);
-  const std::optional<double> capacity = read_capacity(text);
-  if (!capacity && text != "none") return setting_error(setting);
-  changed.capacity = capacity;
-  return std::nullopt;
+  switch (setting) {
+    case Setting::loads:
+      return take(setting, load_model_from_name(text), changed.load_model);
+    case Setting::failed:
+      return take(setting, read_failed(text), changed.failed);
+    default:
+      return read_setting(setting, text, changed.document);
+  }
 }
 
 }  // namespace
@@ -33,7 +38,7 @@ Result<Changeable> with_settings(Changeable given, std::string_view lines) {
     const std::size_t equals = line.find('=');
     const std::string_view name = line.substr(0, equals);
     const std::optional<Setting> setting = setting_from_name(name);
-    if (!setting || !is_of_the_page(*setting) || equals == std::string_view::npos)
+    if (!setting || equals == std::string_view::npos)
       return InputError{ErrorCode::bad_setting,
                         "there is no such setting",
                         {Place::Kind::option, 0, 0, std::string(name)}};
@@ -43,10 +48,7 @@ Result<Changeable> with_settings(Changeable given, std::string_view lines) {
   return given;
 }
 
-std::string kept_text(const Kept& kept) {
-  return std::string(kept.motion ? "motion=1\n" : "motion=0\n") +
-         (kept.capacity ? "capacity=" + shortest(*kept.capacity) + "\n" : "");
-}
+std::string kept_text(const Kept& kept) { return kept.motion ? "motion=1\n" : "motion=0\n"; }
 
 Kept read_kept(std::string_view lines) {
   Kept kept;
@@ -55,7 +57,6 @@ Kept read_kept(std::string_view lines) {
     const std::string_view line = lines.substr(0, end);
     lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
     if (line.starts_with("motion=")) kept.motion = line != "motion=0";
-    if (line.starts_with("capacity=")) kept.capacity = read_capacity(line.substr(9));
   }
   return kept;
 }

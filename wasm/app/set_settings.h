@@ -6,18 +6,21 @@
 #include <string_view>
 
 #include "evenlift/document.h"
+#include "evenlift/load_models.h"
 #include "evenlift/result.h"
 
 namespace evenlift::view {
 
-// The settings that set() can change.
+// What set() can change.
 struct Changeable {
   Document document;
-  std::optional<double> capacity;  // of one robot
+  LoadModel load_model = LoadModel::plan;  // whose loads are shown
+  std::optional<std::uint64_t> failed =
+      {};  // the robot that fails, from 1, or 0 for none; nothing if
+           // that stays
 };
 
-// Makes the changes of `lines`, each a line `name=value` as settings_text.h reads it; a capacity
-// may be "none". The first line that cannot be read is the error. What only place() can judge is
+// Makes the changes of `lines`, each a line `name=value` as settings_text.h reads it. The first line that cannot be read is the error. What only place() can judge is
 // not checked here. O(bytes).
 Result<Changeable> with_settings(Changeable given, std::string_view lines);
 
@@ -26,7 +29,6 @@ Result<Changeable> with_settings(Changeable given, std::string_view lines);
 // O(bytes).
 struct Kept {
   bool motion = true;
-  std::optional<double> capacity;
 };
 std::string kept_text(const Kept& kept);
 Kept read_kept(std::string_view lines);

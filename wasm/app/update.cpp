@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/by_hand.h"
+#include "app/outlook.h"
 #include "app/search.h"
 #include "evenlift/document.h"
 #include "evenlift/link.h"
@@ -44,10 +45,12 @@ void adopt(AppState& state, Result<Placement> placement) {
   drop_search(state);
   state.by_hand = false;
   state.explanation.reset();
+  forget_failures(state);
   part_methods(state, state.placed.settings.method);
   const std::string before = state.refusal ? sentence(*state.refusal) : std::string();
   if (placement) {
-    state.plan_due |= !state.placement || !same_plan(*state.placement, *placement);
+    state.plan_due |= !state.placement || !same_plan(*state.placement, *placement) ||
+                      state.placement->settings.capacity != placement->settings.capacity;
     state.placement = std::move(placement).value();
     state.placed = state.document;
     state.refusal.reset();
@@ -93,7 +96,8 @@ void renew_second(AppState& state) {
 void renew_plan(AppState& state) {
   if (state.refusal || state.edit_open || !state.plan_due) return;
   state.plan.reset();
-  if (state.capacity) state.plan = plan_capacity(*state.placement, *state.capacity);
+  const std::optional<double>& capacity = settings(state).capacity;
+  if (capacity) state.plan = plan_capacity(*state.placement, *capacity);
   state.plan_due = false;
 }
 
@@ -102,11 +106,14 @@ void renew_plan(AppState& state) {
 void follow_up(AppState& state) {
   if (state.refusal) return;
   renew_second(state);
+  renew_outlook(state);
   state.best_ratio.reset();
-  if (state.edit_open) return;
-  state.best_ratio = best_ratio_if_none(*state.placement);
-  renew_plan(state);
-  begin_search(state);
+  if (!state.edit_open) {
+    state.best_ratio = best_ratio_if_none(*state.placement);
+    renew_plan(state);
+    begin_search(state);
+  }
+  renew_failures(state);
 }
 
 void recompute(AppState& state) {
@@ -131,7 +138,7 @@ void drop_stale_picks(AppState& state) {
   }
 }
 
-Beside beside(const AppState& state) { return {state.capacity, state.second_method}; }
+Beside beside(const AppState& state) { return {state.second_method}; }
 
 void begin_edit(AppState& state, bool live, Edit edit) {
   if (live && state.edit_open) return;
@@ -160,6 +167,8 @@ Edit edit_between(const Settings& before, const Settings& after) {
   compare(before.seed == after.seed, Edit::seed);
   compare(before.robots == after.robots, Edit::robots);
   compare(before.goal == after.goal && same_margin(before, after), Edit::goal);
+  compare(before.capacity == after.capacity, Edit::capacity);
+  compare(before.com_radius == after.com_radius, Edit::com_radius);
   return differing == 1 ? edit : Edit::settings;
 }
 
@@ -266,6 +275,7 @@ void finish_drawing(AppState& state) {
   drawn.vertices = state.drawing.points;
   drawn.settings = state.document.settings;
   drawn.settings.step.reset();
+  drawn.settings.com_radius = 0;  // a length of the former polygon
   Result<Opened> polygon = opened(std::move(drawn));
   if (!polygon) {
     state.drawing.checked = true;
@@ -292,11 +302,20 @@ bool well_shown(const AppState& state) {
                      [&](const Vec2& p) { return window.contains(state.camera.to_screen(p)); });
 }
 
-void take_capacity(AppState& state, const std::optional<double>& capacity) {
-  if (state.capacity == capacity) return;
-  state.capacity = capacity;
-  state.plan_due = true;
-  browser::preferences_changed();
+// Changes settings that place nothing, in the document and its placement. The plan and what is shown of the
+// loads follow.
+template <class Change>
+void change_beside(AppState& state, bool live, Edit edit, const Change& change) {
+  begin_edit(state, live, edit);
+  const std::optional<double> capacity = settings(state).capacity;
+  change(state.document.settings);
+  change(state.placed.settings);
+  for (std::optional<Placement>* placement : {&state.placement, &state.second})
+    if (*placement) change((*placement)->settings);
+  state.plan_due |= settings(state).capacity != capacity;
+  renew_plan(state);
+  renew_outlook(state);
+  browser::document_changed();
 }
 
 // Undo and redo. Those who cannot see what changed are told.
@@ -316,7 +335,6 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   drop_stale_picks(state);
   if (state.camera_follows && !well_shown(state)) state.fit_due = true;
   state.second_method.reset();  // so that the two methods are not exchanged
-  take_capacity(state, recalled.beside.capacity);
   adopt(state, compute_placement(state.document, state.placement));
   if (!walkthrough_is_open(state)) state.second_method = recalled.beside.second_method;
   follow_up(state);
@@ -401,7 +419,7 @@ struct Applier {
     recompute(state);
   }
   void operator()(const EndEdit&) const {
-    if (!state.edit_open) return;
+    if (!state.edit_open) return renew_failures(state);  // a robot was moved by hand
     state.edit_open = false;
     if (state.camera_follows && !centre_is_shown(state)) state.fit_due = true;
     trace_whole_search(state);
@@ -535,12 +553,20 @@ struct Applier {
     ++state.revision;
     browser::document_changed();  // there is one more step of undo to be kept
   }
+  void operator()(const Fail& c) const { let_fail(state, c.robot); }
+  void operator()(const SetLoadModel& c) const {
+    if (c.model == state.load_model) return;
+    state.load_model = c.model;
+    renew_outlook(state);
+    browser::summary_changed();
+  }
   void operator()(const SetCapacity& c) const {
-    if (state.capacity == c.capacity) return;
-    begin_edit(state, false, Edit::capacity);
-    take_capacity(state, c.capacity);
-    renew_plan(state);
-    browser::document_changed();  // there is one more step of undo to be kept
+    if (settings(state).capacity == c.capacity) return;
+    change_beside(state, false, Edit::capacity, [&](Settings& s) { s.capacity = c.capacity; });
+  }
+  void operator()(const SetComRadius& c) const {
+    if (settings(state).com_radius == c.radius) return;
+    change_beside(state, c.live, Edit::com_radius, [&](Settings& s) { s.com_radius = c.radius; });
   }
   void operator()(const SetMotion& c) const {
     state.motion = c.on;
@@ -566,6 +592,7 @@ struct Applier {
     zoom_view(state, layout(state).room.middle(), c.factor);
   }
   void operator()(const SetPanelOpen& c) const { state.panel_open = c.open; }
+  void operator()(const SetMoreOpen& c) const { state.more_open = c.open; }
   void operator()(const ListIsOpen& c) const {
     state.list_open = c.open;
     state.close_list = state.close_list && c.open;
@@ -627,11 +654,6 @@ void start_with(AppState& state, Opened opened, const std::optional<Document>& w
 
 void reopen(AppState& state, Opened opened) { show_opened(state, std::move(opened)); }
 
-void keep_capacity(AppState& state, const std::optional<double>& capacity) {
-  take_capacity(state, capacity);
-  renew_plan(state);
-}
-
 void resume_draft(AppState& state, Document draft) {
   begin_edit(state, false, Edit::vertex_moved);
   forget_former(state);
@@ -641,13 +663,14 @@ void resume_draft(AppState& state, Document draft) {
 
 namespace {
 
-// Whether only the step of the walkthrough differs in the edited document.
-bool only_steps(const AppState& state, const Document& edited) {
-  Settings but_step = edited.settings;
-  but_step.step = state.document.settings.step;
+// Whether only what places nothing differs in the edited document.
+bool places_nothing(const AppState& state, const Document& edited) {
+  Settings but = edited.settings;
+  but.step = settings(state).step;
+  but.capacity = settings(state).capacity;
+  but.com_radius = settings(state).com_radius;
   return !state.refusal && edited.vertices == state.document.vertices &&
-         edited.centre_of_mass == state.document.centre_of_mass &&
-         but_step == state.document.settings;
+         edited.centre_of_mass == state.document.centre_of_mass && but == settings(state);
 }
 
 // Goes to another step of the open document's walkthrough, or closes the walkthrough.
@@ -673,16 +696,22 @@ std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t>
 
 }  // namespace
 
-std::optional<InputError> try_edit(AppState& state, const Document& edited,
-                                   const std::optional<double>& capacity) {
-  if (only_steps(state, edited)) {
+std::optional<InputError> try_edit(AppState& state, const Document& edited, std::uint64_t failed) {
+  if (places_nothing(state, edited)) {
+    if (const auto problem = check_robot(*state.placement, failed)) return problem;
     if (const auto problem = try_step(state, edited.settings.step)) return problem;
-    Commands commands{SetCapacity{capacity}};
-    apply(state, commands);
+    const Settings &before = settings(state), &after = edited.settings;
+    if (before.capacity == after.capacity && before.com_radius == after.com_radius)
+      return std::nullopt;
+    change_beside(state, false, edit_between(before, after), [&](Settings& s) {
+      s.capacity = after.capacity;
+      s.com_radius = after.com_radius;
+    });
     return std::nullopt;
   }
   Result<Placement> placement = compute_placement(edited, state.placement);
   if (!placement) return placement.error();
+  if (const auto problem = check_robot(*placement, failed)) return problem;
   std::optional<Trace> trace;
   if (edited.settings.step) {
     Result<Trace> made = compute_trace(*placement);
@@ -692,7 +721,6 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited,
   }
   begin_edit(state, false, edit_between(settings(state), edited.settings));
   state.document = edited;
-  take_capacity(state, capacity);
   adopt(state, std::move(placement));
   follow_up(state);
   follow_placement(state, std::move(trace));

@@ -27,18 +27,13 @@ void start_with(AppState& state, Opened opened, const std::optional<Document>& w
 // written, say.
 void reopen(AppState& state, Opened opened);
 
-// Sets the capacity that the browser has kept; no step of undo either.
-void keep_capacity(AppState& state, const std::optional<double>& capacity);
-
 // Goes on with a document that was refused while it was edited; this is one step of undo.
 void resume_draft(AppState& state, Document draft);
 
-// Takes over an edited document, and a capacity, as one step of undo; or says why it is refused, and changes
-// nothing. If only the step of the walkthrough differs, that is no edit, and nothing is computed.
+// Takes over an edited document as one step of undo; or says why it is refused, and changes nothing. If only
+// the step of the walkthrough differs, that is no edit; and nothing is placed if only that differs, what a
+// robot carries or how well the centre of mass is known. It is also refused if the placement has no robot with the number `failed`, from 1.
 std::optional<InputError> try_edit(AppState& state, const Document& edited,
-                                   const std::optional<double>& capacity);
-inline std::optional<InputError> try_edit(AppState& state, const Document& edited) {
-  return try_edit(state, edited, state.capacity);
-}
+                                   std::uint64_t failed = 0);
 
 }  // namespace evenlift::view

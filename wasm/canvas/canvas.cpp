@@ -48,9 +48,13 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
     painter.fill_convex(view.scene.hull_before, theme.hull.at(1 - come));
     painter.outline(view.scene.hull_before, theme.hull_outline.at(1 - come), 2);
   }
+  // Where the robots that are left cannot hold the object, nothing is safe.
+  const bool holds = view.placement->loads.has_value();
+  const Colour fill = holds ? theme.hull : theme.amber_on_object.at(0.16f),
+               outline = holds ? theme.hull_outline : theme.amber_on_object;
   // Under the heat map the base is only outlined: its own green would mix with the map's colours.
-  if (!view.scene.shows_heat()) painter.fill_convex(shape.points, theme.hull.at(come));
-  painter.outline(shape.points, theme.hull_outline.at(come), 2);
+  if (!view.scene.shows_heat()) painter.fill_convex(shape.points, fill.at(come));
+  painter.outline(shape.points, outline.at(come), 2);
 }
 
 void draw_object(const Painter& painter, const CanvasView& view, const Shape& shape) {
@@ -185,7 +189,7 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
     draw_hint(list, state, layout, colours);
     return;
   }
-  const Placement* placement = state.placement ? &*state.placement : nullptr;
+  const Placement* placement = state.placement ? &shown_placement(state) : nullptr;
   const CanvasView view{state, colours,      layout,           placement,
                         scene, state.camera, window_of(state), false};
   if (state.second_method)

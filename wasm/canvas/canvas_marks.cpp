@@ -107,27 +107,40 @@ std::vector<RobotSize> robot_sizes(const CanvasView& view, std::size_t teams) {
   return sizes;
 }
 
+// How a robot is drawn besides its size; one that fails is hollow.
+struct RobotLook {
+  std::size_t number = 1;
+  double share = 1;  // of the greatest load
+  bool over = false, failed = false;
+};
+
 void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
-                const Vec2& world, std::size_t shown_number, double share, bool over) {
+                const Vec2& world, const RobotLook& look) {
   ImDrawList& list = painter.list();
   const ImVec2 at = painter.at(world);
   const float pi = 3.14159265f, start = -pi / 2;
-  list.AddCircleFilled(at, size.ring + 1.5f, theme.robot_track.packed(), 36);
-  list.PathArcTo(at, size.ring, start, start + 2 * pi * static_cast<float>(share), 40);
-  list.PathStroke((over ? theme.amber : theme.robot_ring).packed(), 0, over ? 3.0f : 2.0f);
-  list.AddCircleFilled(at, size.disc - 1, theme.robot.packed(), 32);
+  if (look.failed) {
+    list.AddCircleFilled(at, size.ring, theme.object.packed(), 36);
+    list.AddCircle(at, size.disc, theme.robot.packed(), 32, 2);
+  } else {
+    list.AddCircleFilled(at, size.ring + 1.5f, theme.robot_track.packed(), 36);
+    list.PathArcTo(at, size.ring, start, start + 2 * pi * static_cast<float>(look.share), 40);
+    list.PathStroke((look.over ? theme.amber : theme.robot_ring).packed(), 0,
+                    look.over ? 3.0f : 2.0f);
+    list.AddCircleFilled(at, size.disc - 1, theme.robot.packed(), 32);
+  }
   if (!size.numbered) return;
-  const std::string number = std::to_string(shown_number);
+  const std::string number = std::to_string(look.number);
   const ImVec2 text = text_size(Face::tiny, number);
-  draw_text(list, Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2), theme.robot_text,
-            number);
+  draw_text(list, Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
+            look.failed ? theme.robot : theme.robot_text, number);
 }
 
 // Where the coverage is written, in CSS pixels, if there is room.
 std::optional<Rect> coverage_box(const CanvasView& view) {
   const CoveragePlace& place = view.scene.coverage;
-  if (!settings(view.state).overlays.lifting_base || place.room * view.camera.scale < 24)
-    return std::nullopt;
+  const bool shown = settings(view.state).overlays.lifting_base && view.placement->loads;
+  if (!shown || place.room * view.camera.scale < 24) return std::nullopt;
   const Vec2 at = view.camera.to_screen(place.at);
   const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
   return Rect{at.x() - text.x / 2, at.y() - text.y / 2, at.x() + text.x / 2, at.y() + text.y / 2};
@@ -177,22 +190,26 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   return occupied;
 }
 
+// Writes beside the robots what they bear; nothing at one that fails, nor where nobody bears anything.
 void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
-                Occupied& occupied) {
-  const AppState& state = view.state;
+                const std::vector<LoadRange>& loads, double greatest, Occupied& occupied) {
+  if (greatest == 0) return;
   const Placement& placement = *view.placement;
   const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
   const bool few = pairs_of(placement.teams) <= 8;
   std::vector<LabelRequest> requests;
   std::vector<std::string> texts;
   std::vector<bool> over;
+  std::size_t number = 0;
   for (const Team& team : placement.teams) {
     for (const Robot& robot : team.robots) {
+      const LoadRange& load = loads[number++];
+      const bool failed = view.failure() && view.failure()->robot + 1 == number;
       const Vec2 at = view.camera.to_screen(robot.point.position);
-      if (!view.window.contains(at)) continue;
+      if (failed || !view.window.contains(at)) continue;
       const Vec2 away = at - middle;
-      texts.push_back(kilograms(robot.load, placement.loads->max));
-      over.push_back(state.capacity && robot.load > *state.capacity);
+      texts.push_back(kilograms(load.least, load.greatest, greatest));
+      over.push_back(view.overloads(load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
     }
@@ -252,9 +269,10 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
   };
   // Overloaded robots come first, so that no other hides them.
   for (const bool over : {true, false}) {
+    std::size_t number = 0;
     for (std::size_t i = 0; i < teams; ++i) {
       for (const Robot& robot : view.placement->teams[i].robots) {
-        if ((view.state.capacity && robot.load > *view.state.capacity) != over) continue;
+        if (view.overloads(view.outlook().loads[number++].greatest) != over) continue;
         draw(robot.point.position, over ? view.theme.amber_on_object : view.theme.robot);
       }
     }
@@ -321,13 +339,14 @@ void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) 
   if (known.shares > 0 && known.shares == placement.teams.size() && known.shares <= most_labelled) {
     const RobotSize size = robot_size(placement.teams.size());
     Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
-    draw_loads(painter, view, size, occupied);
+    draw_loads(painter, view, size, loads_by(LoadModel::plan, placement, std::nullopt, 0),
+               placement.loads->max, occupied);
   }
   for (std::size_t i = known.teams; i-- > 0;) {
     std::size_t number = robots_of(placement.teams, i);
     for (const Robot& robot : placement.teams[i].robots) {
       const double share = i < known.shares ? robot.load / placement.loads->max : 1;
-      draw_robot(painter, view.theme, sizes[number++], robot.point.position, i + 1, share, false);
+      draw_robot(painter, view.theme, sizes[number++], robot.point.position, {i + 1, share});
     }
   }
 }
@@ -337,31 +356,34 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
   if (placement.teams.empty()) return;
   if (placement.teams.size() > most_single_robots)
     return draw_swarm(painter, view, placement.teams.size());
+  const Outlook& outlook = view.outlook();
   const std::vector<RobotSize> sizes = robot_sizes(view, placement.teams.size());
   const bool at_rest = view.scene.progress >= 1;
   if (pairs_of(placement.teams) <= most_labelled && at_rest) {
     const RobotSize size = robot_size(pairs_of(placement.teams));
     Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
     draw_slide(painter, view, &occupied);
-    draw_loads(painter, view, size, occupied);
+    draw_loads(painter, view, size, outlook.loads, outlook.greatest, occupied);
   } else {
     draw_slide(painter, view, nullptr);
   }
-  // Discs of one team have its number; balanced robots, which are a single team, one each.
-  const bool alone = placement.settings.method == Method::balanced;
+  // Discs of one team have its number; balanced robots, which are a single team, one each, and so do all
+  // while one of them fails, since words then speak of single robots.
+  const bool alone = placement.settings.method == Method::balanced || view.failure();
   for (std::size_t i = placement.teams.size(); i-- > 0;) {
     std::size_t number = robots_of(placement.teams, i);
     for (const Robot& robot : placement.teams[i].robots) {
       const Vec2& at = robot.point.position;
-      const std::size_t shown_number = alone ? number + 1 : i + 1;
-      RobotSize now = sizes[number++];
+      RobotSize now = sizes[number];
       if (!at_rest && !stood_there(view.scene, at)) {
         now.disc *= view.scene.progress;
         now.ring *= view.scene.progress;
       }
-      const bool over = view.state.capacity && robot.load > *view.state.capacity;
-      draw_robot(painter, view.theme, now, at, shown_number, robot.load / placement.loads->max,
-                 over);
+      const double load = outlook.loads[number].greatest;
+      draw_robot(painter, view.theme, now, at,
+                 {alone ? number + 1 : i + 1, outlook.greatest > 0 ? load / outlook.greatest : 0,
+                  view.overloads(load), view.failure() && view.failure()->robot == number});
+      ++number;
     }
   }
 }
@@ -388,6 +410,46 @@ void draw_centre(const Painter& painter, const CanvasView& view) {
                    : hovered ? theme.accent_on_object
                              : theme.robot,
                    theme.object);
+}
+
+// A circle of dashes, as long as candidates have them.
+void draw_dashed_circle(ImDrawList& list, ImVec2 at, float radius, Colour colour) {
+  const int dashes = std::clamp(static_cast<int>(radius * 0.6f), 12, 120);
+  const float turn = 2 * 3.14159265f / static_cast<float>(dashes);
+  for (int i = 0; i < dashes; ++i) {
+    const float from = turn * static_cast<float>(i);
+    list.PathArcTo(at, radius, from, from + turn * 0.6f, 6);
+    list.PathStroke(colour.packed(), 0, 1.5f);
+  }
+}
+
+// How far the centre of mass may be off before the object tips; and, as a ring with a grip, within which distance it is known.
+void draw_halo(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  if (!settings(state).overlays.halo || view.placement->teams.empty()) return;
+  const Theme& theme = view.theme;
+  ImDrawList& list = painter.list();
+  const ImVec2 at = painter.at(centre_of_mass(state));
+  const double margin = view.outlook().robustness.tipping_distance,
+               known = settings(state).com_radius;
+  const auto in_pixels = [&](double length) {
+    return static_cast<float>(std::min(length * view.camera.scale, 1e5));
+  };
+  if (margin > 0) draw_dashed_circle(list, at, in_pixels(margin), theme.hull_text);
+  const Colour ring = known < margin ? theme.accent_on_object : theme.amber_on_object;
+  if (known > 0) {
+    list.AddCircleFilled(at, in_pixels(known), ring.at(0.12f).packed(), 64);
+    list.AddCircle(at, in_pixels(known), ring.packed(), 64, 2);
+  }
+  const std::optional<Vec2> grip = doubt_grip(state);
+  if (!grip || view.second) return;
+  const ImVec2 spot = vec(grip->x(), grip->y());
+  const ImVec2 foot(at.x + in_pixels(known) * 0.70710678f, at.y - in_pixels(known) * 0.70710678f);
+  const bool hot = is_hovered(state, Pick::Kind::doubt, 0);
+  list.AddLine(foot, spot, ring.packed(), 1.5f);
+  if (hot) list.AddCircleFilled(spot, 14, theme.accent.at(0.22f).packed(), 32);
+  list.AddCircleFilled(spot, 6, theme.object.packed(), 24);
+  list.AddCircle(spot, 6, ring.packed(), 24, 2);
 }
 
 // How hard a push under the pointer must be to tip the object.
@@ -482,6 +544,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
   if (view.current()) {
+    draw_halo(painter, view);
     draw_robots(painter, view);
   }
   draw_centre(painter, view);

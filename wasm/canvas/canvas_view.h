@@ -17,6 +17,12 @@ struct CanvasView {
   const Camera& camera;
   Rect window;  // the part of the canvas for this picture
   bool second;  // whether it shows the second method
+  const Outlook& outlook() const { return shown_outlook(state, second); }
+  const Failure* failure() const { return second ? nullptr : failing(state); }
+  bool overloads(double load) const {
+    const std::optional<double>& capacity = settings(state).capacity;
+    return capacity && load > *capacity;
+  }
   bool current() const { return placement && !state.refusal; }
 };
 

@@ -46,8 +46,31 @@ std::string hint_of_team(const Placement* placement, std::size_t i) {
          " and " + words.loads[1] + "\u00A0kg · " + words.length + " apart · press it to see why";
 }
 
+std::string hint_of_doubt(const AppState& state) {
+  const double radius = settings(state).com_radius;
+  return (radius > 0 ? "The centre of mass is known within " + plain(radius)
+                     : std::string("The centre of mass is known exactly")) +
+         " · drag away from it for a doubt";
+}
+
+// While one of them fails.
+std::string hint_of_failing(const Failure& failure, const Pick& at) {
+  const std::size_t team = failure.placement.teams.front().robots.size(),
+                    robot = at.index * team + static_cast<std::size_t>(at.end);
+  if (robot >= failure.outlook.loads.size()) return {};
+  const std::string name = "Robot " + std::to_string(robot + 1);
+  if (robot == failure.robot) return name + " fails · Esc brings it back";
+  const LoadRange& load = failure.outlook.loads[robot];
+  return name + " · " +
+         (failure.rest ? kilograms(load.least, load.greatest, failure.outlook.greatest)
+                       : std::string("cannot hold the object")) +
+         " while robot " + std::to_string(failure.robot + 1) + " fails";
+}
+
 std::string hint_of_robot(const AppState& state, const Pick& at) {
   const Placement* placement = current_placement(state, at.second);
+  if (const Failure* failure = failing(state); failure && !at.second)
+    return hint_of_failing(*failure, at);
   if (!placement || placement->settings.method != Method::balanced)
     return hint_of_team(placement, at.index);
   const auto robot = static_cast<std::size_t>(at.end);
@@ -83,6 +106,8 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
       return hint_of_vertex(state.document.vertices, at.index);
     case Pick::Kind::centre:
       return hint_of_centre(state);
+    case Pick::Kind::doubt:
+      return hint_of_doubt(state);
     case Pick::Kind::edge:
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:

@@ -32,7 +32,8 @@ std::string open_with_these_settings(std::string_view text) {
   if (!read) return sentence(read.error());
   Document document = std::move(read).value();
   document.settings = settings(app().state);
-  document.settings.step.reset();  // it belongs to the former polygon
+  document.settings.step.reset();  // it belongs to the former polygon, as does a length
+  document.settings.com_radius = 0;
   Result<Opened> polygon = opened(std::move(document));
   if (!polygon) return sentence(polygon.error());
   Commands commands;

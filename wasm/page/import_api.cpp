@@ -61,11 +61,6 @@ EMSCRIPTEN_KEEPALIVE const char* import_notes() {
   return hand_over(lines);
 }
 
-// The capacity of a robot as text, or nothing.
-EMSCRIPTEN_KEEPALIVE const char* import_capacity() {
-  return hand_over(imported().capacity ? shortest(*imported().capacity) : "");
-}
-
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
 // Of the shape with this index, from 0: its name, all in words, the distance between its edges and its

@@ -65,6 +65,7 @@ using namespace evenlift::view;
 using evenlift::CapacityInJson;
 using evenlift::Document;
 using evenlift::Result;
+using evenlift::Settings;
 
 extern "C" {
 
@@ -86,12 +87,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* wo
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
   const AppState& state = app().state;
   std::optional<CapacityInJson> capacity;
-  if (state.capacity)
-    capacity =
-        CapacityInJson{*state.capacity, state.plan && !state.plan_due
-                                            ? *state.plan
-                                            : plan_capacity(*state.placement, *state.capacity)};
-  return hand_over(placement_json(*state.placement, true, capacity));
+  const Settings& settings = state.placement->settings;
+  if (settings.capacity)
+    capacity = CapacityInJson{*settings.capacity,
+                              state.plan && !state.plan_due
+                                  ? *state.plan
+                                  : plan_capacity(*state.placement, *settings.capacity)};
+  return hand_over(placement_json(*state.placement, true, capacity,
+                                  {settings.com_radius, failing(state) != nullptr}));
 }
 
 // Returns why it was refused, or nothing.
@@ -113,11 +116,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
 // `changes` has a line `name=value` for each setting. Makes all changes; or none, and returns why.
 EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
   AppState& state = app().state;
-  const Result<Changeable> changed = with_settings({state.placed, state.capacity}, changes);
+  const Result<Changeable> changed = with_settings({state.placed, state.load_model}, changes);
   if (!changed) return hand_over(sentence(changed.error()));
-  if (const auto error = try_edit(state, changed->document, changed->capacity))
+  const std::optional<std::uint64_t>& failed = changed->failed;
+  if (const auto error = try_edit(state, changed->document, failed.value_or(0)))
     return hand_over(sentence(*error));
-  browser::request_frame();
+  Commands commands{SetLoadModel{changed->load_model}};
+  if (failed) commands.push_back(Fail{*failed > 0 ? std::optional(*failed - 1) : std::nullopt});
+  carry_out(std::move(commands));
   return no_error();
 }
 
@@ -184,27 +190,23 @@ EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coa
 // The preferences that the browser keeps besides the document; and back.
 EMSCRIPTEN_KEEPALIVE const char* page_kept() {
   const AppState& state = app().state;
-  return hand_over(kept_text({state.motion, state.capacity}));
+  return hand_over(kept_text({state.motion}));
 }
 
 EMSCRIPTEN_KEEPALIVE void page_keep(const char* lines) {
   AppState& state = app().state;
-  const Kept kept = read_kept(lines);
-  state.motion = kept.motion;
-  keep_capacity(state, kept.capacity);
+  state.motion = read_kept(lines).motion;
   browser::request_frame();
 }
 
-// The step that so many undos, or redos, lead to, to be kept: `EDIT CAPACITY METHOD LINK`, where 0 is
-// no capacity and the method 0 is none, and a document that is too large has no link. Nothing if there
-// is no such step.
+// The step that so many undos, or redos, lead to, to be kept: `EDIT METHOD LINK`, where the
+// method 0 is none, and a document that is too large has no link. Nothing if there is no such step.
 EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
   const std::optional<History::Kept> kept =
       app().state.history.kept(redo != 0, static_cast<std::size_t>(std::max(index, 0)));
   if (!kept) return hand_over({});
   const std::optional<evenlift::Method>& method = kept->beside.second_method;
   return hand_over(std::to_string(static_cast<int>(kept->edit)) + ' ' +
-                   evenlift::shortest(kept->beside.capacity.value_or(0)) + ' ' +
                    std::to_string(method ? static_cast<int>(*method) + 1 : 0) + ' ' + kept->link);
 }
 
@@ -214,11 +216,9 @@ EMSCRIPTEN_KEEPALIVE void page_forget_steps() {
   state.history.clear();
   if (state.walkthrough.script) state.walkthrough.script->depth = 0;
 }
-EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, double capacity, int method,
-                                        const char* link) {
+EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const char* link) {
   History::Kept kept;
   if (edit >= 0 && edit < static_cast<int>(edit_count)) kept.edit = static_cast<Edit>(edit);
-  if (evenlift::is_weight(capacity)) kept.beside.capacity = capacity;
   if (method > 0 && method <= static_cast<int>(std::size(evenlift::all_methods)))
     kept.beside.second_method = evenlift::all_methods[method - 1];
   kept.link = link;

@@ -49,12 +49,11 @@ void draw_need(const Ui& ui) {
 }  // namespace
 
 void draw_capacity(const Ui& ui) {
-  const std::optional<double>& capacity = ui.state.capacity;
+  const std::optional<double>& capacity = settings(ui.state).capacity;
   const float width = labelled(ui, "A robot carries", "What one robot can lift at most");
   if (!capacity) {
     // Begins with the smallest round number at which the present placement is not overloaded.
-    const Placement* placement = ui.state.placement ? &*ui.state.placement : nullptr;
-    const double most = placement && placement->loads ? placement->loads->max : 20;
+    const double greatest = ui.state.outlook.greatest, most = greatest > 0 ? greatest : 20;
     if (flat_button(ui, "limit", "No limit – set one", width))
       ui.push(SetCapacity{std::ceil(most)});
     if (ImGui::IsItemHovered()) tip(ui, "Set what one robot can carry, to see how many are needed");

@@ -1,4 +1,5 @@
 // The result in numbers, each with its meaning.
+#include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "ui/widgets.h"
@@ -25,7 +26,9 @@ void fact(const Ui& ui, const char* label, const std::string& value, const char*
 void draw_numbers(const Ui& ui) {
   if (!ui.state.placement) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  for (const Fact& each : facts_in_words(*ui.state.placement))
+  for (const Fact& each : facts_in_words(shown_placement(ui.state)))
+    fact(ui, each.label, each.value, each.about);
+  for (const Fact& each : robustness_facts(*ui.state.placement, ui.state.outlook.robustness))
     fact(ui, each.label, each.value, each.about);
   ImGui::PopStyleVar();
 }

@@ -28,6 +28,8 @@ constexpr Overlay overlays[] = {
      "Points about which it can still turn counter-clockwise (L)"},
     {&Overlays::tipping, Swatch::tipping, "Tipping",
      "How hard a push tips the object, and where (F)"},
+    {&Overlays::halo, Swatch::halo, "Halo",
+     "How far the centre of mass may be off before the object tips (Shift+C)"},
 };
 
 // Why a method has nothing of this kind to show; nothing where it has.

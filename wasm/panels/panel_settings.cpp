@@ -183,6 +183,7 @@ void draw_settings(const Ui& ui) {
   draw_seed(ui);
   draw_goal(ui);
   draw_centre(ui);
+  draw_more(ui);
   if (!walkthrough_is_open(ui.state)) draw_compare(ui);
 }
 

@@ -13,16 +13,31 @@ constexpr std::size_t most_rows = 60;  // more is for the JSON
 // A row: a disc at the left, bars to both sides of the middle, two numbers at the right.
 struct Columns {
   float left, middle, half, span, ratio;
+  float text;  // room for a load beside its bar
 };
 
-Columns columns(float left, float width) {
+// What a robot bears, without its unit, as it is shown.
+std::string load_text(const Ui& ui, std::size_t number) {
+  const Failure* failure = failing(ui.state);
+  if (failure && failure->robot == number) return "fails";
+  const Outlook& outlook = shown_outlook(ui.state);
+  if (outlook.greatest == 0) return "–";
+  return amounts(outlook.loads[number].least, outlook.loads[number].greatest, outlook.greatest);
+}
+
+Columns columns(const Ui& ui, float left, float width) {
   const float ratio_width = 42, span_width = 46, disc = 28;
   const float bars = width - disc - ratio_width - span_width;
-  return {left, left + disc + bars / 2, bars / 2, left + width - ratio_width, left + width};
+  float text = 32;
+  const std::size_t rows = std::min(count_robots(ui.state.placement->teams), 2 * most_rows);
+  for (std::size_t i = 0; i < rows; ++i)
+    text = std::max(text, text_size(Face::label, load_text(ui, i)).x);
+  return {left,    left + disc + bars / 2, bars / 2, left + width - ratio_width, left + width,
+          text + 8};
 }
 
 // The length of the bar of the greatest load.
-float full_bar(const Columns& c) { return c.half - 40; }
+float full_bar(const Columns& c) { return std::max(12.0f, c.half - c.text); }
 
 void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Colour colour,
                    const std::string& text) {
@@ -42,18 +57,28 @@ void draw_heading(const Ui& ui, const Columns& c) {
   ImGui::Dummy(ImVec2(1, 18));
 }
 
-void draw_bar(const Ui& ui, const Columns& c, float y, double share, int side,
-              const std::string& load, bool over) {
+// The load of a robot as a bar, which is fainter from the least of a range on, and as a number.
+void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int side) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Outlook& outlook = shown_outlook(ui.state);
+  const LoadRange& load = outlook.loads[number];
+  const bool over = settings(ui.state).capacity && load.greatest > *settings(ui.state).capacity;
   const float way = static_cast<float>(side), full = full_bar(c);
-  const float inner = c.middle + way * 1.5f,
-              outer = c.middle + way * (1.5f + full * static_cast<float>(share));
-  list.AddRectFilled(ImVec2(std::min(inner, outer), y - 6), ImVec2(std::max(inner, outer), y + 6),
-                     (over ? ui.theme.amber : ui.theme.chord).packed(), 3);
-  const ImVec2 size = text_size(Face::label, load);
+  const auto bar = [&](double value, Colour colour) {
+    const double share = outlook.greatest > 0 ? value / outlook.greatest : 0;
+    const float inner = c.middle + way * 1.5f,
+                outer = c.middle + way * (1.5f + full * static_cast<float>(share));
+    list.AddRectFilled(ImVec2(std::min(inner, outer), y - 6), ImVec2(std::max(inner, outer), y + 6),
+                       colour.packed(), 3);
+  };
+  const Colour colour = over ? ui.theme.amber : ui.theme.chord;
+  if (load.greatest > load.least) bar(load.greatest, colour.at(0.45f));
+  bar(load.least, colour);
+  const std::string text = load_text(ui, number);
+  const ImVec2 size = text_size(Face::label, text);
   const float x = c.middle + way * (full + 8);
   draw_text(list, Face::label, ImVec2(side > 0 ? x : x - size.x, y - size.y / 2), ui.theme.text,
-            load);
+            text);
 }
 
 // The disc with which a row begins.
@@ -84,11 +109,8 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   }
   const float y = (low.y + high.y) / 2;
   draw_number(ui, c, y, std::to_string(index + 1));
-  for (int end = 0; end < 2; ++end) {
-    const double load = team.robots[static_cast<std::size_t>(end)].load;
-    draw_bar(ui, c, y, load / placement.loads->max, end == 0 ? -1 : 1,
-             amount(load, placement.loads->max), ui.state.capacity && load > *ui.state.capacity);
-  }
+  for (int end = 0; end < 2; ++end)
+    draw_bar(ui, c, y, 2 * index + static_cast<std::size_t>(end), end == 0 ? -1 : 1);
   const double span = team.robots[0].arm + team.robots[1].arm;
   right_aligned(list, Face::label, c.span, y, ui.theme.text, amount(span, span));
   right_aligned(list, Face::strong_label, c.ratio, y, ui.theme.text, ratio_in_words(team.ratio));
@@ -97,14 +119,16 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
 
 // A line through all bars at the mean load: a longer bar means more than the mean.
 void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
-  const LoadSummary& loads = *ui.state.placement->loads;
-  const float out = 1.5f + full_bar(c) * static_cast<float>(loads.mean / loads.max);
+  const Placement& placement = shown_placement(ui.state);
+  if (!placement.loads) return;
+  const double mean = placement.loads->mean, greatest = shown_outlook(ui.state).greatest;
+  const float out = 1.5f + full_bar(c) * static_cast<float>(mean / greatest);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const float way : {-1.0f, 1.0f}) {
     const float x = c.middle + way * out;
     list.AddLine(ImVec2(x, top), ImVec2(x, bottom), ui.theme.accent.packed(), 1.5f);
   }
-  const std::string text = "even share " + kilograms(loads.mean, loads.max);
+  const std::string text = "even share " + kilograms(mean, greatest);
   const ImVec2 size = text_size(Face::label, text);
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
 }
@@ -128,9 +152,10 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   draw_number(ui, c, y, number);
   const ImVec2 size = text_size(Face::label, words.at[index]);
   draw_text(list, Face::label, ImVec2(c.left + 32, y - size.y / 2), ui.theme.text, words.at[index]);
-  const bool over_capacity = ui.state.capacity && robot.load > *ui.state.capacity;
+  const std::optional<double>& capacity = settings(ui.state).capacity;
+  const bool over_capacity = capacity && shown_outlook(ui.state).loads[index].greatest > *capacity;
   right_aligned(list, Face::strong_label, c.ratio, y,
-                over_capacity ? ui.theme.amber : ui.theme.text, words.loads[index]);
+                over_capacity ? ui.theme.amber : ui.theme.text, load_text(ui, index));
   if (hovered) ui.push(SetHover{pick});
 }
 
@@ -153,7 +178,7 @@ void draw_teams(const Ui& ui) {
     return;
   }
   const std::size_t count = ui.state.placement->teams.size();
-  const Columns c = columns(ImGui::GetCursorScreenPos().x, ImGui::GetContentRegionAvail().x);
+  const Columns c = columns(ui, ImGui::GetCursorScreenPos().x, ImGui::GetContentRegionAvail().x);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 2));
   if (ui.state.placement->settings.method == Method::balanced) {
     draw_robots(ui, c);

@@ -1,4 +1,6 @@
 // The verdict: a large sentence, and an icon that says the same without words.
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ Sign sign_of(const Theme& theme, Mood mood) {
       return {Icon::check, theme.hull_outline};
     case Mood::not_quite:
       return {Icon::warning, theme.amber};
+    case Mood::falls:
+      return {Icon::close, theme.red};
     case Mood::refused:
       return {Icon::stop, theme.amber};
     case Mood::drawing:
@@ -30,16 +34,17 @@ Sign sign_of(const Theme& theme, Mood mood) {
   return {Icon::draw, theme.accent};
 }
 
-// A text in the larger face if it fits into so many of its lines, else in the smaller one.
-void draw_fitting(Colour colour, const std::string& text, float width, Face large, Face small,
+// A text in the first of the faces, from large to small, of which so many lines of the first hold it; or
+// else in the last.
+void draw_fitting(Colour colour, const std::string& text, float width, std::span<const Face> faces,
                   std::size_t lines) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = line_height(large) * static_cast<float>(lines);
-  if (broken_lines(large, text, width).size() <= lines)
-    text_block_of(large, colour, text, width, lines);
-  else
-    text_block_of(small, colour, text, width,
-                  static_cast<std::size_t>(height / line_height(small)));
+  const float height = line_height(faces.front()) * static_cast<float>(lines);
+  const auto room = [&](Face face) { return static_cast<std::size_t>(height / line_height(face)); };
+  const auto fits = [&](Face face) { return broken_lines(face, text, width).size() <= room(face); };
+  const auto found = std::find_if(faces.begin(), faces.end(), fits);
+  const Face face = found == faces.end() ? faces.back() : *found;
+  text_block_of(face, colour, text, width, room(face));
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
 }
 
@@ -74,13 +79,15 @@ void draw_verdict(const Ui& ui) {
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y));
   // The fold button stands to the right of the headline.
   const float free = width - 32 - (ui.layout.wide ? ui.control() - 8 : 0);
-  draw_fitting(ui.theme.text, v.headline, free, Face::verdict, Face::strong, 2);
+  constexpr Face large[] = {Face::verdict, Face::strong, Face::strong_label};
+  draw_fitting(ui.theme.text, v.headline, free, large, 2);
   ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + 4));
-  draw_fitting(ui.theme.second_text, v.detail, width, Face::text, Face::label,
-               ui.layout.wide ? 4 : 3);
+  constexpr Face small[] = {Face::text, Face::label};
+  draw_fitting(ui.theme.second_text, v.detail, width, small, ui.layout.wide ? 4 : 3);
   ImGui::Dummy(ImVec2(width, 0));
   if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
   ImGui::PopStyleVar();
+  draw_failures(ui);
 }
 
 }  // namespace evenlift::view

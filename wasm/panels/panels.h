@@ -17,9 +17,11 @@ void draw_panels(const AppState& state, Commands& commands);
 
 // The sections, each in its own file.
 void draw_verdict(const Ui& ui);
+void draw_failures(const Ui& ui);  // below the verdict, always as high
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);
+void draw_more(const Ui& ui);  // settings that are seldom needed
 void draw_compare(const Ui& ui);
 void draw_comparison(const Ui& ui);  // with a second method
 void draw_overlays(const Ui& ui);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
 #include "tools/drawing.h"
 #include "walkthrough/walkthrough.h"
@@ -10,14 +11,21 @@
 namespace evenlift::view {
 namespace {
 
-Verdict of_placement(const Placement& placement, const std::optional<double>& capacity) {
+Verdict of_placement(const AppState& state) {
+  const Placement& placement = *state.placement;
   const bool as_asked =
       !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
-  const bool overloaded = capacity && placement.loads && placement.loads->max > *capacity;
+  const std::optional<double>& capacity = settings(state).capacity;
+  const bool overloaded = capacity && state.outlook.greatest > *capacity;
   const bool good =
       as_asked && placement.coverage >= good_coverage && is_held(placement) && !overloaded;
   return {good ? Mood::good : Mood::not_quite, loads_in_words(placement),
           detail_in_words(placement)};
+}
+
+Verdict of_failure(const AppState& state, const Failure& failure) {
+  return {mood_of(state, failure.rest), failure_words(state, failure.robot),
+          rest_in_words(failure.placement)};
 }
 
 Verdict of_drawing(const AppState& state) {
@@ -38,6 +46,20 @@ std::string balanced_in_words(const Placement& placement) {
   const TeamInWords team = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   for (std::size_t i = 0; i < team.at.size(); ++i)
     text += " Robot " + std::to_string(i + 1) + " at " + team.at[i] + ".";
+  return text;
+}
+
+// What each of the others bears while a robot fails; of many nothing, since nobody could listen to it.
+std::string loads_while_failing(const Failure& failure) {
+  constexpr std::size_t most = 24;
+  const std::vector<LoadRange>& loads = failure.outlook.loads;
+  std::string text;
+  if (!failure.rest || loads.size() > most) return text;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    if (i == failure.robot) continue;
+    text += " Robot " + std::to_string(i + 1) + " carries " +
+            kilograms(loads[i].least, loads[i].greatest, failure.outlook.greatest) + ".";
+  }
   return text;
 }
 
@@ -62,8 +84,42 @@ std::string news_of_drawing(const AppState& state) {
 }  // namespace
 
 std::string need_in_words(const AppState& state) {
-  if (!state.capacity || !state.placement) return {};
-  return capacity_in_words(*state.placement, *state.capacity, state.plan ? &*state.plan : nullptr);
+  const std::optional<double>& capacity = settings(state).capacity;
+  if (!capacity || !state.placement) return {};
+  std::vector<double> greatest;
+  for (const LoadRange& range : shown_outlook(state).loads) greatest.push_back(range.greatest);
+  return capacity_in_words(*state.placement, *capacity, state.plan ? &*state.plan : nullptr,
+                           overloaded_robots(greatest, *capacity));
+}
+
+std::string model_words(const AppState& state) {
+  const std::optional<ModelLoads>& models = state.outlook.models;
+  return models ? model_in_words(state.load_model, *models) : std::string();
+}
+
+std::string doubt_words(const AppState& state) {
+  const std::optional<ModelLoads>& models = state.outlook.models;
+  const Settings& now = settings(state);
+  if (!models || now.com_radius == 0) return {};
+  const Robustness& robustness = state.outlook.robustness;
+  std::string text = doubt_in_words(*models, robustness, now.com_radius);
+  if (now.capacity) text += " " + doubt_of_capacity_in_words(*models, robustness, *now.capacity);
+  return text;
+}
+
+Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
+  if (!rest) return Mood::falls;
+  const std::optional<double>& capacity = settings(state).capacity;
+  const bool overloaded = capacity && rest->greatest_by_springs > *capacity;
+  return rest->steady && !overloaded ? Mood::good : Mood::not_quite;
+}
+
+std::string failure_words(const AppState& state, std::size_t robot) {
+  const std::size_t all = count_robots(state.placement->teams);
+  if (state.failure && state.failure->robot == robot)
+    return failure_in_words(robot, all, state.failure->rest, settings(state).capacity);
+  if (robot >= state.failures.size()) return {};
+  return failure_in_words(robot, all, state.failures[robot], settings(state).capacity);
 }
 
 Verdict verdict(const AppState& state) {
@@ -73,7 +129,8 @@ Verdict verdict(const AppState& state) {
             state.placement ? "The last result is shown dimmed." : ""};
   }
   if (!state.placement) return {Mood::refused, "Nothing is open.", ""};
-  Verdict v = of_placement(*state.placement, state.capacity);
+  if (const Failure* failure = failing(state)) return of_failure(state, *failure);
+  Verdict v = of_placement(state);
   v.searching = state.search.under_way && !state.placement->search_ended;
   if (v.searching)
     v.detail += state.placement->teams.empty() ? "They are being looked for."
@@ -85,9 +142,11 @@ std::string summary(const AppState& state) {
   const Verdict v = verdict(state);
   if (walkthrough_is_open(state) && !state.refusal) return walkthrough_in_words(state);
   std::string text = v.headline;
-  for (const std::string& more : {v.detail, state.refusal ? std::string() : need_in_words(state)})
-    if (!more.empty()) text += " " + more;
+  if (!v.detail.empty()) text += " " + v.detail;
   if (state.refusal || !state.placement) return text;
+  if (const Failure* failure = failing(state)) return text + loads_while_failing(*failure);
+  for (const std::string& more : {need_in_words(state), model_words(state), doubt_words(state)})
+    if (!more.empty()) text += " " + more;
   const Placement& placement = *state.placement;
   const Settings& settings = placement.settings;
   if (settings.method == Method::balanced) return text + balanced_in_words(placement);
@@ -112,9 +171,11 @@ std::string link_lacks_in_words(const AppState& state) {
   if (state.refusal)
     return "The shape on the screen is refused: the link holds the last one that was not.";
   std::string lacking;
-  for (const auto& [lacks, what] : {std::pair(state.capacity.has_value(), "what a robot carries"),
-                                    {state.second_method.has_value(), "the comparison"},
-                                    {state.by_hand, "where robots were moved by hand"}})
+  for (const auto& [lacks, what] :
+       {std::pair(state.load_model != LoadModel::plan, "which loads are shown"),
+        {failing(state) != nullptr, "that a robot fails"},
+        {state.second_method.has_value(), "the comparison"},
+        {state.by_hand, "where robots were moved by hand"}})
     if (lacks) lacking += (lacking.empty() ? "It does not hold " : ", nor ") + std::string(what);
   return lacking.empty() ? lacking : lacking + ".";
 }
@@ -136,7 +197,8 @@ std::string news(const AppState& state) {
                                     {&Overlays::candidates, "candidates"},
                                     {&Overlays::clockwise, "free clockwise turns"},
                                     {&Overlays::counterclockwise, "free counter-clockwise turns"},
-                                    {&Overlays::tipping, "the force that tips"}})
+                                    {&Overlays::tipping, "the force that tips"},
+                                    {&Overlays::halo, "how far the centre of mass may be off"}})
     if (settings(state).overlays.*shown) lines += std::string("Shown: ") + name + ".\n";
   if (state.second_method)
     lines += "Compared with " + std::string(name(*state.second_method)) + ".\n";

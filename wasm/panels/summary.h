@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-enum class Mood : std::uint8_t { good, not_quite, refused, drawing };
+enum class Mood : std::uint8_t { good, not_quite, falls, refused, drawing };
 
 struct Verdict {
   Mood mood = Mood::good;
@@ -19,9 +19,20 @@ struct Verdict {
 
 Verdict verdict(const AppState& state);
 
+// What happens if a robot fails: it falls, or it is not quite well because it can tip or a robot is overloaded.
+Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
+
+// The same in words, of the robot with this number, from 0: what happens if it fails, if that is known.
+std::string failure_words(const AppState& state, std::size_t robot);
+
 // With a capacity of one robot: whether each stays within it, and how many robots are needed; else
 // empty.
 std::string need_in_words(const AppState& state);
+
+// What the loads that are shown presume, if they are not the plan's, and what a doubt about the centre of mass changes, each a
+// sentence or two; empty for the plan without doubt.
+std::string model_words(const AppState& state);
+std::string doubt_words(const AppState& state);
 
 // What is on the screen but not in the link, in whole sentences; empty if the link holds everything.
 std::string link_lacks_in_words(const AppState& state);

@@ -1,7 +1,11 @@
 // The card that answers "why here?" beside what was pressed.
 #include <algorithm>
+#include <string>
 
+#include "evenlift/output/robustness_words.h"
+#include "evenlift/output/words.h"
 #include "panels/panels.h"
+#include "panels/summary.h"
 #include "ui/widgets.h"
 
 namespace evenlift::view {
@@ -52,6 +56,29 @@ void draw_row(const Ui& ui, const Explanation::Row& row) {
   ImGui::Dummy(ImVec2(width, fits ? 18.0f : 36.0f));
 }
 
+// While a robot fails: what holds then of the one that the card is about.
+void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
+  if (failure.robot == robot) {
+    text_block(Face::label, ui.theme.text, failure_words(ui.state, robot));
+    text_block(Face::label, ui.theme.second_text, rest_in_words(failure.placement));
+    return;
+  }
+  const LoadRange& load = failure.outlook.loads[robot];
+  draw_row(ui, {"It carries now",
+                failure.rest ? kilograms(load.least, load.greatest, failure.outlook.greatest)
+                             : std::string("nothing")});
+  draw_row(ui, {"Robot " + std::to_string(failure.robot + 1), "fails"});
+}
+
+// Lets the robot of the card fail, or brings it back.
+void draw_fail_button(const Ui& ui, std::size_t robot) {
+  const Failure* failure = failing(ui.state);
+  const bool failed = failure && failure->robot == robot;
+  if (flat_button(ui, "fail", failed ? "Back to work" : "Let it fail",
+                  ImGui::GetContentRegionAvail().x))
+    ui.push(Fail{failed ? std::nullopt : std::optional<std::size_t>(robot)});
+}
+
 }  // namespace
 
 void draw_why_card(const Ui& ui) {
@@ -68,8 +95,14 @@ void draw_why_card(const Ui& ui) {
   if (icon_button(ui, "close explanation", Icon::close, true, "Close (Esc)", ui.control()))
     ui.push(Explain{});
   ImGui::SetCursorScreenPos(after);
-  for (const Explanation::Row& row : explanation.rows) draw_row(ui, row);
-  if (!explanation.reason.empty()) text_block(Face::label, ui.theme.text, explanation.reason);
+  const Failure* failure = failing(ui.state);
+  if (failure && explanation.robot) {
+    draw_failing(ui, *failure, *explanation.robot);
+  } else {
+    for (const Explanation::Row& row : explanation.rows) draw_row(ui, row);
+    if (!explanation.reason.empty()) text_block(Face::label, ui.theme.text, explanation.reason);
+  }
+  if (explanation.robot && !walkthrough_is_open(ui.state)) draw_fail_button(ui, *explanation.robot);
   if (explanation.step &&
       flat_button(ui, "show in lesson", "Show in the lesson", ImGui::GetContentRegionAvail().x))
     ui.push(ShowInLesson{*explanation.step});

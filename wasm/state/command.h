@@ -139,8 +139,20 @@ struct ShowAllSteps {
 struct Compare {
   std::optional<Method> method;
 };
+// Lets a robot fail, by its number from 0; with nothing, all of them work again.
+struct Fail {
+  std::optional<std::size_t> robot;
+};
+struct SetLoadModel {
+  LoadModel model;
+};
+// Settings that place nothing; each is one step of undo, live ones until EndEdit.
 struct SetCapacity {
   std::optional<double> capacity;
+};
+struct SetComRadius {
+  double radius;
+  bool live = false;
 };
 struct SetMotion {
   bool on;
@@ -163,6 +175,9 @@ struct ZoomView {
   double factor;
 };
 struct SetPanelOpen {
+  bool open;
+};
+struct SetMoreOpen {
   bool open;
 };
 // The panels report whether a list of choices is open.
@@ -192,12 +207,13 @@ using Command =
     std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
                  OpenDocument, SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show,
                  SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack,
-                 FinishDrawing, SetDrawCursor, TypeEdge, SetSnap, Compare, SetCapacity, SetMotion,
-                 OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying,
-                 SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain,
-                 ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover,
-                 SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen, ListIsOpen, CloseList,
-                 SetSheet, MeasureSheet, CopyLink, TypeValue, OpenDialog, ShowNotice>;
+                 FinishDrawing, SetDrawCursor, TypeEdge, SetSnap, Compare, Fail, SetLoadModel,
+                 SetCapacity, SetComRadius, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep,
+                 MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice,
+                 AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
+                 SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView,
+                 SetPanelOpen, SetMoreOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet, CopyLink,
+                 TypeValue, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -16,7 +16,7 @@ struct Explanation {
   };
   Vec2 at = Vec2::Zero();            // what it is about, in polygon coordinates
   bool second = false;               // whether it is in the picture of the second method
-  std::optional<std::size_t> robot;  // the balanced robot that it is about, by its number from 0
+  std::optional<std::size_t> robot;  // that it is about, in the first picture: its number from 0
   std::string title;
   std::vector<Row> rows;
   std::string reason;

@@ -26,7 +26,8 @@ constexpr const char* words[] = {"opened a polygon",
                                  "changed the comparison",
                                  "left a lesson",
                                  "changed the number of robots",
-                                 "changed what balanced robots are for"};
+                                 "changed what balanced robots are for",
+                                 "changed how well the centre of mass is known"};
 static_assert(std::size(words) == edit_count);
 
 }  // namespace

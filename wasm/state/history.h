@@ -33,16 +33,16 @@ enum class Edit : std::uint8_t {
   comparison,
   lesson_left,
   robots,
-  goal
+  goal,
+  com_radius
 };
-inline constexpr std::size_t edit_count = 19;
+inline constexpr std::size_t edit_count = 20;
 
 // "moved a vertex". O(1).
 const char* in_words(Edit edit);
 
 // What undo brings back besides the document.
 struct Beside {
-  std::optional<double> capacity;
   std::optional<Method> second_method;
   bool operator==(const Beside&) const = default;
 };

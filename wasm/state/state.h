@@ -14,6 +14,7 @@
 #include "state/camera.h"
 #include "state/explanation.h"
 #include "state/history.h"
+#include "state/outlook.h"
 #include "state/walkthrough_state.h"
 
 namespace evenlift::view {
@@ -30,7 +31,8 @@ struct Pick {
     edge,
     object,
     frame,
-    ground
+    ground,
+    doubt  // the grip of the ring within which the centre of mass is known
   };
   Kind kind = Kind::none;
   std::size_t index = 0;   // of the vertex, edge, team or candidate; of the frame its grip
@@ -114,11 +116,16 @@ struct AppState {
   Snap snap;
   std::optional<Method> second_method;  // the method shown beside the document's
   std::optional<Placement> second;      // its placement, of the same document
-  std::optional<double> capacity;       // of one robot, in the unit of the weight
-  std::optional<CapacityPlan> plan;     // for that capacity; not renewed during a drag
+  std::optional<CapacityPlan> plan;     // for the capacity; not renewed during a drag
   std::optional<double> best_ratio;     // if no chord has the minimum load ratio: the best there is
   bool plan_due = false;                // the plan may have changed
-  bool motion = true;                   // changes are animated, except with reduced motion
+  LoadModel load_model = LoadModel::plan;             // whose loads are shown
+  Outlook outlook, second_outlook;                    // of the placement and of the second one
+  std::vector<std::optional<RestOfRobots>> failures;  // if one robot of the placement fails; empty
+                                                      // while that is not known
+  bool failures_due = true;                           // they are to be found out
+  std::optional<Failure> failure;                     // the robot that somebody let fail
+  bool motion = true;  // changes are animated, except with reduced motion
   Search search;
   bool by_hand = false;  // somebody moved the balanced robots from where they were found
 
@@ -137,6 +144,7 @@ struct AppState {
   Screen screen;
   bool presenting = false;  // the walkthrough is shown to a room
   bool panel_open = true;
+  bool more_open = false;   // the part of the settings that is seldom needed
   bool list_open = false;   // whether the last frame showed a list of choices
   bool close_list = false;  // the next frame closes it
   Sheet sheet = Sheet::closed;
@@ -146,6 +154,25 @@ struct AppState {
 
 inline bool walkthrough_is_open(const AppState& state) {
   return state.walkthrough.trace.has_value();
+}
+
+// The robot that fails in the picture; null if none does. A lesson and a shape that is being drawn or
+// refused show none. O(1).
+inline const Failure* failing(const AppState& state) {
+  const bool shown =
+      state.failure && !state.refusal && state.tool != Tool::draw && !walkthrough_is_open(state);
+  return shown ? &*state.failure : nullptr;
+}
+
+// The placement in one of the two pictures, with a robot that fails, and what its robots bear; there must
+// be one. O(1).
+inline const Placement& shown_placement(const AppState& state, bool second = false) {
+  if (second) return *state.second;
+  return failing(state) ? failing(state)->placement : *state.placement;
+}
+inline const Outlook& shown_outlook(const AppState& state, bool second = false) {
+  if (second) return state.second_outlook;
+  return failing(state) ? failing(state)->outlook : state.outlook;
 }
 
 // The settings in force. O(1).

@@ -1,5 +1,7 @@
 #include "tools/pick.h"
 
+#include <algorithm>
+
 #include "evenlift/output/picture.h"
 #include "evenlift/plane.h"
 
@@ -27,6 +29,8 @@ Pick part_at(const AppState& state, const Vec2& screen) {
     nearest.offer(distance(state.camera.to_screen(vertices[i]), screen),
                   {Pick::Kind::vertex, i, 0, vertices[i]});
   }
+  if (const std::optional<Vec2> grip = doubt_grip(state))
+    nearest.offer(distance(*grip, screen), {Pick::Kind::doubt, 0, 0, state.camera.to_world(*grip)});
   const Vec2 centre = centre_of_mass(state);
   nearest.offer(distance(state.camera.to_screen(centre), screen),
                 {Pick::Kind::centre, 0, 0, centre});
@@ -88,6 +92,29 @@ Pick candidate_at(const AppState& state, const Placement& placement, const Vec2&
 
 }  // namespace
 
+namespace {
+
+// CSS pixels between the ring and its grip.
+double grip_stands_off(const AppState& state) { return state.screen.finger ? 40 : 28; }
+
+}  // namespace
+
+std::optional<Vec2> doubt_grip(const AppState& state) {
+  const bool shown = settings(state).overlays.halo && !state.screen.embed &&
+                     state.tool == Tool::parts && !state.refusal && !walkthrough_is_open(state);
+  if (!shown || !state.placement || state.placement->teams.empty()) return std::nullopt;
+  const Vec2 up_and_right(0.70710678, -0.70710678);
+  return Vec2(state.camera.to_screen(centre_of_mass(state)) +
+              up_and_right *
+                  (settings(state).com_radius * state.camera.scale + grip_stands_off(state)));
+}
+
+double doubt_for_grip(const AppState& state, const Vec2& screen) {
+  const double away = distance(state.camera.to_screen(centre_of_mass(state)), screen);
+  const double radius = std::max(0.0, away - grip_stands_off(state)) / state.camera.scale;
+  return std::max(0.0, rounded_to_pixels(state.camera, Vec2(radius, 0)).x());
+}
+
 Vec2 centre_of_mass(const AppState& state) {
   if (state.document.centre_of_mass) return *state.document.centre_of_mass;
   if (state.placement) return state.placement->centre_of_mass;
@@ -96,7 +123,7 @@ Vec2 centre_of_mass(const AppState& state) {
 
 const Placement* current_placement(const AppState& state, bool second) {
   const std::optional<Placement>& placement = second ? state.second : state.placement;
-  return placement && !state.refusal ? &*placement : nullptr;
+  return placement && !state.refusal ? &shown_placement(state, second) : nullptr;
 }
 
 Pick pick(const AppState& state, const Vec2& screen, bool second) {

@@ -21,6 +21,11 @@ Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second = false
 // count while they are shown. O(teams + candidates).
 Pick pick_explained(const AppState& state, const Vec2& screen, bool second = false);
 
+// The grip that sets within which distance the centre of mass is known, in CSS pixels: it stands off the ring, so that it can
+// be taken where the ring is small. None while there is no ring to be seen. And the distance for a grip that is moved there.
+std::optional<Vec2> doubt_grip(const AppState& state);
+double doubt_for_grip(const AppState& state, const Vec2& screen);
+
 // The document's centre of mass; if it has none, that of the last good placement.
 Vec2 centre_of_mass(const AppState& state);
 

@@ -29,7 +29,7 @@ struct Theme {
   Colour robot, robot_ring, robot_track, robot_text;
   Colour chord, candidate;
   Colour accent, on_accent;
-  Colour amber, amber_ground;
+  Colour amber, amber_ground, red;
   // On the object, which is light in both themes.
   Colour accent_on_object, amber_on_object;
   Colour shadow;

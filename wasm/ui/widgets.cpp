@@ -141,6 +141,14 @@ void draw_swatch(const Ui& ui, Swatch swatch, ImVec2 low, bool on) {
         list.AddRectFilled(ImVec2(left, low.y), ImVec2(left + 4, high.y), band.packed());
       }
       break;
+    case Swatch::halo:
+      list.AddCircleFilled(ImVec2(low.x + 8, y), 2.5f, shade(t.text).packed(), 12);
+      for (int i = 0; i < 8; ++i) {
+        const float from = static_cast<float>(i) * 0.785f;
+        list.PathArcTo(ImVec2(low.x + 8, y), 7, from, from + 0.5f, 4);
+        list.PathStroke(shade(t.hull_outline).packed(), 0, 1.5f);
+      }
+      break;
     case Swatch::candidate:
       for (float x = 0; x < 16; x += 6) {
         list.AddLine(ImVec2(low.x + x, y), ImVec2(low.x + x + 3.5f, y),
@@ -431,6 +439,33 @@ SliderResult slider(const Ui& ui, const char* id, const char* label, double valu
   list.AddCircleFilled(ImVec2(x, y), knob, ui.theme.panel.packed(), 32);
   list.AddCircle(ImVec2(x, y), knob, ink.packed(), 32, 2);
   return result;
+}
+
+RowOfPlaces row_of_places(const Ui& ui, const char* id, const char* label, const std::string& value,
+                          std::size_t count, std::optional<std::size_t> taken, ImVec2 size) {
+  const double at = taken ? static_cast<double>(*taken) + 1 : 0, most = static_cast<double>(count);
+  Control control = slider_control(id, label, at, 0, most, 1);
+  control.value = value;
+  control.enabled = count > 0;
+  const Area a = area(ui, size, std::move(control));
+  if (ImGui::IsItemActivated()) slider_held = true;
+  if (ImGui::IsItemDeactivated()) slider_held = false;
+  RowOfPlaces row{a.low, a.high, {}, taken};
+  if (count == 0) return row;
+  if (a.asked.moved && *a.asked.moved >= 0 && *a.asked.moved <= most) {
+    const auto place = static_cast<std::size_t>(std::round(*a.asked.moved));
+    row.taken = place > 0 ? std::optional(place - 1) : std::nullopt;
+    return row;
+  }
+  const ImGuiIO& io = ImGui::GetIO();
+  const float share = std::clamp((io.MousePos.x - a.low.x) / size.x, 0.0f, 1.0f);
+  const auto under =
+      std::min(count - 1, static_cast<std::size_t>(static_cast<double>(share) * most));
+  if (a.hovered || a.active) row.hovered = under;
+  const bool slid = io.MouseDragMaxDistanceSqr[0] > shake * shake;
+  if (a.active && slid) row.taken = under;
+  if (a.pressed && !slid) row.taken = taken == under ? std::nullopt : std::optional(under);
+  return row;
 }
 
 bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on, bool enabled) {

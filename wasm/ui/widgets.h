@@ -99,8 +99,19 @@ struct Track {
 SliderResult slider(const Ui& ui, const char* id, const char* label, double value, double low,
                     double high, double step, float width, const Track& track, bool counts = true);
 
+// A row of places at the cursor, of which a press takes one, and a pointer that is held and moves along takes one after
+// another; a press on the one that is taken gives it up. The caller draws it. In the mirror it is a slider, on which 0 is
+// none, and `value` says in words what is taken.
+struct RowOfPlaces {
+  ImVec2 low, high;
+  std::optional<std::size_t> hovered;
+  std::optional<std::size_t> taken;  // from now on
+};
+RowOfPlaces row_of_places(const Ui& ui, const char* id, const char* label, const std::string& value,
+                          std::size_t count, std::optional<std::size_t> taken, ImVec2 size);
+
 // How an overlay is drawn in the picture.
-enum class Swatch { hull, clockwise, counterclockwise, chord, candidate, tipping };
+enum class Swatch { hull, clockwise, counterclockwise, chord, candidate, tipping, halo };
 bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on,
           bool enabled = true);
 

@@ -63,7 +63,9 @@ void explain_team(Explanation& explanation, const Placement& placement, const Pi
   const std::string of_all = "\u00A0kg of " + plain(placement.settings.weight) + "\u00A0kg";
   if (pick.kind == Pick::Kind::robot) {
     const auto end = static_cast<std::size_t>(pick.end);
-    explanation.title = "A robot of team " + number(pick.index);
+    const std::size_t robot = 2 * pick.index + end;
+    if (!pick.second) explanation.robot = robot;
+    explanation.title = "Robot " + number(robot) + ", of team " + number(pick.index);
     explanation.rows.push_back({"It carries", words.loads[end] + of_all});
     explanation.rows.push_back({"The other end carries", words.loads[1 - end] + "\u00A0kg"});
   } else {

@@ -8,7 +8,7 @@ const lines = (text) => text.split("\n").filter(Boolean);
 let last;  // which text the module holds
 
 // Reads a text; `tolerance` is the distance between curves and edges, or 0 for the usual one. Returns { problem }, a
-// sentence, or { format, unit, notes, capacity, shapes }; each shape has its description in words, the tolerance that its
+// sentence, or { format, unit, notes, shapes }; each shape has its description in words, the tolerance that its
 // curves have (or 0), outline() for a picture, and text() for the program, which with its settings may be a link.
 export async function readShapes(text, tolerance = 0) {
   let program;
@@ -37,7 +37,7 @@ export async function readShapes(text, tolerance = 0) {
     text: (withSettings) => asked("import_text", i, withSettings ? 1 : 0),
   });
   return {
-    format: program.text("import_format"), unit: program.text("import_unit"), notes: lines(program.text("import_notes")), capacity: program.text("import_capacity"),
+    format: program.text("import_format"), unit: program.text("import_unit"), notes: lines(program.text("import_notes")),
     shapes: Array.from({ length: program.number("import_count") }, shape),
   };
 }

@@ -106,6 +106,7 @@ export function showControl(entry, control) {
   if (control.kind === "slider") {
     Object.assign(element, { min: control.low, max: control.high, step: control.step });
     if (element.valueAsNumber !== control.at) element.value = control.at;
+    if (control.value) setAttribute(element, "aria-valuetext", control.value);
   }
   if (control.kind !== "number") return;
   if (element !== document.activeElement) element.value = control.value;

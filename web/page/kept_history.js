@@ -28,14 +28,14 @@ const parts = (line) => line.split(" ");
 
 function restore(program, text) {
   const own = lines(program, Infinity).map(parts);
-  if (own.length === mostSteps || own.some(([, , , , link]) => !link)) return;  // they could not all be written and read
-  const kept = text.split("\n").map(parts).filter((line) => line.length === 5);
+  if (own.length === mostSteps || own.some(([, , , link]) => !link)) return;  // they could not all be written and read
+  const kept = text.split("\n").map(parts).filter((line) => line.length === 4);
   const [past, future] = ["<", ">"].map((mark) => kept.filter(([first]) => first === mark));
   // A polygon that was refused is opened as an edit of the last good one, which may be kept as a step already.
-  if (own.length && own.at(-1)[4] === past[0]?.[4]) past.shift();
+  if (own.length && own.at(-1)[3] === past[0]?.[3]) past.shift();
   program.call("page_forget_steps");
-  for (const [mark, edit, capacity, method, link] of [...past.reverse(), ...own.reverse(), ...(own.length ? [] : future.reverse())]) {
-    program.call("page_add_step", mark === ">" ? 1 : 0, Number(edit), Number(capacity), Number(method), link);
+  for (const [mark, edit, method, link] of [...past.reverse(), ...own.reverse(), ...(own.length ? [] : future.reverse())]) {
+    program.call("page_add_step", mark === ">" ? 1 : 0, Number(edit), Number(method), link);
   }
 }
 

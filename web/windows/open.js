@@ -41,21 +41,20 @@ async function openShapes(page, source) {
   if (found.problem) return found.problem;
   const { unit, notes, shapes } = found;
   const said = [...(unit ? [`lengths are in ${unit}`] : []), ...notes.slice(0, 2)];
-  if (shapes.length === 1) return openShape(page, source, shapes[0], found, said);
+  if (shapes.length === 1) return openShape(page, source, shapes[0], said);
   closeWindows();
   await chooseShape(page, source, found);
 }
 
 function chooseShape(page, source, found, tolerance) {
-  return showShapes({ ...source, found, tolerance, choose: (shape, of) => openShape(page, source, shape, of) });
+  return showShapes({ ...source, found, tolerance, choose: (shape) => openShape(page, source, shape) });
 }
 
 // `said` is what the notice says of the text besides; the window of shapes says it itself.
-function openShape(page, source, shape, { capacity }, said = []) {
+function openShape(page, source, shape, said = []) {
   const { what, how } = source;
   const problem = page.program.text(how, shape.text(how === "page_load"));
   if (problem) return problem;
-  if (capacity && how === "page_load") page.program.text("page_set", `capacity=${capacity}`);
   curved = shape.tolerance ? { ...source, tolerance: shape.tolerance } : undefined;
   const more = [...said, ...(shape.tolerance ? [`curves were flattened to within ${shape.tolerance}, which “Open” can change`] : [])];
   done(page, `${what} is opened. ${sentences(more)} ${undo}`.replace("  ", " "));

@@ -56,6 +56,7 @@ struct Overlays {
   bool clockwise = true;         // region of free clockwise rotation centres
   bool counterclockwise = true;  // region of free counter-clockwise rotation centres
   bool tipping = false;          // heat map of the force that tips
+  bool halo = false;             // how far the centre of mass may be off before the object tips
   bool operator==(const Overlays&) const = default;
 };
 
@@ -76,6 +77,10 @@ struct Settings {
                                 // length; none means 0.12 R
   std::uint32_t survive = 0;    // failures of balanced robots that should leave the object
                                 // steady; they take at least 2 survive + 3 robots
+  double com_radius = 0;  // the centre of mass is known only within this distance, >= 0 and finite,
+                          // in units of length; nothing is placed otherwise for it
+  std::optional<double> capacity;  // what one robot can carry, > 0 and finite, in the unit of the
+                                   // weight; none means no limit; nor is anything for it
   bool operator==(const Settings&) const = default;
 };
 

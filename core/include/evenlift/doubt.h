@@ -20,6 +20,11 @@ struct LoadRange {
   double least = 0, greatest = 0;
 };
 
+// Whether the model's loads have ranges: those of plan and springs have. O(1).
+constexpr bool has_ranges(LoadModel model) {
+  return model == LoadModel::plan || model == LoadModel::springs;
+}
+
 // The loads of robots that are in equilibrium with `loads` and give way like springs, while C is
 // anywhere within the radius: load +- radius * per_length, but never less than 0. Exact up to the
 // radius springs.same_within; beyond it robots let go or take hold, and others bear more. O(m).

@@ -50,4 +50,9 @@ std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon,
                                                          double weight,
                                                          const std::vector<Team>& teams);
 
+// The same of one robot, as find_robot() (loads.h) counts them.
+std::optional<RestOfRobots> single_failure(const Polygon& polygon, const Vec2& centre,
+                                           double weight, const std::vector<Team>& teams,
+                                           std::size_t robot);
+
 }  // namespace evenlift

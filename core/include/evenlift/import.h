@@ -37,7 +37,6 @@ struct Import {
   std::vector<std::string> notes;  // what was left out or decided, as sentences without full stops
   std::string unit;           // in words, such as "millimetres", or empty if the text names none
   bool has_settings = false;  // the shape's settings are the text's: evenlift wrote it
-  std::optional<double> capacity;  // of a robot, from a result
 };
 
 // Reads a text. Its content shows in which format it is:

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "evenlift/doubt.h"
 #include "evenlift/failures.h"
 #include "evenlift/load_models.h"
 #include "evenlift/placement.h"
@@ -33,6 +34,12 @@ struct ModelLoads {
 };
 std::optional<ModelLoads> model_loads(const Placement& placement);
 
+// What each robot bears by a model, as it is shown: a range if C is known only within `com_radius` > 0
+// and the model has ranges (doubt.h, which says how far they are exact), and else one value. Of the best
+// loads only the greatest is known, so each robot has that. Without `models` it is the plan. O(m).
+std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
+                                const std::optional<ModelLoads>& models, double com_radius);
+
 // How much may go wrong before the object is not carried any more or tips; see failures.h and
 // doubt.h. O(n + m log m).
 struct Robustness {
@@ -43,5 +50,18 @@ Robustness robustness(const Placement& placement);
 
 // What happens if one robot fails, for each of them; see failures.h. Besides, O(n log n).
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement);
+
+// The same of one robot, as find_robot() (loads.h) counts them.
+std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot);
+
+// What the others bear by springs if the robot with this number fails, in the row of all robots, in
+// which it bears nothing itself. None if the others do not carry the object. O(m log m).
+std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot);
+
+// The placement while the robot with this number fails, for pictures and words. All robots are still
+// in their row; H, coverage, closure and loads are those of the others, who share the weight by
+// springs. Where they do not carry the object nobody bears anything, there is no summary of loads, and
+// no part of the object is safe to push on. O(n log n).
+Placement with_failure(Placement placement, std::size_t robot);
 
 }  // namespace evenlift

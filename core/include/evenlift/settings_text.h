@@ -22,6 +22,7 @@ enum class Setting : std::uint8_t {
   capacity,
   com_radius,
   loads,
+  failed,
   robots,
   goal,
   min_margin,
@@ -55,19 +56,16 @@ InputError setting_error(Setting setting);
 //   min_margin a number from 0 to 1
 //   apart      a number of at least 0
 //   survive    a whole number from 0 to 30
+//   com_radius a number of at least 0
+//   capacity   a number above 0, or "none"
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
 // hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text and any
-// value out of range is an error and changes nothing. capacity, com_radius and loads are no settings
-// of a document and always an error. O(bytes).
+// value out of range is an error and changes nothing. loads and failed are no settings of a document
+// and always an error. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
-// The load that one robot can carry, in the unit of the weight, from text: a number above 0.
-// O(bytes).
-std::optional<double> read_capacity(std::string_view text);
-
-// The radius within which the centre of mass is known, in the unit of the coordinates, from text: a
-// number from 0. O(bytes).
-std::optional<double> read_com_radius(std::string_view text);
+// The number of the robot that fails, from 1, from text: a whole number, or "none", which is 0. O(bytes).
+std::optional<std::uint64_t> read_failed(std::string_view text);
 
 // Checks that each setting by itself is in its range. The error's place names the setting. Whether
 // settings go together is checked by check_settings() (placement.h). O(1).
@@ -76,5 +74,6 @@ std::optional<InputError> check_ranges(const Settings& settings);
 // The rules themselves. O(1).
 bool is_min_ratio(double value);  // 0 <= value <= 1
 bool is_weight(double value);     // 0 < value, finite; also the rule of a capacity
+bool is_length(double value);     // 0 <= value, finite; the rule of apart and com_radius
 
 }  // namespace evenlift

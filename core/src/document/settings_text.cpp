@@ -22,12 +22,14 @@ constexpr Entry entries[] = {
     {Setting::weight, "weight", "the weight is a number greater than 0"},
     {Setting::seed, "seed", "the seed is a whole number from 0 to 18446744073709551615"},
     {Setting::overlays, "overlays",
-     "the overlays are none, or some of candidates, chords, hull, clockwise, counterclockwise and tipping"},
+     "the overlays are none, or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo"},
     {Setting::step, "step", "the step is a whole number from 0 to 4294967295, or none"},
-    {Setting::capacity, "capacity", "the capacity of a robot is a number greater than 0"},
+    {Setting::capacity, "capacity", "the capacity of a robot is a number greater than 0, or none"},
     {Setting::com_radius, "com_radius",
      "the radius within which the centre of mass is known is a number of at least 0"},
     {Setting::loads, "loads", "the loads are those of plan, springs, best or worst"},
+    {Setting::failed, "failed",
+     "the robot that fails is its number, a whole number from 1, or none"},
     {Setting::robots, "robots", "the number of robots is a whole number from 2 to 64"},
     {Setting::goal, "goal", "the goal is cover or hold"},
     {Setting::min_margin, "min_margin", "the margin of a firm hold is a number from 0 to 1"},
@@ -58,6 +60,7 @@ constexpr NamedOverlay overlay_names[] = {
     {"clockwise", &Overlays::clockwise},
     {"counterclockwise", &Overlays::counterclockwise},
     {"tipping", &Overlays::tipping},
+    {"halo", &Overlays::halo},
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -78,8 +81,6 @@ bool is_team_count(std::uint32_t value) { return value >= 1 && value <= max_team
 bool is_robot_count(std::uint32_t value) { return value >= least_robots && value <= most_robots; }
 
 bool is_min_margin(double value) { return value >= 0 && value <= 1; }
-
-bool is_apart(double value) { return value >= 0 && std::isfinite(value); }
 
 // Each reader returns whether the text is a value of its setting, and changes the setting only
 // then.
@@ -133,7 +134,7 @@ bool read_seed(std::string_view text, Settings& settings) {
 }
 
 bool read_overlays(std::string_view text, Settings& settings) {
-  Overlays shown{false, false, false, false, false, false};
+  Overlays shown{false, false, false, false, false, false, false};
   while (text != "none") {
     const std::string_view word = text.substr(0, text.find(','));
     const NamedOverlay* found = nullptr;
@@ -171,7 +172,7 @@ bool read_min_margin(std::string_view text, Settings& settings) {
 
 bool read_apart(std::string_view text, Settings& settings) {
   const std::optional<double> value = read_number(text);
-  if (!value || !is_apart(*value)) return false;
+  if (!value || !is_length(*value)) return false;
   settings.apart = *value;
   return true;
 }
@@ -180,6 +181,20 @@ bool read_survive(std::string_view text, Settings& settings) {
   const std::optional<std::uint32_t> failures = read_whole_32(text);
   if (!failures || *failures > most_survived) return false;
   settings.survive = *failures;
+  return true;
+}
+
+bool read_capacity(std::string_view text, Settings& settings) {
+  const std::optional<double> value = read_number(text);
+  if (value ? !is_weight(*value) : text != "none") return false;
+  settings.capacity = value;
+  return true;
+}
+
+bool read_com_radius(std::string_view text, Settings& settings) {
+  const std::optional<double> value = read_number(text);
+  if (!value || !is_length(*value)) return false;
+  settings.com_radius = *value;
   return true;
 }
 
@@ -209,8 +224,11 @@ bool read(Setting setting, std::string_view text, Document& document) {
     case Setting::step:
       return read_step(text, document.settings);
     case Setting::capacity:
+      return read_capacity(text, document.settings);
     case Setting::com_radius:
+      return read_com_radius(text, document.settings);
     case Setting::loads:
+    case Setting::failed:
       return false;
     case Setting::robots:
       return read_robots(text, document.settings);
@@ -249,14 +267,10 @@ std::optional<InputError> read_setting(Setting setting, std::string_view text, D
   return setting_error(setting);
 }
 
-std::optional<double> read_capacity(std::string_view text) {
-  const std::optional<double> value = read_number(text);
-  return value && is_weight(*value) ? value : std::nullopt;
-}
-
-std::optional<double> read_com_radius(std::string_view text) {
-  const std::optional<double> value = read_number(text);
-  return value && *value >= 0 && std::isfinite(*value) ? value : std::nullopt;
+std::optional<std::uint64_t> read_failed(std::string_view text) {
+  if (text == "none") return 0;
+  const std::optional<std::uint64_t> number = read_whole(text);
+  return number && *number > 0 ? number : std::nullopt;
 }
 
 std::optional<InputError> check_ranges(const Settings& settings) {
@@ -266,13 +280,17 @@ std::optional<InputError> check_ranges(const Settings& settings) {
   if (!is_weight(settings.weight)) return setting_error(Setting::weight);
   if (!is_robot_count(settings.robots)) return setting_error(Setting::robots);
   if (!is_min_margin(settings.min_margin)) return setting_error(Setting::min_margin);
-  if (settings.apart && !is_apart(*settings.apart)) return setting_error(Setting::apart);
+  if (settings.apart && !is_length(*settings.apart)) return setting_error(Setting::apart);
   if (settings.survive > most_survived) return setting_error(Setting::survive);
+  if (!is_length(settings.com_radius)) return setting_error(Setting::com_radius);
+  if (settings.capacity && !is_weight(*settings.capacity)) return setting_error(Setting::capacity);
   return std::nullopt;
 }
 
 bool is_min_ratio(double value) { return value >= 0 && value <= 1; }
 
 bool is_weight(double value) { return value > 0 && std::isfinite(value); }
+
+bool is_length(double value) { return value >= 0 && std::isfinite(value); }
 
 }  // namespace evenlift

@@ -35,6 +35,7 @@ class JsonShapes {
                                          Document& document) const;
   std::string value_text(Index at) const;
   std::optional<InputError> take_balanced(Document& document) const;
+  std::optional<InputError> take_doubt(Document& document) const;
   std::optional<InputError> take_settings(Document& document);
   std::optional<InputError> take_overlays(Index overlays, Settings& settings) const;
 
@@ -79,7 +80,8 @@ std::optional<InputError> JsonShapes::take_overlays(Index overlays, Settings& se
                                                     {"hull", &o.lifting_base},
                                                     {"clockwise", &o.clockwise},
                                                     {"counterclockwise", &o.counterclockwise},
-                                                    {"tipping", &o.tipping}};
+                                                    {"tipping", &o.tipping},
+                                                    {"halo", &o.halo}};
   for (const auto& [name, overlay] : all) {
     const auto at = tree_.member(overlays, name);
     if (!at) continue;
@@ -140,9 +142,23 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
     if (auto wrong = take_balanced(document)) return wrong;
   if (const auto at = tree_.member(0, "overlays"); is(at, Kind::object))
     if (auto wrong = take_overlays(*at, document.settings)) return wrong;
-  if (const auto at = tree_.member(0, "capacity"); is(at, Kind::object))
-    if (const auto limit = tree_.member(*at, "limit"); is(limit, Kind::number))
-      gathering_.import.capacity = read_capacity(shortest(tree_.number(*limit)));
+  return take_doubt(document);
+}
+
+// What one robot carries and how well the centre of mass is known: of a link by themselves, of a result within what was
+// found out about them.
+std::optional<InputError> JsonShapes::take_doubt(Document& document) const {
+  const auto within = [&](const char* object, const char* member) {
+    const auto at = tree_.member(0, object);
+    return is(at, Kind::object) ? tree_.member(*at, member) : at;
+  };
+  for (const auto& [setting, at] : {std::pair(Setting::capacity, tree_.member(0, "capacity")),
+                                    {Setting::capacity, within("capacity", "limit")},
+                                    {Setting::com_radius, tree_.member(0, "com_radius")},
+                                    {Setting::com_radius, within("robustness", "com_radius")}})
+    if (is(at, Kind::number))
+      if (auto wrong = take_setting(setting, *at, shortest(tree_.number(*at)), document))
+        return wrong;
   return std::nullopt;
 }
 

@@ -14,6 +14,10 @@ namespace {
 // Settings change (test_link.cpp compares the two).
 constexpr double usual_min_margin = 0.05;
 constexpr std::uint32_t usual_survive = 0;
+constexpr double usual_com_radius = 0;
+
+// The payload of an overlay that is shown.
+constexpr const char* shown = "shown";
 
 std::optional<Setting> setting_of(Tag tag) {
   switch (tag) {
@@ -27,18 +31,17 @@ std::optional<Setting> setting_of(Tag tag) {
       return Setting::apart;
     case Tag::survive:
       return Setting::survive;
+    case Tag::com_radius:
+      return Setting::com_radius;
+    case Tag::capacity:
+      return Setting::capacity;
     default:
       return std::nullopt;
   }
 }
 
-}  // namespace
-
-bool is_known(Tag tag) { return setting_of(tag).has_value(); }
-
-Records records_of(const Settings& settings) {
-  Records records;
-  if (settings.method != Method::balanced) return records;
+// What only balanced robots have.
+void add_balanced(Records& records, const Settings& settings) {
   records.push_back({Tag::robots, std::to_string(settings.robots)});
   if (settings.goal) records.push_back({Tag::goal, std::string(name(*settings.goal))});
   if (!same_bits(settings.min_margin, usual_min_margin))
@@ -46,13 +49,32 @@ Records records_of(const Settings& settings) {
   if (settings.apart) records.push_back({Tag::apart, shortest(*settings.apart)});
   if (settings.survive != usual_survive)
     records.push_back({Tag::survive, std::to_string(settings.survive)});
+}
+
+}  // namespace
+
+bool is_known(Tag tag) { return tag == Tag::halo || setting_of(tag).has_value(); }
+
+Records records_of(const Settings& settings) {
+  Records records;
+  if (settings.method == Method::balanced) add_balanced(records, settings);
+  if (!same_bits(settings.com_radius, usual_com_radius))
+    records.push_back({Tag::com_radius, shortest(settings.com_radius)});
+  if (settings.capacity) records.push_back({Tag::capacity, shortest(*settings.capacity)});
+  if (settings.overlays.halo) records.push_back({Tag::halo, shown});
   return records;
 }
 
 bool take_records(const Records& records, Document& document) {
   document.settings.min_margin = usual_min_margin;
   document.settings.survive = usual_survive;
+  document.settings.com_radius = usual_com_radius;
   for (const Record& record : records) {
+    if (record.tag == Tag::halo) {
+      if (record.payload != shown) return false;
+      document.settings.overlays.halo = true;
+      continue;
+    }
     if (record.tag == Tag::robots) document.settings.method = Method::balanced;
     if (read_setting(*setting_of(record.tag), record.payload, document)) return false;
   }

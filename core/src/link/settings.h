@@ -21,13 +21,12 @@ inline Settings defaults_of_link_1() {
   settings.min_ratio = 0.8;
   settings.weight = 100;
   settings.seed = 1;
-  settings.overlays = {false, true, true, true, true, false};
+  settings.overlays = {false, true, true, true, true, false, false};
   settings.step = std::nullopt;
   return settings;
 }
 
-// The settings that came after version 1, which records hold if they are needed (records.h): methods
-// that know nothing of them do not need them.
+// The settings that came after version 1, which records hold if they are needed (records.h).
 inline void forget_later_settings(Settings& settings) {
   const Settings usual;
   if (settings.method == Method::balanced) settings.method = usual.method;
@@ -36,6 +35,9 @@ inline void forget_later_settings(Settings& settings) {
   settings.min_margin = usual.min_margin;
   settings.apart = usual.apart;
   settings.survive = usual.survive;
+  settings.com_radius = usual.com_radius;
+  settings.capacity = usual.capacity;
+  settings.overlays.halo = usual.overlays.halo;
 }
 
 // Codes a finite number: as a decimal if it has a short one, otherwise as its 64 bits. O(1).
@@ -56,15 +58,20 @@ double code_number(Coder& coder, double value) {
   return Scale(kind).value_of(negative ? -number : number);
 }
 
-// The overlays as bits, except tipping, which came later.
+// The overlays of version 1 as bits, except tipping, which came later.
 inline std::uint32_t overlay_mask(const Overlays& shown) {
   return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.lifting_base ? 4u : 0u) |
          (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
 }
 
 inline Overlays overlays_of_mask(std::uint32_t mask, bool tipping) {
-  return {(mask & 1) != 0, (mask & 2) != 0,  (mask & 4) != 0,
-          (mask & 8) != 0, (mask & 16) != 0, tipping};
+  return {(mask & 1) != 0,
+          (mask & 2) != 0,
+          (mask & 4) != 0,
+          (mask & 8) != 0,
+          (mask & 16) != 0,
+          tipping,
+          false};
 }
 
 template <class Coder>

@@ -2,7 +2,6 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/closure.h"
-#include "evenlift/doubt.h"
 #include "evenlift/tolerance.h"
 
 namespace evenlift {
@@ -53,6 +52,21 @@ class Outline {
   double near_;
 };
 
+std::vector<double> loads_of(LoadModel model, const Placement& placement,
+                             const std::optional<ModelLoads>& models) {
+  switch (model) {
+    case LoadModel::plan:
+      break;
+    case LoadModel::springs:
+      return models->springs.loads;
+    case LoadModel::best:
+      return std::vector<double>(models->worst.size(), models->best);
+    case LoadModel::worst:
+      return models->worst;
+  }
+  return planned_loads(placement.teams);
+}
+
 }  // namespace
 
 std::vector<PlacedRobot> placed_robots(const Placement& placement) {
@@ -81,6 +95,18 @@ std::optional<ModelLoads> model_loads(const Placement& placement) {
   return ModelLoads{*springs, *best, *worst};
 }
 
+std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
+                                const std::optional<ModelLoads>& models, double com_radius) {
+  if (!models) model = LoadModel::plan;
+  const std::vector<double> loads = loads_of(model, placement, models);
+  if (models && has_ranges(model) && com_radius > 0)
+    return load_ranges(loads, models->springs, com_radius);
+  std::vector<LoadRange> single;
+  single.reserve(loads.size());
+  for (const double load : loads) single.push_back({load, load});
+  return single;
+}
+
 Robustness robustness(const Placement& placement) {
   const Points robots = positions(placement);
   const Vec2& centre = placement.centre_of_mass;
@@ -92,6 +118,23 @@ Robustness robustness(const Placement& placement) {
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement) {
   return single_failures(placement.polygon, placement.centre_of_mass, placement.settings.weight,
                          placement.teams);
+}
+
+std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot) {
+  return single_failure(placement.polygon, placement.centre_of_mass, placement.settings.weight,
+                        placement.teams, robot);
+}
+
+std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot) {
+  Points others = positions(placement);
+  const auto place = static_cast<std::ptrdiff_t>(robot);
+  others.erase(others.begin() + place);
+  auto springs = spring_loads(others, placement.centre_of_mass, diagonal(placement),
+                              placement.settings.weight);
+  if (!springs) return std::nullopt;
+  springs->loads.insert(springs->loads.begin() + place, 0.0);
+  springs->per_length.insert(springs->per_length.begin() + place, 0.0);
+  return springs;
 }
 
 }  // namespace evenlift

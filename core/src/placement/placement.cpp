@@ -1,10 +1,12 @@
 #include "evenlift/placement.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "evenlift/balanced.h"
 #include "evenlift/hull.h"
+#include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings_text.h"
 #include "evenlift/tolerance.h"
@@ -39,19 +41,48 @@ bool reaches_goal(const Placement& placement) {
   return goal_of(placement.settings) == Goal::cover || placement.closure.form_closure;
 }
 
-// Fills in everything of a placement that follows from the teams.
-void describe_grasp(Placement& placement) {
+// Fills in everything of a placement that follows from the points at which robots lift.
+void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& points) {
   const Polygon& polygon = placement.polygon;
-  const std::vector<LiftingPoint> points = lifting_points(placement.teams);
   Points positions;
   positions.reserve(points.size());
   for (const LiftingPoint& point : points) positions.push_back(point.position);
 
-  placement.loads = summarize_loads(placement.teams);
   placement.lifting_base = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
   placement.coverage = coverage(polygon, placement.lifting_base);
   placement.closure = analyse_closure(polygon, placement.centre_of_mass, points);
   placement.goal_reached = reaches_goal(placement);
+}
+
+// Fills in everything that follows from the teams.
+void describe_grasp(Placement& placement) {
+  placement.loads = summarize_loads(placement.teams);
+  describe_grasp(placement, lifting_points(placement.teams));
+}
+
+// Gives the robots these loads, in their row.
+void take_loads(Placement& placement, const std::vector<double>& loads) {
+  std::size_t number = 0;
+  for (Team& team : placement.teams) {
+    double least = loads[number], greatest = least;
+    for (Robot& robot : team.robots) {
+      robot.load = loads[number++];
+      least = std::min(least, robot.load);
+      greatest = std::max(greatest, robot.load);
+    }
+    team.ratio = greatest > 0 ? least / greatest : 0;
+  }
+}
+
+// Of all robots but one.
+LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
+  LoadSummary summary = *summarize_loads(placement.teams);
+  std::vector<double> others = planned_loads(placement.teams);
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(robot));
+  summary.min = *std::min_element(others.begin(), others.end());
+  summary.mean = placement.settings.weight / static_cast<double>(others.size());
+  summary.spread = summary.max - summary.min;
+  return summary;
 }
 
 // The team that balanced robots are.
@@ -139,6 +170,20 @@ Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robo
   placement.teams = {team_of(placement, robots)};
   placement.search_ended = search_ended;
   describe_grasp(placement);
+  return placement;
+}
+
+Placement with_failure(Placement placement, std::size_t robot) {
+  const std::optional<SpringLoads> springs = springs_without(placement, robot);
+  std::vector<LiftingPoint> others = lifting_points(placement.teams);
+  take_loads(placement, springs ? springs->loads : std::vector<double>(others.size(), 0));
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(robot));
+  describe_grasp(placement, others);
+  placement.loads.reset();
+  if (springs)
+    placement.loads = summarize_others(placement, robot);
+  else
+    placement.coverage = 0;
   return placement;
 }
 

@@ -102,4 +102,10 @@ std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon,
   return failures;
 }
 
+std::optional<RestOfRobots> single_failure(const Polygon& polygon, const Vec2& centre,
+                                           double weight, const std::vector<Team>& teams,
+                                           std::size_t robot) {
+  return Crew(polygon, centre, weight, teams).without(robot);
+}
+
 }  // namespace evenlift

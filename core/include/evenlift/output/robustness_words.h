@@ -27,9 +27,15 @@ std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness
 // Which robots the object cannot do without, and what the others bear at most.
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures);
 
-// "Robot 3 fails: held by the other five, at most 21.3 kg." What it bears is by springs.
+// "Robot 3 fails: held by the other five, at most 21.3 kg." What it bears is by springs. If that is
+// more than the capacity, it says so.
 std::string failure_in_words(std::size_t robot, std::size_t robots,
-                             const std::optional<RestOfRobots>& rest);
+                             const std::optional<RestOfRobots>& rest,
+                             const std::optional<double>& capacity = std::nullopt);
+
+// What holds while a robot fails, beside failure_in_words(): coverage and closure, or why the others cannot
+// hold the object. `failing` comes from with_failure().
+std::string rest_in_words(const Placement& failing);
 
 // How many robots may fail, and how far C may be off.
 std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness);

@@ -35,10 +35,13 @@ int decimals_for(double largest);
 // them line up.
 std::string amount(double value, double largest);
 
+// "15.2–18.1", or one number where both look the same.
+std::string amounts(double low, double high, double largest);
+
 // A load or weight with its unit: "16.7 kg".
 std::string kilograms(double value, double largest);
 
-// "15.2–18.1 kg", or one number where both look the same.
+// The same of a range: "15.2–18.1 kg".
 std::string kilograms(double low, double high, double largest);
 
 // A share of 1 as a percentage: "81 %". Only 0 is "0 %" and only 1 is "100 %", both within

@@ -97,7 +97,8 @@ std::string overlays_json(const Overlays& overlays) {
                        {"hull", json::boolean(overlays.lifting_base)},
                        {"clockwise", json::boolean(overlays.clockwise)},
                        {"counterclockwise", json::boolean(overlays.counterclockwise)},
-                       {"tipping", json::boolean(overlays.tipping)}});
+                       {"tipping", json::boolean(overlays.tipping)},
+                       {"halo", json::boolean(overlays.halo)}});
 }
 
 // What balanced robots were asked for.
@@ -156,7 +157,9 @@ std::string document_json(const Document& document) {
               {"weight", json::number(settings.weight)},
               {"seed", std::to_string(settings.seed)},
               {"overlays", overlays_json(settings.overlays)},
-              {"step", settings.step ? std::to_string(*settings.step) : "null"}},
+              {"step", settings.step ? std::to_string(*settings.step) : "null"},
+              {"com_radius", json::number(settings.com_radius)},
+              {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"}},
              0) +
          "\n";
 }

@@ -94,9 +94,13 @@ std::string amount(double value, double largest) {
 
 std::string kilograms(double value, double largest) { return amount(value, largest) + "\u00A0kg"; }
 
-std::string kilograms(double low, double high, double largest) {
+std::string amounts(double low, double high, double largest) {
   const std::string from = amount(low, largest), to = amount(high, largest);
-  return (from == to ? from : from + "–" + to) + "\u00A0kg";
+  return from == to ? from : from + "–" + to;
+}
+
+std::string kilograms(double low, double high, double largest) {
+  return amounts(low, high, largest) + "\u00A0kg";
 }
 
 std::string percentage(double share, int decimals) {

@@ -105,13 +105,23 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
 }
 
 std::string failure_in_words(std::size_t robot, std::size_t robots,
-                             const std::optional<RestOfRobots>& rest) {
+                             const std::optional<RestOfRobots>& rest,
+                             const std::optional<double>& capacity) {
   const std::string fails = "Robot " + std::to_string(robot + 1) + " fails: ";
   const std::string others = "the other " + in_letters(robots - 1);
   if (!rest) return fails + others + " cannot hold it.";
   const double greatest = rest->greatest_by_springs;
+  const std::string overload = capacity && greatest > *capacity
+                                   ? " One can carry " + plain(*capacity) + "\u00A0kg."
+                                   : std::string();
   return fails + "held by " + others + ", at most " + kilograms(greatest, greatest) +
-         (rest->steady ? "." : ", but it can tip.");
+         (rest->steady ? "." : ", but it can tip.") + overload;
+}
+
+std::string rest_in_words(const Placement& failing) {
+  if (!failing.loads)
+    return "The centre of mass is not above what is left of the lifting base, so the object falls.";
+  return coverage_in_words(failing) + " " + closure_in_words(failing);
 }
 
 std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness) {

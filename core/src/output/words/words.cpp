@@ -151,8 +151,8 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
   if (in_pairs)
     facts.push_back({"Candidate teams", std::to_string(placement.candidates.size()),
                      "One for each candidate chord at this minimum load ratio; two robots each"});
-  if (!placement.loads) return facts;
-  const LoadSummary& loads = *placement.loads;
+  if (placement.teams.empty()) return facts;
+  const LoadSummary loads = placement.loads.value_or(LoadSummary{});
   facts.push_back({"Coverage", percentage(placement.coverage, 1),
                    "Share of the object inside the lifting base"});
   facts.push_back({"Mean load", kilograms(loads.mean, loads.max), "Of all robots"});
@@ -179,7 +179,7 @@ TeamInWords team_in_words(const Placement& placement, std::size_t team, int coor
   }
   for (const Robot& robot : shown.robots) {
     words.at.push_back(point_in_words(robot.point.position, coordinate_decimals));
-    words.loads.push_back(amount(robot.load, placement.loads->max));
+    words.loads.push_back(amount(robot.load, placement.loads ? placement.loads->max : 0));
   }
   return words;
 }

@@ -1,0 +1,250 @@
+// Robots that fail, loads by another model and a doubt about the centre of mass, as the page shows them.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/outlook.h"
+#include "app/search.h"
+#include "evenlift/output/robustness_words.h"
+#include "kit/catch.h"
+#include "panels/summary.h"
+#include "state/robots_text.h"
+#include "tools/pick.h"
+#include "view/view_page.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+namespace {
+
+const std::string piano = asset(EVENLIFT_ASSETS_DIR "/polygons/grand-piano.txt");
+
+AppState state_of(Method method) {
+  AppState state;
+  Document shown = document(piano);
+  shown.settings.method = method;
+  start_with(state, placed(shown), std::nullopt);
+  return state;
+}
+
+void give(AppState& state, Command command) {
+  Commands commands;
+  commands.push_back(std::move(command));
+  apply(state, commands);
+}
+
+std::size_t robots(const AppState& state) { return count_robots(state.placement->teams); }
+
+}  // namespace
+
+TEST_CASE("a robot that fails is left out of the base and of the loads, with every method",
+          "[view][failing]") {
+  for (const Method method : all_methods) {
+    AppState state = state_of(method);
+    INFO(name(method));
+    const Points base = state.placement->lifting_base;
+    REQUIRE(state.failures.size() == robots(state));
+    for (std::size_t robot = 0; robot < robots(state); ++robot) {
+      give(state, Fail{robot});
+      REQUIRE(failing(state));
+      const Placement& shown = shown_placement(state);
+      CHECK(shown.coverage < state.placement->coverage);
+      CHECK(verdict(state).headline ==
+            failure_in_words(robot, robots(state), state.failures[robot]));
+      CHECK(verdict(state).detail == rest_in_words(shown));
+      const Outlook& outlook = shown_outlook(state);
+      double sum = 0;
+      for (const LoadRange& load : outlook.loads) sum += load.greatest;
+      CHECK(outlook.loads[robot].greatest == 0);
+      CHECK(shown.loads.has_value() == state.failures[robot].has_value());
+      if (!shown.loads) continue;
+      CHECK(std::abs(sum - 100) < 1e-9);
+      CHECK(outlook.greatest == state.failures[robot]->greatest_by_springs);
+      CHECK(std::abs(shown.coverage - state.failures[robot]->coverage) < 1e-12);
+      CHECK(shown.closure.form_closure == state.failures[robot]->form_closure);
+      CHECK(outlook.robustness.tipping_distance == state.failures[robot]->tipping_distance);
+    }
+    give(state, Fail{});
+    CHECK_FALSE(failing(state));
+    CHECK(shown_placement(state).lifting_base == base);
+  }
+}
+
+TEST_CASE("letting a robot fail places nothing and is no step of undo", "[view][failing]") {
+  AppState state = state_of(Method::area);
+  const std::uint64_t before = computed().placements, revision = state.revision;
+  const std::uint64_t traces = computed().traces;
+  give(state, Fail{2});
+  give(state, Fail{4});
+  give(state, Show{Overlays{}});
+  give(state, SetLoadModel{LoadModel::springs});
+  give(state, Fail{});
+  CHECK(computed().placements == before);
+  CHECK(computed().traces == traces);
+  CHECK(state.revision > revision);
+  CHECK_FALSE(state.history.can_undo());
+}
+
+TEST_CASE("a change of settings, of the polygon or by undo brings the robot back",
+          "[view][failing]") {
+  AppState state = state_of(Method::area);
+  const auto fails_until = [&](Command command) {
+    give(state, Fail{1});
+    REQUIRE(failing(state));
+    give(state, std::move(command));
+    return !failing(state) && state.failures.size() == robots(state);
+  };
+  Settings fewer = settings(state);
+  fewer.teams = 2;
+  CHECK(fails_until(SetSettings{fewer}));
+  CHECK(fails_until(Undo{}));
+  CHECK(fails_until(MoveVertex{0, state.document.vertices[0] + Vec2(1, 1)}));
+  give(state, EndEdit{});
+  CHECK(fails_until(MoveCentre{state.placement->centre_of_mass + Vec2(1, 1)}));
+  give(state, EndEdit{});
+  // What places nothing leaves it alone.
+  give(state, Fail{1});
+  give(state, SetCapacity{30.0});
+  give(state, SetComRadius{1.0});
+  CHECK(failing(state));
+}
+
+TEST_CASE("a lesson shows no failure", "[view][failing]") {
+  AppState state = state_of(Method::area);
+  give(state, Fail{1});
+  give(state, OpenWalkthrough{});
+  CHECK_FALSE(failing(state));
+  give(state, CloseWalkthrough{});
+  CHECK(failing(state));
+}
+
+TEST_CASE("better places that a search finds bring the robot back", "[view][failing][balanced]") {
+  AppState state = state_of(Method::balanced);
+  REQUIRE(state.search.under_way);
+  give(state, Fail{0});
+  REQUIRE(failing(state));
+  const std::string found = robots_text(lifting_points(place(state.document)->teams));
+  REQUIRE(take_robots(state, state.search.number, found, true));
+  CHECK_FALSE(failing(state));
+  CHECK(state.failures.size() == 6);
+}
+
+TEST_CASE("keys let one robot after another fail, and Esc brings all back", "[view][failing]") {
+  Page page;
+  AppState& state = page.app.state;
+  const std::size_t all = robots(state);
+  for (std::size_t robot = 0; robot < all; ++robot) {
+    page.press({"F"});
+    REQUIRE(failing(state));
+    CHECK(failing(state)->robot == robot);
+  }
+  page.press({"F"});
+  CHECK_FALSE(failing(state));
+  give(state, Explain{Pick{Pick::Kind::robot, 1, 0, Vec2::Zero()}});
+  page.press({"F"});
+  CHECK(failing(state)->robot == 2);
+  page.press({"Escape"});
+  CHECK_FALSE(failing(state));
+  CHECK_FALSE(state.explanation);
+}
+
+TEST_CASE("a press on the ground brings the robot back, and one on a robot opens its card",
+          "[view][failing]") {
+  Page page;
+  page.frame();
+  AppState& state = page.app.state;
+  give(state, Fail{0});
+  page.click(state.placement->teams[1].robots[0].point.position);
+  CHECK(failing(state));
+  REQUIRE(state.explanation);
+  CHECK(state.explanation->robot == 2);
+  page.click(Vec2(300, 250));  // beside the L
+  CHECK_FALSE(failing(state));
+  CHECK_FALSE(state.explanation);
+}
+
+TEST_CASE("what happens if a robot fails is said and has its sign", "[view][failing]") {
+  AppState state = state_of(Method::area);
+  for (std::size_t i = 0; i < robots(state); ++i) {
+    CHECK(failure_words(state, i) == failure_in_words(i, robots(state), state.failures[i]));
+    CHECK(mood_of(state, state.failures[i]) == Mood::good);
+  }
+  give(state, SetCapacity{25.0});
+  const auto overloaded =
+      std::count_if(state.failures.begin(), state.failures.end(),
+                    [&](const auto& rest) { return mood_of(state, rest) == Mood::not_quite; });
+  CHECK(overloaded > 0);
+  CHECK(mood_of(state, std::nullopt) == Mood::falls);
+}
+
+TEST_CASE("too many robots are not looked at each", "[view][failing]") {
+  AppState state;
+  Document many = document(piano);
+  many.settings.method = Method::distributed;
+  many.settings.teams = 64;
+  start_with(state, placed(many), std::nullopt);
+  CHECK(state.failures.size() == most_failures_known);
+  Settings more = settings(state);
+  more.teams = 65;
+  give(state, SetSettings{more});
+  CHECK(state.failures.empty());
+  give(state, Fail{129});  // but one of them can still fail
+  REQUIRE(failing(state));
+  CHECK(verdict(state).headline.find("Robot 130 fails: ") == 0);
+}
+
+TEST_CASE("a doubt makes ranges where they are exact, and sentences that say so", "[view][doubt]") {
+  AppState state = state_of(Method::area);
+  CHECK(doubt_words(state).empty());
+  give(state, SetComRadius{20});
+  CHECK(state.placement->settings.com_radius == 20);
+  const ModelLoads models = *model_loads(*state.placement);
+  REQUIRE(models.springs.same_within > 20);
+  const auto expected = load_ranges(planned_loads(state.placement->teams), models.springs, 20);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    CHECK(state.outlook.loads[i].least == expected[i].least);
+    CHECK(state.outlook.loads[i].greatest == expected[i].greatest);
+  }
+  CHECK(summary(state).find(doubt_in_words(models, robustness(*state.placement), 20)) !=
+        std::string::npos);
+  give(state, SetComRadius{models.springs.same_within * 1.5});
+  for (const LoadRange& load : state.outlook.loads) CHECK(load.least == load.greatest);
+  CHECK(state.history.depth() == 2);
+  give(state, Undo{});
+  CHECK(settings(state).com_radius == 20);
+}
+
+TEST_CASE("the grip of the doubt is there with the halo only, and its drag is one step of undo",
+          "[view][doubt]") {
+  Page page;
+  page.frame();
+  AppState& state = page.app.state;
+  CHECK_FALSE(doubt_grip(state));
+  Overlays overlays = settings(state).overlays;
+  overlays.halo = true;
+  give(state, Show{overlays});
+  REQUIRE(doubt_grip(state));
+  const std::uint64_t before = computed().placements;
+  const Vec2 from = state.camera.to_world(*doubt_grip(state));
+  const Vec2 centre = state.placement->centre_of_mass, out = (from - centre).normalized();
+  page.drag(from, from + out * 40);
+  CHECK(std::abs(settings(state).com_radius - 40) < 1.5 / state.camera.scale);
+  CHECK(computed().placements == before);
+  CHECK(state.history.depth() == 1);
+  page.drag(state.camera.to_world(*doubt_grip(state)), centre);
+  CHECK(settings(state).com_radius == 0);
+}
+
+TEST_CASE("the loads of each model are shown, and what they presume is said", "[view][failing]") {
+  AppState state = state_of(Method::area);
+  const ModelLoads models = *model_loads(*state.placement);
+  for (const LoadModel model : all_load_models) {
+    give(state, SetLoadModel{model});
+    const auto expected = loads_by(model, *state.placement, models, 0);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      CHECK(state.outlook.loads[i].greatest == expected[i].greatest);
+    CHECK(model_words(state) == model_in_words(model, models));
+  }
+}

@@ -1,0 +1,103 @@
+// What happens if one robot fails: a sign for each of them, which a press lets fail.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "panels/panels.h"
+#include "panels/summary.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr float caption_height = 16, least_height = 42, widest_place = 48;
+
+// A disc if the others hold the object, a triangle if they do not do so well, a cross if it falls. Where there is room for a
+// line only, the worse it is the longer the line.
+void draw_sign(const Theme& theme, ImDrawList& list, ImVec2 at, float reach, Mood mood) {
+  const bool good = mood == Mood::good, falls = mood == Mood::falls;
+  const ImU32 colour = (good ? theme.hull_outline : falls ? theme.red : theme.amber).packed();
+  if (reach < 3.5f) {
+    const float half = good ? 2.5f : falls ? 9.0f : 5.5f, wide = std::max(0.6f, reach - 0.4f);
+    const float left = std::round(at.x - wide), right = std::round(at.x + wide);
+    list.AddRectFilled(ImVec2(left, at.y - half), ImVec2(std::max(right, left + 1), at.y + half),
+                       colour);
+  } else if (good) {
+    list.AddCircleFilled(at, reach, colour, 24);
+  } else if (falls) {
+    const float arm = reach - 1;
+    list.AddLine(ImVec2(at.x - arm, at.y - arm), ImVec2(at.x + arm, at.y + arm), colour, 3);
+    list.AddLine(ImVec2(at.x - arm, at.y + arm), ImVec2(at.x + arm, at.y - arm), colour, 3);
+  } else {
+    const float up = reach * 1.1f, down = reach * 0.8f;
+    list.AddTriangleFilled(ImVec2(at.x, at.y - up), ImVec2(at.x + up, at.y + down),
+                           ImVec2(at.x - up, at.y + down), colour);
+  }
+}
+
+// A robot of which it is not known yet what happens if it fails.
+void draw_unknown(const Theme& theme, ImDrawList& list, ImVec2 at, float reach) {
+  list.AddRectFilled(ImVec2(at.x - std::min(reach, 3.0f), at.y - 1),
+                     ImVec2(at.x + std::min(reach, 3.0f), at.y + 1), theme.quiet.packed());
+}
+
+void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float each = (row.high.x - row.low.x) / static_cast<float>(count),
+              reach = std::clamp(each / 2 - 1.5f, 0.8f, 7.0f),
+              y = (row.low.y + caption_height + row.high.y) / 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ImVec2 at(row.low.x + each * (static_cast<float>(i) + 0.5f), y);
+    const bool failed = failing(ui.state) && failing(ui.state)->robot == i;
+    if (failed || row.hovered == i) {
+      const Colour colour = failed ? ui.theme.accent : ui.theme.quiet;
+      const float half = std::max(reach + 4, 5.0f);
+      list.AddRect(ImVec2(at.x - half, y - 12), ImVec2(at.x + half, y + 12), colour.packed(), 5, 0,
+                   failed ? 2.0f : 1.0f);
+    }
+    if (i < ui.state.failures.size())
+      draw_sign(ui.theme, list, at, reach, mood_of(ui.state, ui.state.failures[i]));
+    else
+      draw_unknown(ui.theme, list, at, reach);
+  }
+}
+
+// The robots that have a sign: none where there are too many, and while the result is not shown.
+std::size_t signs(const AppState& state) {
+  if (!state.placement || state.refusal || state.tool == Tool::draw) return 0;
+  const std::size_t count = count_robots(state.placement->teams);
+  return count == state.failures.size() || state.failures_due ? count : 0;
+}
+
+const char* caption(const AppState& state, std::size_t count) {
+  if (count > 0) return "If one robot fails";
+  const bool many = state.placement && !state.refusal && state.tool != Tool::draw &&
+                    !state.placement->teams.empty();
+  return many ? "If one robot fails: too many robots to look at each" : "";
+}
+
+}  // namespace
+
+void draw_failures(const Ui& ui) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x,
+              height = std::max(ui.control(), least_height);
+  const std::size_t count = signs(ui.state);
+  const Failure* failed = failing(ui.state);
+  const auto now = failed ? std::optional<std::size_t>(failed->robot) : std::nullopt;
+  const float row_width =
+      std::min(width, widest_place * static_cast<float>(std::max<std::size_t>(count, 1)));
+  const RowOfPlaces row = row_of_places(ui, "failures", "The robot that fails",
+                                        failed ? failure_words(ui.state, failed->robot) : "none",
+                                        count, now, ImVec2(row_width, height));
+  draw_text(*ImGui::GetWindowDrawList(), Face::label, low, ui.theme.second_text,
+            caption(ui.state, count));
+  ImGui::SetCursorScreenPos(ImVec2(low.x, low.y + height));
+  ImGui::Dummy(ImVec2(width, 0));
+  if (count == 0) return;
+  draw_signs(ui, row, count);
+  if (row.taken != now) ui.push(Fail{row.taken});
+  if (row.hovered) tip(ui, failure_words(ui.state, *row.hovered).c_str());
+}
+
+}  // namespace evenlift::view

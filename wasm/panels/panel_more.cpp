@@ -1,0 +1,119 @@
+// Settings that are seldom needed, behind a row that opens them: which loads are shown, how well the centre of mass is known,
+// and how balanced robots keep apart and what they survive.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "evenlift/output/words.h"
+#include "panels/panels.h"
+#include "panels/summary.h"
+#include "ui/dropdown.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr Choice models[] = {{"As planned", "each robot's force is controlled"},
+                             {"Springs", "all robots are equally stiff"},
+                             {"At best", "shared as well as can be"},
+                             {"At worst", "unequal heights: some bear nothing"}};
+static_assert(std::size(models) == std::size(all_load_models));
+
+// A text in a block of so many lines, so that nothing below moves when it changes.
+void draw_block(const Ui& ui, const std::string& text, std::size_t lines) {
+  text_block_of(Face::label, ui.theme.second_text, text, ImGui::GetContentRegionAvail().x, lines);
+}
+
+void draw_model(const Ui& ui) {
+  const float width =
+      labelled(ui, "Loads shown", "What the loads in the drawing and the table presume");
+  const auto now = static_cast<std::size_t>(ui.state.load_model);
+  const auto chosen = dropdown(ui, "loads", "Loads shown", models, now, width);
+  if (chosen && *chosen != now) ui.push(SetLoadModel{static_cast<LoadModel>(*chosen)});
+  if (ui.state.load_model != LoadModel::plan) draw_block(ui, model_words(ui.state), 3);
+}
+
+// A first step from 0: a round number of about a hundredth of the object.
+double first_length(const Ui& ui) {
+  const double size = ui.state.placement ? ui.state.placement->polygon.diagonal() : 100;
+  return std::pow(10.0, std::floor(std::log10(size / 50)));
+}
+
+// A length one step up or down; below its first step it is 0.
+double stepped_length(const Ui& ui, double length, int by) {
+  const double first = first_length(ui);
+  if (by > 0) return length < first ? first : stepped(length, by);
+  const double lower = length > 0 ? stepped(length, by) : 0;
+  return lower < first ? 0 : lower;
+}
+
+void draw_doubt(const Ui& ui) {
+  const double radius = settings(ui.state).com_radius;
+  const float width =
+      labelled(ui, "C known within",
+               "The centre of mass lies somewhere within this distance of where it is shown");
+  const int by = stepper(ui, "com radius", plain(radius), width,
+                         {.can_lower = radius > 0,
+                          .can_raise = radius < max_coordinate,
+                          .label = "Distance within which the centre of mass is known",
+                          .setting = "com_radius"});
+  if (by != 0) ui.push(SetComRadius{stepped_length(ui, radius, by)});
+  if (radius > 0) draw_block(ui, doubt_words(ui.state), 5);
+}
+
+void draw_apart(const Ui& ui) {
+  Settings changed = settings(ui.state);
+  const float width =
+                  labelled(ui, "Keep apart", "Robots nearer to each other than this are too near"),
+              reset = changed.apart ? ui.control() : 0;
+  const std::string value = changed.apart ? plain(*changed.apart) : "usual";
+  const int by = stepper(ui, "apart", value, width - reset,
+                         {.can_lower = changed.apart.value_or(1) > 0,
+                          .can_raise = changed.apart.value_or(0) < max_coordinate,
+                          .label = "Distance that robots keep apart",
+                          .setting = "apart"});
+  if (changed.apart) {
+    ImGui::SameLine(0, 0);
+    if (icon_button(ui, "usual apart", Icon::close, true, "As usual: 12 % of the object's radius",
+                    ui.control())) {
+      changed.apart.reset();
+      ui.push(SetSettings{changed});
+      return;
+    }
+  }
+  if (by == 0) return;
+  changed.apart = stepped_length(ui, changed.apart.value_or(0), by);
+  ui.push(SetSettings{changed});
+}
+
+void draw_survive(const Ui& ui) {
+  Settings changed = settings(ui.state);
+  const std::uint32_t most = std::min(most_survived, (std::max(changed.robots, 3u) - 3) / 2);
+  const float width = labelled(
+      ui, "Survive", "So many robots may fail, whichever they are, and the object stays steady");
+  const int by = stepper(ui, "survive", count_of(changed.survive, "failure", "failures"), width,
+                         {.can_lower = changed.survive > 0,
+                          .can_raise = changed.survive < most,
+                          .label = "Failures that should leave the object steady",
+                          .setting = "survive"});
+  if (by == 0) return;
+  changed.survive = by > 0 ? changed.survive + 1 : changed.survive - 1;
+  ui.push(SetSettings{changed});
+}
+
+}  // namespace
+
+void draw_more(const Ui& ui) {
+  const bool open = ui.state.more_open;
+  if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings",
+                  ImGui::GetContentRegionAvail().x))
+    ui.push(SetMoreOpen{!open});
+  if (!open) return;
+  draw_model(ui);
+  draw_doubt(ui);
+  if (settings(ui.state).method != Method::balanced) return;
+  draw_apart(ui);
+  draw_survive(ui);
+}
+
+}  // namespace evenlift::view
