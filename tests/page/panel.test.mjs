@@ -352,8 +352,8 @@ test("what is copied is said as it is", async () => {
     return page.locator("#alert").textContent();
   };
   assert.match(await said(), /It holds the polygon and all settings\. It has \d+ characters\.$/);
-  await page.evaluate(() => evenlift.set({ capacity: 20 }));
-  assert.match(await said(), /It does not hold what a robot carries\. It has \d+ characters\.$/);
+  await page.evaluate(() => evenlift.set({ loads: "springs" }));
+  assert.match(await said(), /It does not hold which loads are shown\. It has \d+ characters\.$/);
   await page.keyboard.press("d");
   await page.mouse.click(500, 400);
   assert.match(await said(), /not closed yet: the link holds the one before\. It has \d+ characters\.$/);

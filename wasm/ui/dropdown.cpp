@@ -9,7 +9,8 @@ bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 ancho
   const auto width = static_cast<float>(ui.state.screen.width),
              height = static_cast<float>(ui.state.screen.height);
   const float room_below = height - anchor_high.y - 16, room_above = anchor_low.y - 16;
-  const bool below = room_below > 220 || room_below >= room_above;
+  constexpr float enough = 340;  // for the longest list of the panel
+  const bool below = room_below > enough || room_below >= room_above;
   // In the right half of the window the list grows to the left, so that it never leaves the window.
   const bool leftwards = anchor_low.x + anchor_high.x > width;
   ImGui::SetNextWindowPos(ImVec2(leftwards ? anchor_high.x : anchor_low.x,
