@@ -37,7 +37,7 @@ def setUpModule():
     FOLDER = pathlib.Path(tempfile.mkdtemp(prefix="evenlift-numbers-"))
     unittest.addModuleCleanup(shutil.rmtree, FOLDER, True)
     done = subprocess.run([PROGRAM, "experiment", *[str(ROOT / "assets" / name) for name in SETS], "--out", str(FOLDER)],
-                          capture_output=True, text=True, timeout=1200)
+                          capture_output=True, text=True, timeout=2400)
     assert done.returncode == 0, done.stderr
 
 

@@ -303,7 +303,7 @@ void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
   for (std::size_t i = 0; i < balanced.robots.size(); ++i) {
     const Vec2& place = balanced.robots[i].position;
     if (stays(place))
-      draw_robot(painter, view.theme, size, place, balanced.numbers[i] + std::size_t{1}, 1, false);
+      draw_robot(painter, view.theme, size, place, {.number = balanced.numbers[i] + std::size_t{1}});
   }
 }
 
@@ -320,13 +320,15 @@ void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view
     CanvasView found = view;
     found.placement = &walk.trace->placement;
     Occupied occupied = occupied_by_marks(found, static_cast<double>(size.ring) + 2);
-    draw_loads(painter, found, size, occupied);
+    draw_loads(painter, found, size,
+               loads_by(LoadModel::plan, *found.placement, std::nullopt, 0),
+               found.placement->loads->max, occupied);
   }
   for (const Figure& figure : walk.figures)
     if (figure.kind == FigureKind::left) draw_left(painter, view, figure);
   for (std::size_t i = balanced.robots.size(); i-- > 0;)
     draw_robot(painter, view.theme, size, balanced.robots[i].position,
-               balanced.numbers[i] + std::size_t{1}, 1, false);
+               {.number = balanced.numbers[i] + std::size_t{1}});
 }
 
 // The robots placed up to the current step; their loads are written once all of them are known.
