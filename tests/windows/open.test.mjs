@@ -251,9 +251,10 @@ test("how near the edges are to curves can be set, before and after", async () =
 test("a saved result opens with all its settings, and a picture by the link in it", async () => {
   const made = evenlift("link", "encode", path.join(root, "assets/polygons/key.txt"), "--metric", "random", "--seed", "18446744073709551615", "--teams", "2").trim();
   const result = evenlift("place", made, "--capacity", "30", "--json");
+  const limited = evenlift("link", "encode", made, "--capacity", "30").trim();
   await load(page, asset("cross"));
   await drop(page, { files: [["evenlift-result.json", result]] });
-  await page.waitForFunction((l) => evenlift.link() === l, made);
+  await page.waitForFunction((l) => evenlift.link() === l, limited);
   await idle(page);
   assert.equal((await state(page)).capacity.limit, 30);
   await load(page, asset("cross"));
