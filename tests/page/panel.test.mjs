@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { control, controlIfShown, idle, phone, press, root, sharedBrowser, state, tap } from "./browser.mjs";
+import { asset, control, controlIfShown, drawsNothing, idle, load, phone, press, root, set, sharedBrowser, state, tap } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -382,5 +382,17 @@ test("what is selected and shown is told, and no more than that", async () => {
   assert.ok(said.includes("Vertex 1 of 6, (0.0, 0.0)."), said.join(" | "));
   assert.ok(said.some((text) => text.includes("Shown: candidates.")), said.join(" | "));
   assert.ok(!said.some((text) => /robots carry|Team \d/.test(text)), said.join(" | "));
+  await page.done();
+});
+
+test("while the pointer rests on a row of the table, nothing more is drawn", async () => {
+  const page = await browser.open({ hasty: true, viewport: { width: 1280, height: 1400 } });
+  await load(page, asset("violin"));
+  for (const [settings, row] of [[{ metric: "area", teams: 3 }, "Team 2"], [{ metric: "balanced", robots: 5 }, "Robot 2"]]) {
+    await set(page, settings);
+    const { middle } = await control(page, row);
+    await page.mouse.move(...middle);
+    await drawsNothing(page);
+  }
   await page.done();
 });

@@ -107,7 +107,11 @@ TEST_CASE("every position of the timeline has a place of its own, where it is fo
   page.press({"b"});
   for (int i = 0; i < 2; ++i) {
     const auto parts = chapter_parts(page.app.state);
-    CHECK(parts.size() == chapter_count);
+    std::size_t chapters = 0;
+    for (std::uint32_t c = 0; c < chapter_count; ++c)
+      chapters += page.app.state.walkthrough.trace->chapter_begin(static_cast<Chapter>(c)).has_value();
+    CHECK(chapters > 5);
+    CHECK(parts.size() == chapters);
     const std::uint32_t count = timeline(page.app.state).count;
     double before = -1;
     for (std::uint32_t k = 0; k < count; ++k) {

@@ -157,6 +157,13 @@ void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
   commands.push_back(SetCamera{zoom(moved, pointer.pinch_at, pointer.pinch_factor, 0, 1e300)});
 }
 
+// Over a panel the panel's rows say what is hovered over (panels.cpp).
+void hover_over(const AppState& state, const Pointer& pointer, const Pick& over,
+                Commands& commands) {
+  const bool over_rows = pointer.over_panel && !pointer.touch;
+  if (!over_rows && !(over == state.hover)) commands.push_back(SetHover{over});
+}
+
 void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Commands& commands) {
   const Drawing& drawing = state.drawing;
   // What keys or typing did stays until the pointer moves over the drawing.
@@ -172,7 +179,7 @@ void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Com
     else if (!placed)
       cursor = next_point(state, state.camera.to_world(pointer.at));
   }
-  if (!(over == state.hover)) commands.push_back(SetHover{over});
+  hover_over(state, pointer, over, commands);
   if (cursor != drawing.cursor || at != drawing.pointer)
     commands.push_back(SetDrawCursor{cursor, at});
 }
@@ -193,7 +200,7 @@ void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
   } else if (!none) {
     under = pick(state, pointer.at, pointer.second);
   }
-  if (!(under == state.hover)) commands.push_back(SetHover{under});
+  hover_over(state, pointer, under, commands);
   if (walkthrough_is_open(state)) {
     const auto figure = none ? std::nullopt : figure_at(state, pointer.at);
     if (figure != state.walkthrough.hovered) commands.push_back(HoverFigure{figure});

@@ -156,7 +156,7 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   const bool over_capacity = capacity && shown_outlook(ui.state).loads[index].greatest > *capacity;
   right_aligned(list, Face::strong_label, c.ratio, y,
                 over_capacity ? ui.theme.amber : ui.theme.text, load_text(ui, index));
-  if (hovered) ui.push(SetHover{pick});
+  if (hovered) ui.row = pick;
 }
 
 void draw_robots(const Ui& ui, const Columns& c) {
@@ -187,7 +187,7 @@ void draw_teams(const Ui& ui) {
   draw_heading(ui, c);
   const float top = ImGui::GetCursorScreenPos().y;
   for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {
-    if (draw_row(ui, c, i)) ui.push(SetHover{{Pick::Kind::chord, i, 0, Vec2(0, 0)}});
+    if (draw_row(ui, c, i)) ui.row = {Pick::Kind::chord, i, 0, Vec2(0, 0)};
   }
   draw_even_share(ui, c, top, ImGui::GetItemRectMax().y + 2);
   ImGui::Dummy(ImVec2(1, 20));

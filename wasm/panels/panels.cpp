@@ -202,7 +202,8 @@ void draw_panels(const AppState& state, Commands& commands) {
   begin_controls();
   const Layout places = layout(state);
   apply_style(state, places.control);
-  const Ui ui{state, theme(state), places, commands};
+  Pick row;
+  const Ui ui{state, theme(state), places, commands, row};
   if (!state.screen.embed && !state.presenting) {
     if (!places.wide)
       draw_sheet(ui);
@@ -226,6 +227,9 @@ void draw_panels(const AppState& state, Commands& commands) {
   const bool list_open =
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (list_open != state.list_open) ui.push(ListIsOpen{list_open});
+  // A finger hovers over nothing.
+  const bool hovers = ImGui::GetIO().WantCaptureMouse && !state.screen.touch;
+  if (hovers && !(row == state.hover)) ui.push(SetHover{row});
 }
 
 }  // namespace evenlift::view

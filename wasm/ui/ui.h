@@ -13,6 +13,7 @@ struct Ui {
   const Theme& theme;
   const Layout& layout;
   Commands& commands;
+  Pick& row;  // what the row names over which the pointer is
 
   void push(Command command) const { commands.push_back(std::move(command)); }
   float control() const { return static_cast<float>(layout.control); }
