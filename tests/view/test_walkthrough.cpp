@@ -109,7 +109,8 @@ TEST_CASE("every position of the timeline has a place of its own, where it is fo
     const auto parts = chapter_parts(page.app.state);
     std::size_t chapters = 0;
     for (std::uint32_t c = 0; c < chapter_count; ++c)
-      chapters += page.app.state.walkthrough.trace->chapter_begin(static_cast<Chapter>(c)).has_value();
+      chapters +=
+          page.app.state.walkthrough.trace->chapter_begin(static_cast<Chapter>(c)).has_value();
     CHECK(chapters > 5);
     CHECK(parts.size() == chapters);
     const std::uint32_t count = timeline(page.app.state).count;

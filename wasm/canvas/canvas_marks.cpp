@@ -303,7 +303,8 @@ void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
   for (std::size_t i = 0; i < balanced.robots.size(); ++i) {
     const Vec2& place = balanced.robots[i].position;
     if (stays(place))
-      draw_robot(painter, view.theme, size, place, {.number = balanced.numbers[i] + std::size_t{1}});
+      draw_robot(painter, view.theme, size, place,
+                 {.number = balanced.numbers[i] + std::size_t{1}});
   }
 }
 
@@ -320,8 +321,7 @@ void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view
     CanvasView found = view;
     found.placement = &walk.trace->placement;
     Occupied occupied = occupied_by_marks(found, static_cast<double>(size.ring) + 2);
-    draw_loads(painter, found, size,
-               loads_by(LoadModel::plan, *found.placement, std::nullopt, 0),
+    draw_loads(painter, found, size, loads_by(LoadModel::plan, *found.placement, std::nullopt, 0),
                found.placement->loads->max, occupied);
   }
   for (const Figure& figure : walk.figures)
