@@ -2,6 +2,7 @@
 // second order, in grasps solved by hand.
 #include "evenlift/closure.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 
@@ -191,6 +192,34 @@ TEST_CASE("outside the hull of the wrenches the margin is minus the distance", "
   CHECK(wrench_margin({{2, -1, -1}, {2, 1, -1}, {2, 0, 3}}) == Approx(-2));
   CHECK(wrench_margin({{1, 0, 0}, {-1, 0, 0}}) == Approx(0).margin(1e-12));
   CHECK(wrench_margin({{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}) == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("beside a flat hull of wrenches the margin is negative, however rounding tips its facets",
+          "[closure]") {
+  const Polygon comb = polygon({{0, 0},
+                                {5, 0},
+                                {3.5, 4},
+                                {3, 1},
+                                {1.5, 4},
+                                {1, 1},
+                                {1, 9},
+                                {1.5, 6},
+                                {3, 9},
+                                {3.5, 6},
+                                {5, 10},
+                                {0, 10}});
+  const Closure closure =
+      analyse_closure(comb, {1.5, 5.5}, {{{0, 10}, 11}, {{3, 1}, 2}, {{0, 1}, 11}, {{3, 10}, 10}});
+  REQUIRE(closure.margin.has_value());
+  CHECK(*closure.margin == Approx(-0.23007429954685438).epsilon(1e-9));
+  // All four wrenches in one plane with the origin, which is beside them.
+  for (const double tilt : {0.0, 0.1, 0.3, 0.7, 1.1}) {
+    const Eigen::AngleAxisd turn(tilt, Eigen::Vector3d(1, 2, 3).normalized());
+    std::vector<Wrench> flat{{1, -1, 0}, {2, -1, 0}, {2, 1, 0}, {1, 1, 0}};
+    for (Wrench& w : flat) w = turn * w;
+    INFO("tilted by " << tilt);
+    CHECK(wrench_margin(flat) == Approx(-1).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("wrenches that agree except for rounding leave the margin as it is", "[closure]") {

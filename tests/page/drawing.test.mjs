@@ -176,8 +176,8 @@ test("a finger drags a vertex from farther off, two fingers zoom", async () => {
     type, touchPoints: points.map(([x, y], id) => ({ x, y, id })),
   });
   const [x, y] = await toScreen(page, [400, 0]);
-  await touch("touchStart", [x + 14, y + 13]);
-  for (let i = 1; i <= 5; ++i) await touch("touchMove", [x + 14 - 6 * i, y + 13]);
+  await touch("touchStart", [x + 14, y - 13]);
+  for (let i = 1; i <= 5; ++i) await touch("touchMove", [x + 14 - 6 * i, y - 13]);
   await touch("touchEnd");
   await idle(page);
   const [wx] = await page.evaluate((p) => evenlift.view.to_world(...p), [x - 30, y]);

@@ -124,6 +124,26 @@ test("work survives a reload at once, before anything was written at leisure", a
   await page.done();
 });
 
+// A browser may reload the address that it knew before the last one was written.
+test("work survives a reload of the address before the last", async () => {
+  const page = await browser.open();
+  await set(page, { teams: 5 });
+  await published(page);
+  const before = await fragment(page);
+  await set(page, { teams: 4 });
+  await published(page);
+  await page.evaluate((fragment) => history.replaceState(null, "", `#${fragment}`), before);
+  await page.reload();
+  await page.evaluate(() => evenlift.ready);
+  assert.equal((await state(page)).requested_teams, 4);
+  // A link that somebody opens is no reload.
+  await page.goto("about:blank");
+  await page.goto(`${browser.server.url}#${before}`);
+  await page.evaluate(() => evenlift.ready);
+  assert.equal((await state(page)).requested_teams, 5);
+  await page.done();
+});
+
 test("a link that is opened does not cost the work that was kept", async () => {
   const page = await browser.open();
   await load(page, asset("hammer"));

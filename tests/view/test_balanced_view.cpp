@@ -5,6 +5,7 @@
 
 #include "app/search.h"
 #include "app/update.h"
+#include "canvas/closed_stretch.h"
 #include "evenlift/balanced.h"
 #include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
@@ -231,9 +232,14 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
 
 TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balanced]") {
   AppState state = balanced_state(3);
+  const Points& piano_outline = state.placement->vertices();
+  const Vec2 far_out = state.placement->centre_of_mass * 0.4 + piano_outline[0] * 0.6;
+  give(state, MoveCentre{far_out});
+  give(state, EndEdit{});
   const Vec2 centre = state.placement->centre_of_mass;
   const Points& vertices = state.placement->vertices();
   std::size_t stopped = 0, moved = 0;
+  give(state, SetHeld{{Pick::Kind::robot, 0, 1, shown(state)[1].position}});
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::vector<LiftingPoint> before = shown(state);
     give(state, MoveRobot{1, vertices[i]});
@@ -243,9 +249,25 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
     for (const LiftingPoint& robot : shown(state)) sum += robot.position;
     CHECK((sum / 3 - centre).norm() < 1e-9 * state.placement->polygon.diagonal());
     if (!stays) CHECK(shown(state)[1].position == vertices[i]);
+    // The outline is shown as closed to the robot up to where it is wanted.
+    CHECK(state.closed_to.has_value() == stays);
+    if (stays) CHECK(state.closed_to->position == vertices[i]);
   }
   CHECK(moved > 0);
-  CAPTURE(stopped);
+  CHECK(stopped > 0);
+  give(state, SetHeld{});
+  CHECK_FALSE(state.closed_to);
+}
+
+TEST_CASE("the shorter way along the outline goes round the corners between two places", "[view]") {
+  const Points square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const LiftingPoint foot{{1, 0}, 0}, end{{3, 0}, 0}, right{{4, 1}, 1}, left{{0, 3}, 3};
+  CHECK(shorter_way(square, foot, end) == Points{{1, 0}, {3, 0}});
+  CHECK(shorter_way(square, end, foot) == Points{{3, 0}, {1, 0}});
+  CHECK(shorter_way(square, end, right) == Points{{3, 0}, {4, 0}, {4, 1}});
+  CHECK(shorter_way(square, right, end) == Points{{4, 1}, {4, 0}, {3, 0}});
+  CHECK(shorter_way(square, foot, left) == Points{{1, 0}, {0, 0}, {0, 3}});
+  CHECK(shorter_way(square, {{0, 1}, 3}, left) == Points{{0, 1}, {0, 3}});
 }
 
 TEST_CASE("two balanced robots and teams cannot be taken", "[view][balanced]") {

@@ -40,9 +40,13 @@ void move_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   Placement& placement = *state.placement;
   if (placement.settings.method != Method::balanced) return;
   const BalancedProblem problem(placement.polygon, placement.centre_of_mass, placement.settings);
-  const auto robots = move_robot(problem, lifting_points(placement.teams), robot,
-                                 nearest_on_outline(placement.vertices(), to));
-  if (!robots) return;
+  const LiftingPoint wanted = nearest_on_outline(placement.vertices(), to);
+  const auto robots = move_robot(problem, lifting_points(placement.teams), robot, wanted);
+  state.closed_to.reset();
+  if (!robots) {
+    if (state.held.kind == Pick::Kind::robot) state.closed_to = wanted;
+    return;
+  }
   drop_search(state);
   state.placement = with_robots(std::move(placement), *robots, true);
   state.by_hand = true;

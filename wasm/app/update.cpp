@@ -579,7 +579,10 @@ struct Applier {
     drop_stale_picks(state);
   }
   void operator()(const SetHover& c) const { state.hover = c.pick; }
-  void operator()(const SetHeld& c) const { state.held = c.pick; }
+  void operator()(const SetHeld& c) const {
+    state.held = c.pick;
+    state.closed_to.reset();
+  }
   void operator()(const SetCamera& c) const {
     const double fitting = fitting_camera(state).scale;
     state.camera = c.camera;

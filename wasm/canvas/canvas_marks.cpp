@@ -8,6 +8,7 @@
 
 #include "canvas/canvas_drawing.h"
 #include "canvas/canvas_walkthrough.h"
+#include "canvas/closed_stretch.h"
 #include "canvas/hint.h"
 #include "canvas/labels.h"
 #include "evenlift/output/picture.h"
@@ -390,6 +391,21 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
   }
 }
 
+// Where the robot that is dragged cannot go, up to where it is wanted.
+void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  const auto robot = static_cast<std::size_t>(state.held.end);
+  if (!state.closed_to || view.second || state.held.kind != Pick::Kind::robot) return;
+  const std::vector<Robot>& robots = view.placement->teams[0].robots;
+  if (robot >= robots.size()) return;
+  const Points way = shorter_way(view.placement->vertices(), robots[robot].point, *state.closed_to);
+  painter.outline(way, view.theme.amber_on_object, 5, false);
+  const ImVec2 at = painter.at(way.back());
+  const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
+  draw_word(painter.list(), spot, view.window, view.theme, view.theme.amber,
+            "Closed to it: the others cannot follow");
+}
+
 // The edge on whose tip the object balances.
 void draw_tip(const Painter& painter, const ImVec2& tip, const Theme& theme, Colour colour) {
   const ImVec2 left(tip.x - 9, tip.y + 15), right(tip.x + 9, tip.y + 15);
@@ -547,6 +563,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   draw_vertices(painter, view);
   if (view.current()) {
     draw_halo(painter, view);
+    draw_closed_stretch(painter, view);
     draw_robots(painter, view);
   }
   draw_centre(painter, view);

@@ -128,6 +128,9 @@ struct AppState {
   bool motion = true;  // changes are animated, except with reduced motion
   Search search;
   bool by_hand = false;  // somebody moved the balanced robots from where they were found
+  std::optional<LiftingPoint>
+      closed_to;  // where the robot is wanted that is dragged, if the others
+                  // cannot follow it there
 
   Walkthrough walkthrough;
   std::optional<Explanation> explanation;  // the card that is open beside a robot or chord

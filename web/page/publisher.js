@@ -27,6 +27,9 @@ function showSentences(root, sentences) {
   });
 }
 
+// A browser that reloads while an address is being written may still open the one before it.
+const isReload = () => performance.getEntriesByType("navigation")[0]?.type === "reload";
+
 export class Publisher {
   #program = null;
   #embed;
@@ -59,7 +62,8 @@ export class Publisher {
   kept(fragment) {
     if (this.#embed) return { work: "", draft: "", drawing: "", own: false };
     const work = read(lasting, workKey);
-    const own = work !== "" && fragment === read(ofThisTab, addressKey);
+    const [last, before] = read(ofThisTab, addressKey).split("\n");
+    const own = work !== "" && (fragment === last || (isReload() && fragment === before));
     return { work, draft: read(lasting, draftKey), drawing: read(lasting, drawingKey), own };
   }
 
@@ -172,12 +176,12 @@ export class Publisher {
     const link = this.#program.text("page_link");
     // If the polygon is too large for a link, the address has none: an old link would be wrong.
     const challenge = readAddress().challenge && this.#program.number("page_walkthrough_is_open") === 1;
-    const url = new URL(location.href);
+    const url = new URL(location.href), before = url.hash.slice(1);
     if (!this.#held) withLesson(url, { lesson: this.lesson(), challenge });
     url.hash = link;
     if (url.href !== location.href) history.replaceState(history.state, "", url);
     this.#keep(link);
-    if (!this.#embed) write(ofThisTab, addressKey, link);
+    if (!this.#embed) write(ofThisTab, addressKey, `${link}\n${before}`);
     end();
   }
 

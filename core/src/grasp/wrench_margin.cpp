@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "evenlift/tolerance.h"
 #include "exact/dyadic.h"
 
 namespace evenlift {
@@ -221,7 +222,12 @@ double wrench_margin(const std::vector<Wrench>& wrenches) {
     least = std::min(least,
                      distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]));
   }
-  return least > 0 ? least : 0.0 - NearestPoint(wrenches).distance_from_origin();  // never -0
+  if (least > tau) return least;
+  // The origin is in the planes of all facets of a flat hull, on their inner side by rounding alone,
+  // even where it lies beside the hull.
+  constexpr double beside = 1e-7;  // more than the error of the distance
+  const double distance = NearestPoint(wrenches).distance_from_origin();
+  return least > 0 && distance <= beside ? least : 0.0 - distance;  // never -0
 }
 
 }  // namespace evenlift
