@@ -5,7 +5,6 @@
 
 #include "app/search.h"
 #include "app/update.h"
-#include "canvas/closed_stretch.h"
 #include "evenlift/balanced.h"
 #include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
@@ -14,6 +13,7 @@
 #include "state/method.h"
 #include "state/robots_text.h"
 #include "tools/pick.h"
+#include "tools/shorter_way.h"
 #include "view/view_page.h"
 #include "walkthrough/walkthrough.h"
 

@@ -8,13 +8,13 @@
 
 #include "canvas/canvas_drawing.h"
 #include "canvas/canvas_walkthrough.h"
-#include "canvas/closed_stretch.h"
 #include "canvas/hint.h"
 #include "canvas/labels.h"
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
 #include "tools/pick.h"
+#include "tools/shorter_way.h"
 #include "ui/icons.h"
 #include "walkthrough/walkthrough.h"
 

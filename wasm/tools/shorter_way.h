@@ -1,4 +1,4 @@
-// The part of the outline along which a balanced robot cannot be dragged on.
+// Ways along the outline of a polygon.
 #pragma once
 
 #include "evenlift/placement.h"

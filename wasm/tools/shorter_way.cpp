@@ -1,4 +1,4 @@
-#include "canvas/closed_stretch.h"
+#include "tools/shorter_way.h"
 
 #include <algorithm>
 
