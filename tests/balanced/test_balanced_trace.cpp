@@ -277,17 +277,28 @@ TEST_CASE("a search that is too long for a lesson is refused in a sentence", "[t
   CHECK_FALSE(begun->placement.search_ended);
 }
 
-TEST_CASE("where no set exists the trace says so, and still begins with what there is",
+TEST_CASE("where nobody can be placed the trace says so, and draws no robots",
           "[trace][balanced]") {
-  Document document = document_of("square", 3);
-  document.centre_of_mass = Vec2(1e-7, 1e-7);
-  const Placement placement = testing::placed(document);
-  const Trace trace = traced(document);
-  CHECK(trace.count(StepKind::fewer) == (placement.teams.empty() ? 1u : 0u));
-  for (std::uint32_t k = 0; k < trace.size(); ++k) {
-    const StepDetail detail = look_at(trace, k);
-    CHECK_FALSE(caption(trace, detail).empty());
-    figures(trace, detail);
-    numbers(trace, detail);
+  // C is at a corner of a rectangle: no chord has it strictly between its ends.
+  Document document;
+  document.vertices = {{0, 0}, {2, 0}, {2, 4}, {0, 4}};
+  document.centre_of_mass = Vec2(5.594368733352286e-12, 6.3308809186457644e-12);
+  document.settings.method = Method::balanced;
+  for (const std::uint32_t robots : {2u, 3u, 5u}) {
+    INFO(robots);
+    document.settings.robots = robots;
+    REQUIRE(testing::placed(document).teams.empty());
+    const Trace trace = traced(document);
+    CHECK(trace.count(StepKind::fewer) == 1);
+    for (std::uint32_t k = 0; k < trace.size(); ++k) {
+      const StepDetail detail = look_at(trace, k);
+      CHECK_FALSE(detail.balanced.has_value());
+      CHECK_FALSE(caption(trace, detail).empty());
+      for (const Figure& figure : figures(trace, detail)) {
+        CHECK(figure.kind != FigureKind::robot);
+        CHECK(figure.kind != FigureKind::arm);
+      }
+      numbers(trace, detail);
+    }
   }
 }

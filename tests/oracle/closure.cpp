@@ -147,7 +147,7 @@ struct Region {
 };
 
 /// The contacts, and behind them four that stand for the border of the plane: no rotation centre
-/// farther than L / tau from C along an axis counts.
+/// farther than L / tau from C along an axis counts, or L / sqrt(tau) if a translation is free.
 std::vector<Contact> with_border(std::vector<Contact> contacts) {
   for (const auto& [x, y] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
     contacts.push_back({{0, 0}, {x, y}, {Real(-y), Real(x)}});
@@ -362,10 +362,12 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
   }
   const std::vector<Balance> exact_balances = balances(with_border(contacts), false, calls);
   const Real tolerance = tau * shape.size;
+  result.translation = translation_is_free(contacts, calls);
+  const Real reach = shape.size / (result.translation ? Real(sqrt(Real(tau))) : Real(tau));
   bool degenerate = true;  // no region has an area
   std::vector<Region> open;
   for (int side : {1, -1}) {
-    const Region r = region(contacts, exact_balances, shape.size / tau, side);
+    const Region r = region(contacts, exact_balances, reach, side);
     const bool free = !r.widening || calls.within(*r.widening, tolerance, "free region is empty");
     if (free) {
       open.push_back(r);
@@ -374,7 +376,6 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
     }
     (side == 1 ? result.counterclockwise : result.clockwise) = free;
   }
-  result.translation = translation_is_free(contacts, calls);
   result.form_closure = !result.counterclockwise && !result.clockwise && !result.translation;
 
   if (!result.form_closure && !result.translation && degenerate) {

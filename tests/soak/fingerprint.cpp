@@ -119,8 +119,6 @@ void say_all(std::uint64_t number, Take take) {
   take(verdict(*placement) + "\n");
   switch (number % 64) {
     case 0: {
-      // The trace of some balanced placements ends the WebAssembly program (docs/trust.md).
-      if (placement->settings.method == Method::balanced) return;
       const Result<Trace> trace = make_trace(*placement);
       if (!trace)
         take(trace.error().message + "\n");

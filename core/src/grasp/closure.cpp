@@ -39,9 +39,12 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
 }
 
 // The largest distance along an axis at which a rotation centre still counts. A rotation about a
-// point farther away is a translation within tolerance, and whether lines that were drawn parallel
-// meet out there depends on rounding.
-double farthest_centre(const Grasp& grasp) { return grasp.diagonal / tau; }
+// point farther away is a translation within tolerance. Where a translation is free, some contacts
+// may be on edges that were drawn parallel. Rounding turns these by some 1e-14, so whether their
+// normal lines meet farther away than L / sqrt(tau), about 3e4 L, is no property of the shape.
+double farthest_centre(const Grasp& grasp, bool translation_free) {
+  return grasp.diagonal / (translation_free ? std::sqrt(tau) : tau);
+}
 
 constexpr int axes = 4;
 HalfPlane within_reach(int axis, double reach) {
@@ -49,11 +52,11 @@ HalfPlane within_reach(int axis, double reach) {
   return {Vec2::Zero(), directions[axis], reach};
 }
 
-// Whether some centre of rotation is free after the half-planes are widened by `offset`.
-bool some_centre_is_free(const Grasp& grasp, Sense sense, double offset) {
+// Whether some centre of rotation within `reach` is free after the half-planes are widened by
+// `offset`.
+bool some_centre_is_free(const Grasp& grasp, Sense sense, double offset, double reach) {
   std::vector<HalfPlane> planes = rotation_centres(grasp, sense, offset);
-  for (int axis = 0; axis < axes; ++axis)
-    planes.push_back(within_reach(axis, farthest_centre(grasp)));
+  for (int axis = 0; axis < axes; ++axis) planes.push_back(within_reach(axis, reach));
   return have_common_point(planes);
 }
 
@@ -137,11 +140,11 @@ Points degenerate_region(const Grasp& grasp, Sense sense, double reach) {
   return {point};
 }
 
-FreeRegion free_region(const Grasp& grasp, Sense sense) {
+FreeRegion free_region(const Grasp& grasp, Sense sense, double reach) {
   FreeRegion region;
-  region.exists = some_centre_is_free(grasp, sense, grasp.near);
+  region.exists = some_centre_is_free(grasp, sense, grasp.near, reach);
   if (!region.exists) return region;
-  region.has_area = some_centre_is_free(grasp, sense, -grasp.near);
+  region.has_area = some_centre_is_free(grasp, sense, -grasp.near, reach);
   region.clipped = region.has_area
                        ? clip_square(grasp, rotation_centres(grasp, sense, grasp.near))
                        : degenerate_region(grasp, sense, square_half_side * grasp.diagonal);
@@ -173,7 +176,7 @@ std::optional<Vec2> free_translation(const Grasp& grasp) {
 bool resists_at(const Grasp& grasp, const Vec2& c) {
   std::vector<HalfPlane> planes;
   for (int axis = 0; axis < axes; ++axis)
-    planes.push_back(within_reach(axis, farthest_centre(grasp)));
+    planes.push_back(within_reach(axis, farthest_centre(grasp, false)));
   for (const Grasp::Touch& touch : grasp.touches) {
     const Vec2 to_c = c - (touch.position - grasp.centre);
     const double size = length(touch.direction());
@@ -196,7 +199,7 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
     if (region->has_area) return false;
     // The region is bounded, since no translation is free. The reach is only a finite number that
     // is large enough.
-    const Points region_at_rest = degenerate_region(grasp, sense, farthest_centre(grasp));
+    const Points region_at_rest = degenerate_region(grasp, sense, farthest_centre(grasp, false));
     if (region_at_rest.empty()) return false;
     if (!resists_at(grasp, 0.5 * (region_at_rest.front() + region_at_rest.back()))) return false;
   }
@@ -204,8 +207,10 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
 }
 
 bool nothing_is_free(const Grasp& grasp) {
-  return !free_translation(grasp) && !some_centre_is_free(grasp, Sense::clockwise, grasp.near) &&
-         !some_centre_is_free(grasp, Sense::counterclockwise, grasp.near);
+  if (free_translation(grasp)) return false;
+  const double reach = farthest_centre(grasp, false);
+  return !some_centre_is_free(grasp, Sense::clockwise, grasp.near, reach) &&
+         !some_centre_is_free(grasp, Sense::counterclockwise, grasp.near, reach);
 }
 
 std::optional<double> margin_of(const Grasp& grasp) {
@@ -231,14 +236,17 @@ bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points) {
   const Grasp grasp =
       make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts(polygon, points));
-  return !some_centre_is_free(grasp, Sense::clockwise, -grasp.near) &&
-         !some_centre_is_free(grasp, Sense::counterclockwise, -grasp.near);
+  const double reach = farthest_centre(grasp, free_translation(grasp).has_value());
+  return !some_centre_is_free(grasp, Sense::clockwise, -grasp.near, reach) &&
+         !some_centre_is_free(grasp, Sense::counterclockwise, -grasp.near, reach);
 }
 
 FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
                          const std::vector<Contact>& contacts) {
   const Grasp grasp = make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts);
-  return {free_region(grasp, Sense::clockwise), free_region(grasp, Sense::counterclockwise)};
+  const double reach = farthest_centre(grasp, free_translation(grasp).has_value());
+  return {free_region(grasp, Sense::clockwise, reach),
+          free_region(grasp, Sense::counterclockwise, reach)};
 }
 
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
@@ -248,8 +256,9 @@ Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
   Closure closure;
   closure.translation = free_translation(grasp);
   closure.translation_free = closure.translation.has_value();
-  closure.clockwise = free_region(grasp, Sense::clockwise);
-  closure.counterclockwise = free_region(grasp, Sense::counterclockwise);
+  const double reach = farthest_centre(grasp, closure.translation_free);
+  closure.clockwise = free_region(grasp, Sense::clockwise, reach);
+  closure.counterclockwise = free_region(grasp, Sense::counterclockwise, reach);
   closure.form_closure =
       !closure.translation_free && !closure.clockwise.exists && !closure.counterclockwise.exists;
   closure.second_order = immobile_to_second_order(grasp, closure);

@@ -132,6 +132,7 @@ void StepFigures::share() { add_team(item_, true); }
 
 void StepFigures::loads() {
   if (trace_.balanced()) {
+    if (!detail_.balanced) return;  // none were placed
     add_arms();
     return add_balanced(placement_.loads->max);
   }
