@@ -85,8 +85,9 @@ class Shape {
     if (!taken.empty()) {
       const std::vector<double> score =
           scores(polygon_, centre(), candidates(), taken, placement_.settings.method);
+      const double across = 2 * farthest_vertex(polygon_, centre());
       const double floor =
-          1e-12 * (placement_.settings.method == Method::distance ? size() : size() * size());
+          1e-12 * (placement_.settings.method == Method::distance ? across : across * across);
       keep_best(
           left, [&](std::uint32_t i) { return score[i]; },
           [&](double best) { return room * std::max(tau * std::fabs(best), floor); });

@@ -57,14 +57,17 @@ Corners farthest_two(const Corners& corners) {
   return ends;
 }
 
-/// Whether corner i is one by rounding alone: at the place of a neighbour, or straight.
+/// Whether corner i is one by rounding alone: at the place of a neighbour, or straight. The tip of a
+/// thin hull is near the line of its neighbours, too, but not between them.
 bool is_superfluous(const Corners& corners, std::size_t i, const Real& size, Calls& calls) {
   const std::size_t n = corners.size();
   const RealVec &a = corners[(i + n - 1) % n], &b = corners[(i + 1) % n];
   for (const RealVec& neighbour : {a, b})
     if (calls.within(length(corners[i] - neighbour), tau * size, "two corners of H at one place"))
       return true;
-  return calls.within(abs(outside(corners[i], a, b)), tau * length(b - a), "straight corner of H");
+  const Real along = dot(corners[i] - a, b - a);
+  return along >= 0 && along <= dot(b - a, b - a) &&
+         calls.within(abs(outside(corners[i], a, b)), tau * length(b - a), "straight corner of H");
 }
 
 }  // namespace

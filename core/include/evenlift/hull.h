@@ -8,8 +8,8 @@ namespace evenlift {
 // The corners of the convex hull of points, counter-clockwise from the lowest of the leftmost, by
 // Andrew's monotone chain with exact orientations.
 // With `flat` above 0, corners that only rounding makes are left out: those within `flat` of
-// another corner, and those whose distance from a side between remaining corners is at most tau of
-// its length. Points that all lie within `flat` of one line give the two ends, equal points give
+// another corner, and those between the ends of a side whose distance from it is at most tau of its
+// length. Points that all lie within `flat` of one line give the two ends, equal points give
 // one. O(m log m), and O(r^2) for each run of r corners that are left out.
 Points convex_hull(Points points, double flat = 0);
 

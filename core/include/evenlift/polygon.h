@@ -68,4 +68,8 @@ bool is_counter_clockwise(const Points& vertices);
 // inside the polygon's convex hull, which is decided exactly. O(h) for h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
+// R, the largest distance of a vertex from C. It stays the same when the object is turned, which L
+// does not. O(n).
+double farthest_vertex(const Polygon& polygon, const Vec2& centre);
+
 }  // namespace evenlift

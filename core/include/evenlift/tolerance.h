@@ -18,8 +18,8 @@ bool ratios_tie(double a, double b);
 bool lengths_tie(double a, double b);
 
 // A score ties with the best if it is at most this much lower: tau times the best, but at least
-// `floor`, since differences of sums cancel. The floor is score_floor times L^2, or times L for the
-// metric distance.
+// `floor`, since differences of sums cancel. The floor is score_floor times (2 R)^2, or times 2 R for
+// the metric distance; R is the largest distance of a vertex from C.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 

@@ -4,7 +4,6 @@
 
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
-#include "grasp/grasp.h"
 
 namespace evenlift::balanced {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "evenlift/failures.h"
 #include "evenlift/tolerance.h"
-#include "grasp/grasp.h"
 
 namespace evenlift::balanced {
 namespace {

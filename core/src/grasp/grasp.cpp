@@ -34,12 +34,6 @@ void keep_extremes(Grasp& grasp) {
 
 }  // namespace
 
-double farthest_vertex(const Polygon& polygon, const Vec2& centre) {
-  double farthest = 0;
-  for (const Vec2& v : polygon.vertices()) farthest = std::max(farthest, length(v - centre));
-  return farthest;
-}
-
 double along(const Grasp& grasp, const Grasp::Touch& touch) {
   return dot_of_differences(touch.from, touch.to, grasp.centre, touch.position);
 }

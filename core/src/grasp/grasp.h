@@ -26,9 +26,6 @@ struct Grasp {
   std::vector<Touch> touches;
 };
 
-// R. O(n).
-double farthest_vertex(const Polygon& polygon, const Vec2& centre);
-
 // The grasp with the contacts, of those on one edge only the first and the last. The wrenches and
 // the normal lines of the others lie between theirs and add nothing. `radius` is R. O(m log m).
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,

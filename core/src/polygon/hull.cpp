@@ -65,7 +65,8 @@ double squared_distance(const Vec2& a, const Vec2& b) {
 
 // Leaves out the corners that rounding alone makes: those within `flat` of the corner before them,
 // and those on a straight run, whose distance from the side that spans the run is at most tau of
-// its length. It begins with the corner that is farthest from the first, which cannot lie within a
+// its length. The tip of a thin hull may be as near to the line of that side, but lies beyond its
+// ends. It begins with the corner that is farthest from the first, which cannot lie within a
 // straight run. A corner is left out only together with all others of its run, so that many slight
 // turns that add up stay.
 Points without_straight_corners(const Points& hull, double flat) {
@@ -77,11 +78,13 @@ Points without_straight_corners(const Points& hull, double flat) {
   const auto corner = [&](std::size_t i) -> const Vec2& { return hull[(start + i) % n]; };
   const auto is_straight = [&](std::size_t from, std::size_t to) {
     const Vec2 &a = corner(from), &b = corner(to);
-    const double reach = tau * squared_distance(a, b);
+    const double squared = squared_distance(a, b);
     for (std::size_t i = from + 1; i < to; ++i) {
-      const bool same_place = squared_distance(a, corner(i)) <= flat * flat ||
-                              squared_distance(corner(i), b) <= flat * flat;
-      if (!same_place && std::fabs(orient(a, b, corner(i))) > reach) return false;
+      const Vec2& c = corner(i);
+      if (squared_distance(a, c) <= flat * flat || squared_distance(c, b) <= flat * flat) continue;
+      const double along = dot(c - a, b - a);
+      if (along < 0 || along > squared) return false;
+      if (std::fabs(orient(a, b, c)) > tau * squared) return false;
     }
     return true;
   };

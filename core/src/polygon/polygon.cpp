@@ -264,4 +264,10 @@ Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Ve
   return centre;
 }
 
+double farthest_vertex(const Polygon& polygon, const Vec2& centre) {
+  double farthest = 0;
+  for (const Vec2& v : polygon.vertices()) farthest = std::max(farthest, length(v - centre));
+  return farthest;
+}
+
 }  // namespace evenlift

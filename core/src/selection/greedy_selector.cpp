@@ -41,6 +41,12 @@ double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - (a + along * line));
 }
 
+// The floor for score_slack. With L it would be another one when the object is turned.
+double floor_of(const Polygon& polygon, const Vec2& centre, Method metric) {
+  const double size = 2 * farthest_vertex(polygon, centre);
+  return score_floor * (metric == Method::distance ? size : size * size);
+}
+
 }  // namespace
 
 Selector::Selector(const Polygon& polygon, const Vec2& centre,
@@ -50,8 +56,7 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
       metric_(metric),
       most_teams_(most_teams),
       near_(near_distance(polygon.diagonal())),
-      floor_(metric == Method::distance ? score_floor * polygon.diagonal()
-                                        : score_floor * polygon.diagonal() * polygon.diagonal()),
+      floor_(floor_of(polygon, centre, metric)),
       is_taken_(candidates.size()) {
   ends_.reserve(2 * candidates.size());
   for (const Candidate& candidate : candidates) {
