@@ -126,9 +126,8 @@ def pack_wheel(out, when):
         sources = run("git", "archive", "--format=tar", "HEAD", cwd=root)
         with tarfile.open(fileobj=io.BytesIO(sources)) as tar:
             tar.extractall(copy)
-        environment = {**os.environ, "SOURCE_DATE_EPOCH": str(when)}
-        run(sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "--wheel-dir", str(out),
-            str(copy / "python"), env=environment)
+        build = "import sys; from setuptools import build_meta; build_meta.build_wheel(sys.argv[1])"
+        run(sys.executable, "-c", build, str(out), cwd=copy / "python", env={**os.environ, "SOURCE_DATE_EPOCH": str(when)})
 
 
 def write_sums(out):

@@ -87,7 +87,7 @@ export function createApi(compiled) {
   return {
     run,
     place: asked("place"),
-    candidates: asked("candidates"),
+    candidates: (...given) => asked("candidates")(...given).candidates,
     svg: (...given) => asked("svg")(...given).svg,
     poses: (...given) => asked("poses")(...given).poses,
     link: (...given) => asked("link")(...given).link,

@@ -178,7 +178,8 @@ Problem read_request(const Json& members, Request& request) {
 // --- Answers
 
 std::string candidates_of(const Placement& placement) {
-  return text_of(Json::parse(placement_json(placement, true), nullptr, false)["candidates"]);
+  const Json whole = Json::parse(placement_json(placement, true), nullptr, false);
+  return text_of({{"candidates", whole["candidates"]}});
 }
 
 std::string placed(const Request& request, Placement placement) {
