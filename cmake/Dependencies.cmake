@@ -89,18 +89,20 @@ if(EVENLIFT_PROGRAM OR EVENLIFT_TESTS)
 endif()
 
 # --- pugixml, which reads the XML of SVG files: the system's library, and its sources for WebAssembly -------------------
-if(NOT EMSCRIPTEN AND NOT FETCHCONTENT_SOURCE_DIR_PUGIXML)
-  find_package(pugixml 1.11 QUIET CONFIG)
-endif()
-if(NOT TARGET pugixml::pugixml)
-  evenlift_cached(FETCHCONTENT_SOURCE_DIR_PUGIXML "pugixml-*")
-  evenlift_fetch(pugixml https://github.com/zeux/pugixml.git a0e064336317c9347a91224112af9933598714e9) # v1.13
-  add_library(pugixml STATIC EXCLUDE_FROM_ALL "${pugixml_SOURCE_DIR}/src/pugixml.cpp")
-  add_library(pugixml::pugixml ALIAS pugixml)
-  target_include_directories(pugixml SYSTEM PUBLIC "$<BUILD_INTERFACE:${pugixml_SOURCE_DIR}/src>")
-  # PUBLIC: its header must say what was built.
-  target_compile_definitions(pugixml PUBLIC PUGIXML_NO_XPATH PUGIXML_NO_EXCEPTIONS PUGIXML_NO_STL)
-  target_compile_options(pugixml PRIVATE -fno-exceptions -w ${evenlift_small})
+if(EVENLIFT_IMPORT)
+  if(NOT EMSCRIPTEN AND NOT FETCHCONTENT_SOURCE_DIR_PUGIXML)
+    find_package(pugixml 1.11 QUIET CONFIG)
+  endif()
+  if(NOT TARGET pugixml::pugixml)
+    evenlift_cached(FETCHCONTENT_SOURCE_DIR_PUGIXML "pugixml-*")
+    evenlift_fetch(pugixml https://github.com/zeux/pugixml.git a0e064336317c9347a91224112af9933598714e9) # v1.13
+    add_library(pugixml STATIC EXCLUDE_FROM_ALL "${pugixml_SOURCE_DIR}/src/pugixml.cpp")
+    add_library(pugixml::pugixml ALIAS pugixml)
+    target_include_directories(pugixml SYSTEM PUBLIC "$<BUILD_INTERFACE:${pugixml_SOURCE_DIR}/src>")
+    # PUBLIC: its header must say what was built.
+    target_compile_definitions(pugixml PUBLIC PUGIXML_NO_XPATH PUGIXML_NO_EXCEPTIONS PUGIXML_NO_STL)
+    target_compile_options(pugixml PRIVATE -fno-exceptions -w ${evenlift_small})
+  endif()
 endif()
 
 # --- Dear ImGui: the sources, built with our configuration (wasm/ui/imgui_config.h) -------------------------------------

@@ -12,12 +12,16 @@ if(TARGET evenlift)
 endif()
 
 # --- C++: evenlift::core and the libraries on top of it ---------------------------------------------------------------
-set(libraries evenlift_core evenlift_output evenlift_import evenlift_experiment)
+set(libraries evenlift_core evenlift_output evenlift_experiment evenlift_request)
 # Where pugixml is no library of the system, ours goes along under a name that nobody else has.
-get_target_property(pugixml_is_elsewhere pugixml::pugixml IMPORTED)
-if(NOT pugixml_is_elsewhere)
-  list(APPEND libraries pugixml)
-  set_target_properties(pugixml PROPERTIES OUTPUT_NAME evenlift_pugixml)
+set(pugixml_is_elsewhere OFF)
+if(EVENLIFT_IMPORT)
+  list(APPEND libraries evenlift_import)
+  get_target_property(pugixml_is_elsewhere pugixml::pugixml IMPORTED)
+  if(NOT pugixml_is_elsewhere)
+    list(APPEND libraries pugixml)
+    set_target_properties(pugixml PROPERTIES OUTPUT_NAME evenlift_pugixml)
+  endif()
 endif()
 install(TARGETS ${libraries} EXPORT evenlift_targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
 install(
@@ -42,6 +46,16 @@ install(
   FILES "${PROJECT_BINARY_DIR}/package/evenlift-config.cmake" "${PROJECT_BINARY_DIR}/package/evenlift-config-version.cmake"
   DESTINATION "${EVENLIFT_PACKAGE_DIR}"
   COMPONENT development)
+
+# --- C, and what calls it --------------------------------------------------------------------------------------------------
+install(
+  TARGETS evenlift_c
+  EXPORT evenlift_targets
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT development
+  RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT library
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+install(FILES "${PROJECT_SOURCE_DIR}/c/include/evenlift/evenlift.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/evenlift"
+        COMPONENT development)
 
 # --- pkg-config ---------------------------------------------------------------------------------------------------------
 # The installed folder may be moved: paths begin at the file itself. Absolute folders of a distribution stay as they are.
@@ -74,7 +88,10 @@ else()
   set(EVENLIFT_PUGIXML_REQUIRES "")
   set(EVENLIFT_PUGIXML_LIBS "-levenlift_pugixml")
 endif()
-evenlift_pkg_config(evenlift-import development)
+if(EVENLIFT_IMPORT)
+  evenlift_pkg_config(evenlift-import development)
+endif()
+evenlift_pkg_config(evenlift-c development)
 
 # --- The licence ----------------------------------------------------------------------------------------------------------
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT development)

@@ -29,7 +29,8 @@ def run(*command, cwd=None, expect=0, **environment):
         check=False,
     )
     if done.returncode != expect:
-        raise Failed(f"{' '.join(map(str, command))}: status {done.returncode}\n{done.stdout.decode()}{done.stderr.decode()}")
+        shown = " ".join(map(str, command))[:200]
+        raise Failed(f"{shown}: status {done.returncode}\n{done.stdout.decode()}{done.stderr.decode()}")
     return done.stdout.decode()
 
 
