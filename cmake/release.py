@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 """Packs what is published from what is built; `./dev release` builds it and calls this:
 
-    release.py OUT [--page FOLDER] [--bin FOLDER] [--npm FOLDER]
+    release.py OUT [--page FOLDER] [--bin FOLDER] [--npm FOLDER] [--library FILE]
 
-The folders are build/page, build/bin and build/npm if not given. OUT is made anew, with
+The folders are build/page, build/bin and build/npm if not given, and the library build/native/c/libevenlift.so. OUT is made anew, with
 
     evenlift-VERSION.tar.gz            the sources, as git has them at HEAD
     evenlift-VERSION-page.zip          the page, for any static host
     evenlift-VERSION-SYSTEM.tar.gz     the program for this system, such as linux-x86_64
     evenlift-VERSION-node.tar.gz       the program for Node, in WebAssembly
     evenlift-VERSION.tgz               the package for npm
-    evenlift-VERSION-….whl             the package for Python, if there is the folder python
+    evenlift-VERSION-….whl             the package for Python, with the library
     SHA256SUMS                         the hashes of all of them
 
 The version is CMakeLists.txt's. The same sources and compilers give the same bytes: entries are sorted, belong to nobody, and have the
@@ -116,18 +116,27 @@ def pack_npm(out, package):
     run("npm", "pack", "--silent", "--pack-destination", str(out), str(package))
 
 
-def pack_wheel(out, when):
-    """Built in a copy, so that nothing is left among the sources."""
+def python_with_setuptools():
+    """Of several Pythons the one that can build the package."""
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import setuptools, wheel"], stderr=subprocess.DEVNULL).returncode == 0:
+            return python
+    sys.exit("release.py: no Python here has setuptools and wheel, which build the package for Python")
+
+
+def pack_wheel(out, library, when):
+    """Built in a copy, so that nothing is left among the sources, around the library that is built already."""
     if not (root / "python/pyproject.toml").exists():
         return
+    if not library.exists():
+        sys.exit(f"release.py: {library} is missing; build it first")
     with tempfile.TemporaryDirectory() as folder:
-        copy = Path(folder) / "evenlift"
-        copy.mkdir()
         sources = run("git", "archive", "--format=tar", "HEAD", cwd=root)
         with tarfile.open(fileobj=io.BytesIO(sources)) as tar:
-            tar.extractall(copy)
+            tar.extractall(folder)
         build = "import sys; from setuptools import build_meta; build_meta.build_wheel(sys.argv[1])"
-        run(sys.executable, "-c", build, str(out), cwd=copy / "python", env={**os.environ, "SOURCE_DATE_EPOCH": str(when)})
+        environment = {**os.environ, "SOURCE_DATE_EPOCH": str(when), "EVENLIFT_LIBRARY": str(library)}
+        run(python_with_setuptools(), "-c", build, str(out), cwd=Path(folder) / "python", env=environment)
 
 
 def write_sums(out):
@@ -141,6 +150,7 @@ def main():
     parser.add_argument("out", type=Path)
     for name in ("page", "bin", "npm"):
         parser.add_argument(f"--{name}", type=Path, default=root / "build" / name)
+    parser.add_argument("--library", type=Path, default=root / "build/native/c/libevenlift.so")
     given = parser.parse_args()
     version, when = version_of_project(), commit_time()
     check_changelog(version)
@@ -152,7 +162,7 @@ def main():
     write_zip(out / f"{name}-page.zip", "evenlift", page_files(given.page), when)
     pack_programs(out, name, given.bin, when)
     pack_npm(out, given.npm.resolve())
-    pack_wheel(out, when)
+    pack_wheel(out, given.library.resolve(), when)
     print("".join(write_sums(out)), end="")
 
 

@@ -8,6 +8,8 @@ export type Polygon = readonly (readonly [x: number, y: number])[] | string;
 
 export type Metric = "area" | "circle" | "distance" | "distributed" | "random" | "balanced";
 export type Goal = "cover" | "hold";
+export type LengthUnit = "m" | "cm" | "mm" | "in";
+export type WeightUnit = "kg" | "t" | "N" | "lb";
 export type Overlay = "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo";
 
 /** As the program's options of the same names; each has the program's default. */
@@ -36,6 +38,10 @@ export interface Settings {
   capacity?: number | "none";
   /** The centre of mass is known within this distance, at least 0. */
   com_radius?: number;
+  /** Of coordinates and distances: a label, which changes no number. Default `"none"`. */
+  unit?: LengthUnit | "none";
+  /** Of weights and loads, likewise. Default `"kg"`. */
+  weight_unit?: WeightUnit;
   /** What a picture shows. */
   overlays?: readonly Overlay[] | "none";
   /** The step of the lesson that a link opens. */
@@ -154,6 +160,10 @@ export interface Placement {
   weight: number;
   /** Rounded by JavaScript beyond 2⁵³. */
   seed: number;
+  /** Where it is not `"none"`. */
+  unit?: LengthUnit;
+  /** Where it is not `"kg"`. */
+  weight_unit?: WeightUnit;
   /** With `candidates`. */
   candidates?: Candidate[];
   requested_teams: number;

@@ -22,7 +22,7 @@ const project = path.join(work, "project");
 mkdirSync(project);
 writeFileSync(path.join(project, "package.json"), '{ "private": true, "type": "module" }\n');
 npm(project, "install", "--offline", "--no-audit", "--no-fund", path.join(work, packed.filename));
-const { place, candidates, svg, link, run, version, EvenliftError } =
+const { place, candidates, svg, poses, link, experiment, run, version, EvenliftError } =
   await import(pathToFileURL(path.join(project, "node_modules/evenlift/node.js")).href);
 
 const plate = [[0, 0], [160, 0], [160, 90], [90, 90], [90, 60], [0, 60]];
@@ -75,10 +75,17 @@ test("settings have the effect that the program's options have", () => {
     [{ metric: "random", seed: 18446744073709551615n }, ["--metric", "random", "--seed", "18446744073709551615"]],
     [{ metric: "balanced", robots: 5, goal: "hold" }, ["--metric", "balanced", "--robots", "5", "--goal", "hold"]],
     [{ capacity: 20, com_radius: 10 }, ["--capacity", "20", "--com-radius", "10"]],
+    [{ unit: "mm", weight_unit: "lb" }, ["--unit", "mm", "--weight-unit", "lb"]],
     [{ centre_of_mass: [260, 480] }, ["--com", "260,480"]],
   ]) assert.deepEqual(place(text, options), JSON.parse(evenlift("place", file, "--json", ...args)), JSON.stringify(args));
   assert.deepEqual(candidates(text), place(text, { candidates: true }).candidates);
   assert.equal(link(text, { metric: "circle" }), evenlift("link", "encode", file, "--metric", "circle").trim());
+  const message = path.join(work, "poses.yaml");
+  evenlift("place", file, "--poses", message, "--frame", "hall");
+  assert.equal(poses(text, { format: "yaml", frame: "hall" }), readFileSync(message, "utf8"));
+  const measured = experiment([{ name: "hammer", set: "some", text }], { samples: 2, max_teams: 2, max_balanced: 3 });
+  assert.match(measured.measurements, /hammer/);
+  assert.deepEqual(measured.refused, []);
   const picture = path.join(work, "picture.svg");
   evenlift("place", file, "--teams", "2", "--svg", picture);
   assert.equal(svg(text, { teams: 2 }), readFileSync(picture, "utf8"));

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Packs a release of what is built twice, in two folders, and looks into it. Uses EVENLIFT_PAGE, EVENLIFT_BIN and EVENLIFT_NPM, or
-build/page, build/bin and build/npm. The sources are those of a copy that git knows, so that changes at hand do not matter."""
+"""Packs a release of what is built twice, in two folders, and looks into it. Uses EVENLIFT_PAGE, EVENLIFT_BIN, EVENLIFT_NPM and
+EVENLIFT_LIBRARY, or build/page, build/bin, build/npm and build/native/c/libevenlift.so. The sources are those of a copy that git knows, so that changes at hand do not matter."""
 import hashlib
 import io
 import json
@@ -16,6 +16,7 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent.parent
 folders = {name: Path(os.environ.get(f"EVENLIFT_{name.upper()}", root / "build" / name)) for name in ("page", "bin", "npm")}
+library = Path(os.environ.get("EVENLIFT_LIBRARY", root / "build/native/c/libevenlift.so"))
 version = re.search(r"^project\(evenlift VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
 
 
@@ -26,11 +27,12 @@ def git(folder, *args):
 
 
 def sources(folder):
-    """Those parts of the sources that a release reads, committed. The package for Python has tests of its own."""
+    """Those parts of the sources that a release reads, committed."""
     folder.mkdir(parents=True)
     for name in ("CMakeLists.txt", "CHANGELOG.md", "LICENSE", "README.md", "cmake/release.py", "docs/cli.md"):
         (folder / name).parent.mkdir(exist_ok=True)
         shutil.copy(root / name, folder / name)
+    shutil.copytree(root / "python", folder / "python", ignore=shutil.ignore_patterns("__pycache__", "*.so", "*.egg-info"))
     git(folder, "init", "--quiet")
     git(folder, "add", "-A")
     git(folder, "commit", "--quiet", "-m", "As it is")
@@ -38,7 +40,8 @@ def sources(folder):
 
 def pack(copy, built=None, expect=0):
     built = built or folders
-    done = subprocess.run(["python3", "cmake/release.py", "out", *(f"--{name}={path}" for name, path in built.items())], cwd=copy,
+    done = subprocess.run(["python3", "cmake/release.py", "out", f"--library={library}",
+                           *(f"--{name}={path}" for name, path in built.items())], cwd=copy,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert done.returncode == expect, done.stderr
     return done.stderr if expect else {file.name: file.read_bytes() for file in (copy / "out").iterdir()}
@@ -102,6 +105,11 @@ class Release(unittest.TestCase):
     def test_the_package_is_of_this_version(self):
         with tarfile.open(fileobj=io.BytesIO(self.files[f"evenlift-{version}.tgz"])) as archive:
             self.assertEqual(json.load(archive.extractfile("package/package.json"))["version"], version)
+
+    def test_the_wheel_has_the_library(self):
+        name = next(name for name in self.files if re.fullmatch(rf"evenlift-{re.escape(version)}-py3-none-\w+\.whl", name))
+        archive = zipfile.ZipFile(io.BytesIO(self.files[name]))
+        self.assertEqual(archive.read(f"evenlift/{library.name}"), library.read_bytes())
 
     def test_changes_that_are_not_committed_are_refused(self):
         readme = self.copy / "README.md"
