@@ -102,6 +102,20 @@ def check_headers(prefix):
     return len(headers)
 
 
+def check_inclusion(source, folder):
+    """As a part of another project it wants neither the program's nor the tests' libraries. To compile it takes minutes, so
+    that is left out."""
+    shutil.copytree(source, folder)
+    (folder / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.24)\nproject(other LANGUAGES CXX)\n"
+        f'add_subdirectory("{root}" evenlift)\nadd_executable(bears bears.cpp)\n'
+        "target_link_libraries(bears PRIVATE evenlift::core)\n"
+    )
+    without = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in not_needed if name != "nlohmann_json"]
+    configure(folder, folder, folder / "build", "-DEVENLIFT_DOWNLOADS=OFF", *without)
+    expect(not (folder / "build/bin").exists(), "it builds a program of ours")
+
+
 def check(folder):
     prefix = installed_into(folder)
     source = folder / "consumer"
@@ -109,6 +123,7 @@ def check(folder):
     check_cmake(prefix, source, folder / "cmake")
     check_wrong_version(prefix, source, folder)
     check_pkg_config(prefix, source, folder / "pkg-config")
+    check_inclusion(source, folder / "included")
     headers = check_headers(prefix)
     expect(str(build) not in "".join(path.read_text() for path in prefix.glob("**/*.cmake")), "the package knows its build folder")
     return f"{len(samples)} samples, {headers} headers"
