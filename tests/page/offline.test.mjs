@@ -326,13 +326,14 @@ test("where the host has the page no more, what is kept goes", async (t) => {
   await page.context().close();
 });
 
-test("the card of a new version waits until no other card is open", async (t) => {
+test("the card of a new version waits until no other card is open, and says what would be lost", async (t) => {
   const host = await startHost(t);
   const page = await visit(host);
   await kept(page);
-  await page.keyboard.press("Shift+W");
-  const welcome = page.locator("#welcome");
-  await welcome.waitFor();
+  const open = await openWindow(page, "open");
+  await open.locator("input[type=file]").setInputFiles(path.join(host.folder, "icon-192.png"));
+  const photo = page.locator("#photo");
+  await photo.waitFor();
   buildAgain(host.folder, edition("second"));
   await lookForNews(page);
   await page.evaluate(async () => {
@@ -340,10 +341,11 @@ test("the card of a new version waits until no other card is open", async (t) =>
     if (registration.installing) await new Promise((done) => registration.installing.addEventListener("statechange", done, { once: true }));
   });
   await idle(page);
-  assert.ok(await welcome.isVisible());
+  assert.ok(await photo.isVisible());
   assert.equal(await card(page).count(), 0);
-  await page.keyboard.press("Escape");
+  await photo.getByRole("button", { name: "Close" }).click();
   await card(page).waitFor();
+  assert.match(await card(page).getByRole("status").textContent(), /stays but for the picture behind the drawing\.$/);
   await page.done();
 });
 
