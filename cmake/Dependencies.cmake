@@ -71,33 +71,38 @@ function(evenlift_headers package version target folder repository commit includ
   endif()
 endfunction()
 
-# --- Headers only: Eigen (geometry), CLI11 (command line), nlohmann-json (output) -------------------------------------
+# --- Headers only: Eigen (geometry), nlohmann-json (reading JSON), CLI11 (command line) ---------------------------------
 evenlift_headers(
   Eigen3 3.4 Eigen3::Eigen Eigen
   https://gitlab.com/libeigen/eigen.git 3147391d946bb4b6c68edd901f2add6ac1f31f8c # 3.4.0
   .)
 evenlift_headers(
-  CLI11 2.1 CLI11::CLI11 CLI
-  https://github.com/CLIUtils/CLI11.git 291c58789c031208f08f4f261a858b5b7083e8e2 # v2.3.2
-  include)
-evenlift_headers(
   nlohmann_json 3.10 nlohmann_json::nlohmann_json nlohmann
   https://github.com/nlohmann/json.git bc889afb4c5bf1c0d8ee29ef35eaaf4c8bef8a5d # v3.11.2
   include)
 
-# --- pugixml, which reads the XML of SVG files: the system's library, and its sources for WebAssembly -------------------
-if(NOT EMSCRIPTEN AND NOT FETCHCONTENT_SOURCE_DIR_PUGIXML)
-  find_package(pugixml 1.11 QUIET CONFIG)
+if(EVENLIFT_PROGRAM OR EVENLIFT_TESTS)
+  evenlift_headers(
+    CLI11 2.1 CLI11::CLI11 CLI
+    https://github.com/CLIUtils/CLI11.git 291c58789c031208f08f4f261a858b5b7083e8e2 # v2.3.2
+    include)
 endif()
-if(NOT TARGET pugixml::pugixml)
-  evenlift_cached(FETCHCONTENT_SOURCE_DIR_PUGIXML "pugixml-*")
-  evenlift_fetch(pugixml https://github.com/zeux/pugixml.git a0e064336317c9347a91224112af9933598714e9) # v1.13
-  add_library(pugixml STATIC EXCLUDE_FROM_ALL "${pugixml_SOURCE_DIR}/src/pugixml.cpp")
-  add_library(pugixml::pugixml ALIAS pugixml)
-  target_include_directories(pugixml SYSTEM PUBLIC "${pugixml_SOURCE_DIR}/src")
-  # PUBLIC: its header must say what was built.
-  target_compile_definitions(pugixml PUBLIC PUGIXML_NO_XPATH PUGIXML_NO_EXCEPTIONS PUGIXML_NO_STL)
-  target_compile_options(pugixml PRIVATE -fno-exceptions -w ${evenlift_small})
+
+# --- pugixml, which reads the XML of SVG files: the system's library, and its sources for WebAssembly -------------------
+if(EVENLIFT_IMPORT)
+  if(NOT EMSCRIPTEN AND NOT FETCHCONTENT_SOURCE_DIR_PUGIXML)
+    find_package(pugixml 1.11 QUIET CONFIG)
+  endif()
+  if(NOT TARGET pugixml::pugixml)
+    evenlift_cached(FETCHCONTENT_SOURCE_DIR_PUGIXML "pugixml-*")
+    evenlift_fetch(pugixml https://github.com/zeux/pugixml.git a0e064336317c9347a91224112af9933598714e9) # v1.13
+    add_library(pugixml STATIC EXCLUDE_FROM_ALL "${pugixml_SOURCE_DIR}/src/pugixml.cpp")
+    add_library(pugixml::pugixml ALIAS pugixml)
+    target_include_directories(pugixml SYSTEM PUBLIC "$<BUILD_INTERFACE:${pugixml_SOURCE_DIR}/src>")
+    # PUBLIC: its header must say what was built.
+    target_compile_definitions(pugixml PUBLIC PUGIXML_NO_XPATH PUGIXML_NO_EXCEPTIONS PUGIXML_NO_STL)
+    target_compile_options(pugixml PRIVATE -fno-exceptions -w ${evenlift_small})
+  endif()
 endif()
 
 # --- Dear ImGui: the sources, built with our configuration (wasm/ui/imgui_config.h) -------------------------------------

@@ -32,12 +32,15 @@ void encode(const Arguments& arguments) {
   shapes.declare(line);
   DoubtOptions doubt;
   doubt.declare(line);
+  UnitOptions units;
+  units.declare(line);
   line.flag(candidates, "--candidates", "the page shows the candidates too");
   if (!line.parse(arguments)) return;
 
   Input input = read_input(file, shapes);
   options.apply(input.document);
   doubt.apply(input.document);
+  units.apply(input.document);
   if (candidates) input.document.settings.overlays.candidates = true;
   check(input.document, input, options);
   const Result<std::string> link = encode_link(input.document);

@@ -9,6 +9,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "options.h"
+#include "pose_options.h"
 #include "robustness_text.h"
 #include "table.h"
 
@@ -111,7 +112,7 @@ std::string for_people(const Placement& placement, bool with_candidates,
     sentences += capacity_in_words(placement, capacity->limit, &capacity->plan,
                                    overloaded_robots(greatest, capacity->limit)) +
                  "\n";
-  sentences += robustness_lines(known, limit);
+  sentences += robustness_lines(known, limit, placement.settings.units);
   if (asked.failures && !placement.teams.empty()) tables += failure_table(placement, known) + "\n";
   if (with_candidates && !placement.candidates.empty()) tables += candidate_table(placement) + "\n";
   return sentences + "\n" + tables + facts(placement, known.robustness);
@@ -134,6 +135,8 @@ void cmd_place(const Arguments& arguments) {
   SettingOptions options;
   std::optional<std::string> svg;
   DoubtOptions doubt;
+  UnitOptions units;
+  PoseFileOptions poses;
   RobustnessOptions robustness_options;
   bool as_json = false, candidates = false;
   line.positional(file, "FILE", "the polygon");
@@ -141,15 +144,19 @@ void cmd_place(const Arguments& arguments) {
   options.declare(line);
   shapes.declare(line);
   doubt.declare(line);
+  units.declare(line);
   robustness_options.declare(line);
   line.flag(as_json, "--json", "one JSON object instead of a table");
   line.flag(candidates, "--candidates", "list the candidates too, and show them in the picture");
   line.value(svg, "--svg", "OUT", "also write a picture as SVG");
+  poses.declare(line);
   if (!line.parse(arguments)) return;
 
   Input input = read_input(file, shapes);
   options.apply(input.document);
   doubt.apply(input.document);
+  units.apply(input.document);
+  const std::optional<PosesAsked> pose_file = poses.asked();
   const RobustnessAsked asked(robustness_options, input.document.settings);
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.failure(input.source, placement.error());
@@ -162,6 +169,8 @@ void cmd_place(const Arguments& arguments) {
     const Result<std::string> link = encode_link(input.document);  // a huge polygon has none
     write_file(*svg, placement_svg(pictured, link ? *link : std::string()));
   }
+  if (pose_file)
+    write_file(pose_file->file, poses_text(*placement, pose_file->format, pose_file->options));
   write_output(
       as_json ? placement_json(*placement, candidates, capacity, {asked.com_radius, asked.failures})
               : for_people(*placement, candidates, capacity, asked));

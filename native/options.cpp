@@ -95,6 +95,16 @@ void DoubtOptions::apply(Document& document) const {
   if (com_radius) setting_option(Setting::com_radius, *com_radius, document);
 }
 
+void UnitOptions::declare(CommandLine& line) {
+  line.value(unit, "--unit", "U", "label of lengths: m, cm, mm or in (default none)");
+  line.value(weight_unit, "--weight-unit", "U", "label of weights: kg (default), t, N or lb");
+}
+
+void UnitOptions::apply(Document& document) const {
+  if (unit) setting_option(Setting::unit, *unit, document);
+  if (weight_unit) setting_option(Setting::weight_unit, *weight_unit, document);
+}
+
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {
   if (error.place.kind == Place::Kind::option)
     return {bad_input_status, as_typed(error.place.option), error.message};

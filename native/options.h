@@ -42,6 +42,14 @@ struct SettingOptions {
   void check_method(Method method) const;
 };
 
+// The labels of lengths and weights, as they were typed.
+struct UnitOptions {
+  std::optional<std::string> unit, weight_unit;
+
+  void declare(CommandLine& line);
+  void apply(Document& document) const;  // throws Failure naming the option
+};
+
 // What a robot carries and how well the centre of mass is known, as it was typed.
 struct DoubtOptions {
   std::optional<std::string> capacity, com_radius;

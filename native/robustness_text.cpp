@@ -78,18 +78,19 @@ ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known)
   return shown;
 }
 
-std::string robustness_lines(const RobustnessKnown& known, const std::optional<double>& capacity) {
+std::string robustness_lines(const RobustnessKnown& known, const std::optional<double>& capacity,
+                             const Units& units) {
   const RobustnessAsked& asked = known.asked;
   std::string text;
   if (known.models && asked.model != LoadModel::plan)
-    text += model_in_words(asked.model, *known.models) + "\n";
+    text += model_in_words(asked.model, *known.models, units) + "\n";
   if (known.models && asked.com_radius > 0) {
-    text += doubt_in_words(*known.models, known.robustness, asked.com_radius);
+    text += doubt_in_words(*known.models, known.robustness, asked.com_radius, units);
     if (capacity)
-      text += " " + doubt_of_capacity_in_words(*known.models, known.robustness, *capacity);
+      text += " " + doubt_of_capacity_in_words(*known.models, known.robustness, *capacity, units);
     text += "\n";
   }
-  if (!known.failures.empty()) text += failures_in_words(known.failures) + "\n";
+  if (!known.failures.empty()) text += failures_in_words(known.failures, units) + "\n";
   return text;
 }
 

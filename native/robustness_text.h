@@ -48,7 +48,8 @@ struct ShownLoads {
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
 
 // The sentences about loads, doubt and failures that were asked for, a line for each.
-std::string robustness_lines(const RobustnessKnown& known, const std::optional<double>& capacity);
+std::string robustness_lines(const RobustnessKnown& known, const std::optional<double>& capacity,
+                             const Units& units);
 
 // What happens if one robot fails, a row for each; empty if that was not asked for.
 std::string failure_table(const Placement& placement, const RobustnessKnown& known);

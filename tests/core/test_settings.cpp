@@ -15,10 +15,11 @@ using namespace evenlift;
 namespace {
 
 constexpr Setting all_settings[] = {
-    Setting::teams, Setting::method,     Setting::min_ratio, Setting::com,      Setting::weight,
-    Setting::seed,  Setting::overlays,   Setting::step,      Setting::capacity, Setting::robots,
-    Setting::goal,  Setting::min_margin, Setting::apart,     Setting::survive,  Setting::com_radius,
-    Setting::loads, Setting::failed};
+    Setting::teams,    Setting::method,  Setting::min_ratio,  Setting::com,
+    Setting::weight,   Setting::seed,    Setting::overlays,   Setting::step,
+    Setting::capacity, Setting::robots,  Setting::goal,       Setting::min_margin,
+    Setting::apart,    Setting::survive, Setting::com_radius, Setting::loads,
+    Setting::failed,   Setting::unit,    Setting::weight_unit};
 
 struct Text {
   Setting setting;
@@ -66,6 +67,11 @@ constexpr Text good[] = {
     {Setting::capacity, "none"},
     {Setting::com_radius, "0"},
     {Setting::com_radius, "12.5"},
+    {Setting::unit, "mm"},
+    {Setting::unit, "m"},
+    {Setting::unit, "none"},
+    {Setting::weight_unit, "lb"},
+    {Setting::weight_unit, "t"},
 };
 
 constexpr Text bad[] = {
@@ -141,6 +147,14 @@ constexpr Text bad[] = {
     {Setting::capacity, "-1"},
     {Setting::capacity, "inf"},
     {Setting::capacity, "0x10"},
+    {Setting::unit, ""},
+    {Setting::unit, "MM"},
+    {Setting::unit, "kg"},
+    {Setting::unit, "mm,kg"},
+    {Setting::weight_unit, ""},
+    {Setting::weight_unit, "none"},
+    {Setting::weight_unit, "mm"},
+    {Setting::weight_unit, "n"},
     {Setting::com_radius, ""},
     {Setting::com_radius, "-1e-9"},
     {Setting::com_radius, "nan"},
@@ -343,4 +357,6 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
   for (const double apart : {-1.0, infinity, std::nan("")})
     check([&](Settings& s) { s.apart = apart; }, Setting::apart);
   check([](Settings& s) { s.survive = 31; }, Setting::survive);
+  check([](Settings& s) { s.units.length = static_cast<LengthUnit>(5); }, Setting::unit);
+  check([](Settings& s) { s.units.weight = static_cast<WeightUnit>(4); }, Setting::weight_unit);
 }

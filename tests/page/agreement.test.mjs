@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, evenlift, gallery, load, root, set, sharedBrowser, state } from "./browser.mjs";
+import { asset, evenlift, gallery, link, load, root, set, sharedBrowser, state } from "./browser.mjs";
 
 let page;
 const browser = sharedBrowser({
@@ -70,6 +70,21 @@ test("the live region says what the program prints, in the same words and digits
     }
   }
   await set(page, { capacity: null });
+});
+
+test("units are the program's labels, in the JSON, the words and the link", async () => {
+  await load(page, asset("grand-piano"));
+  await set(page, { unit: "mm", weight_unit: "lb" });
+  assert.deepEqual(await state(page), program("grand-piano", "--unit", "mm", "--weight-unit", "lb"));
+  const words = /^6 robots carry 15\.3–18\.0\slb each \(100\slb in all\)\./;
+  await page.waitForFunction((words) => words.test(document.getElementById("summary").textContent), words, { timeout: 10000 });
+  const file = path.join(root, "assets/polygons/grand-piano.txt");
+  assert.equal(await link(page), evenlift("link", "encode", file, "--unit", "mm", "--weight-unit", "lb").trim());
+  const before = await state(page);
+  for (const units of [{ unit: "km" }, { weight_unit: "none" }, { unit: 3 }]) await assert.rejects(set(page, units), /unit/);
+  assert.deepEqual(await state(page), before);
+  await set(page, { unit: "none", weight_unit: "kg" });
+  assert.deepEqual(await state(page), program("grand-piano"));
 });
 
 test("a capacity gives the program's JSON, and what is no capacity changes nothing", async () => {

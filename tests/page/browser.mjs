@@ -68,7 +68,9 @@ export async function startBrowser(extraOptions = []) {
 
   // A page of its own storage. Whatever it complains about, or asks of another host, fails the test at close().
   // With `hasty` a test can let the page's timers ring before their time. With `first` the card of the first visit is shown.
-  async function open({ address = "", ready = true, quiet = true, context: reused, script, hasty = false, first = false, ...contextOptions } = {}) {
+  // With `offline` the browser may keep the page for later; `site` is another server's address than this one's.
+  async function open({ address = "", ready = true, quiet = true, context: reused, script, hasty = false, first = false, offline = false,
+    site = server.url, ...contextOptions } = {}) {
     const context = reused ?? await browser.newContext({ viewport: wide, colorScheme: "light", ...contextOptions });
     context.setDefaultTimeout(patience);
     const page = await context.newPage();
@@ -80,7 +82,7 @@ export async function startBrowser(extraOptions = []) {
     });
     page.on("request", (request) => {
       const { protocol, origin } = new URL(request.url());
-      const own = origin === new URL(server.url).origin || ["data:", "blob:"].includes(protocol);
+      const own = origin === new URL(site).origin || ["data:", "blob:"].includes(protocol);
       if (!own) complaints.push(`a request to ${request.url()}`);
     });
     await page.addInitScript(() => {
@@ -91,8 +93,9 @@ export async function startBrowser(extraOptions = []) {
         if (location.protocol.startsWith("http")) localStorage.setItem("evenlift.welcomed", "1");
       });
     }
+    if (!offline) await page.addInitScript(keepNothing);
     if (script) await page.addInitScript(script);
-    await page.goto(server.url + address);
+    await page.goto(site + address);
     if (ready) await page.evaluate(() => evenlift.ready);
     page.complaints = complaints;
     page.done = async () => {
@@ -247,6 +250,11 @@ export async function drawsNothing(page, why) {
     return [frames, evenlift.frames];
   });
   assert.equal(after, before, why);
+}
+
+// Runs in the page before its own scripts: a browser that keeps no page for later, as some do in private windows.
+function keepNothing() {
+  if (globalThis.ServiceWorkerContainer) ServiceWorkerContainer.prototype.register = () => Promise.reject(new Error("not here"));
 }
 
 // Presses at one point and moves in steps to another, as a hand does.

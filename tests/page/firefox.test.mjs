@@ -102,6 +102,8 @@ test("Firefox opens a link and keeps it in the address bar", { skip }, async () 
 
 test("Firefox drags the centre of mass, and everything follows", { skip }, async () => {
   const page = await open();
+  await page.evaluate(() => evenlift.load("(0,0)\n(40,0)\n(40,30)\n(0,30)"));
+  await idle(page);
   const before = await state(page);
   const [x, y] = await page.evaluate((c) => evenlift.view.to_screen(...c), before.centre_of_mass);
   await page.mouse.move(x, y);
@@ -143,4 +145,26 @@ test("Firefox shows the lesson: by keys, by its buttons, and from a link", { ski
   await idle(other);
   assert.match(await other.$eval("#summary", (element) => element.textContent), /^Step (\d+) of \1,/);
   await other.done();
+});
+
+// Last, since it ends the server.
+test("Firefox opens the page without a network after one visit", { skip }, async () => {
+  const page = await open();
+  await page.evaluate(async () => {
+    await navigator.serviceWorker.ready;
+    if (!navigator.serviceWorker.controller) await new Promise((done) => navigator.serviceWorker.addEventListener("controllerchange", done, { once: true }));
+  });
+  await page.evaluate(() => evenlift.load("(0,0)\n(40,0)\n(40,30)\n(0,30)"));
+  await idle(page);
+  const before = await state(page);
+  server.close();
+  server = undefined;
+  await page.reload();
+  await page.evaluate(() => evenlift.ready);
+  await idle(page);
+  assert.deepEqual(await state(page), before);
+  await page.evaluate(() => evenlift.set({ metric: "balanced", robots: 4 }));
+  await idle(page);
+  assert.equal((await state(page)).robots.length, 4);
+  await page.close();
 });

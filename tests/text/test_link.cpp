@@ -240,6 +240,20 @@ TEST_CASE("balanced robots and their settings read back in every bit", "[link]")
   }
 }
 
+TEST_CASE("units read back, and the usual ones take no character", "[link]") {
+  Document document = thesis_sample();
+  const std::string usual = encode(document);
+  for (const LengthUnit length : all_length_units)
+    for (const WeightUnit weight : all_weight_units) {
+      document.settings.units = {length, weight};
+      const std::string link = encode(document);
+      INFO(link);
+      CHECK((link == usual) == (document.settings.units == Units{}));
+      CHECK(link.starts_with(document.settings.units == Units{} ? "1." : "2."));
+      CHECK(same_document(decode(link), document));
+    }
+}
+
 TEST_CASE("a doubt, a capacity and the halo read back in every bit, whatever the method",
           "[link]") {
   Rng rng(4);
@@ -250,6 +264,7 @@ TEST_CASE("a doubt, a capacity and the halo read back in every bit, whatever the
     if (i % 5 != 0)
       settings.capacity = 5e-324 + std::fabs(evenlift::testing::any_double(rng, 1e300));
     settings.overlays.halo = i % 7 != 0;
+    settings.units = {all_length_units[i % 5], all_weight_units[i % 4]};
     const std::string link = encode(document);
     INFO(link);
     const Document back = decode(link);
@@ -327,6 +342,15 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{8, "none"}},
            {{8, "0"}},
            {{8, "20"}, {7, "1"}},
+           {{11, ""}},
+           {{11, "none"}},
+           {{11, ",kg"}},
+           {{11, "mm,kg"}},
+           {{11, "mm,"}},
+           {{11, ","}},
+           {{11, "lb"}},
+           {{11, "mm,lb,t"}},
+           {{11, " mm"}},
            {{18, ""}},
            {{18, "yes"}},
            {{1, "6"}, {4, std::string(33, '1')}},
@@ -354,6 +378,11 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
     CHECK(held["metric"] == std::string(name(settings.method)));
     CHECK(settings.robots == held.value("robots", 6u));
     CHECK(settings.com_radius == held.value("com_radius", 0.0));
+    const std::string units = held.value("units", ",kg");
+    CHECK(name(settings.units.length) ==
+          (units.front() == ',' ? "none" : units.substr(0, units.find(','))));
+    CHECK(name(settings.units.weight) ==
+          (units.find(',') == std::string::npos ? "kg" : units.substr(units.find(',') + 1)));
     REQUIRE(settings.capacity.has_value() == held.contains("capacity"));
     if (settings.capacity) CHECK(*settings.capacity == held["capacity"].get<double>());
     const auto& overlays = held["overlays"];

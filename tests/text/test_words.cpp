@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "evenlift/import.h"
+#include "evenlift/output/json.h"
 #include "evenlift/random.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
@@ -53,6 +55,28 @@ TEST_CASE("the verdict is a few plain sentences", "[words]") {
         "There is room for only 3 of 5 teams at this minimum load ratio.");
   placement.settings.method = Method::random;
   CHECK(shortage_in_words(placement) == "There is room for only 3 of 5 teams.");
+}
+
+TEST_CASE("units are labels in words and JSON, and change no number", "[words][json][units]") {
+  Placement placement = three_teams();
+  placement.settings.units = {LengthUnit::cm, WeightUnit::N};
+  CHECK(plainly(loads_in_words(placement)) == "6 robots carry 15.2–18.1 N each (100 N in all).");
+  CHECK(with_length_unit("2.5", placement.settings.units) == "2.5\u00A0cm");
+  CHECK(with_length_unit("2.5", {}) == "2.5");
+  Document document;
+  document.vertices = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+  const std::string usual = placement_json(*place(document), true), kept = document_json(document);
+  document.settings.units = placement.settings.units;
+  std::string labelled = placement_json(*place(document), true);
+  for (const std::string line : {"  \"unit\": \"cm\",\n", "  \"weight_unit\": \"N\",\n"}) {
+    REQUIRE(labelled.find(line) != std::string::npos);
+    labelled.erase(labelled.find(line), line.size());
+  }
+  CHECK(labelled == usual);
+  CHECK(kept.find("unit") == std::string::npos);
+  const auto read = read_shapes(document_json(document));
+  REQUIRE(read.ok());
+  CHECK(read->shapes[0].document.settings == document.settings);
 }
 
 TEST_CASE("with no team the reason is given, and what helps", "[words]") {
@@ -195,8 +219,8 @@ TEST_CASE("values of a kind have three significant digits of the largest", "[wor
   CHECK(amount(0.5, 150) == "1");
   CHECK(amount(1.2345e-20, 2e-20) == "1.23e−20");
   CHECK(amount(0, 0) == "0");
-  CHECK(plainly(kilograms(15.24, 18.06, 18.06)) == "15.2–18.1 kg");
-  CHECK(plainly(kilograms(18.04, 18.02, 18.04)) == "18.0 kg");
+  CHECK(plainly(load_in_words(15.24, 18.06, 18.06, {})) == "15.2–18.1 kg");
+  CHECK(plainly(load_in_words(18.04, 18.02, 18.04, {})) == "18.0 kg");
 }
 
 TEST_CASE("significant digits are rounded to, and zeros at the end are left out", "[words]") {

@@ -237,6 +237,26 @@ TEST_CASE("the grip of the doubt is there with the halo only, and its drag is on
   CHECK(settings(state).com_radius == 0);
 }
 
+TEST_CASE("units are labels: words follow, and nothing is placed anew", "[view][units]") {
+  AppState state = state_of(Method::area);
+  give(state, SetComRadius{20});
+  give(state, SetCapacity{25.0});
+  const std::vector<Team> before = state.placement->teams;
+  const std::string usual = summary(state);
+  REQUIRE(usual.find("\u00A0kg") != std::string::npos);
+  give(state, SetUnits{{LengthUnit::mm, WeightUnit::lb}});
+  CHECK(settings(state).units == Units{LengthUnit::mm, WeightUnit::lb});
+  const std::string labelled = summary(state) + need_in_words(state) + doubt_words(state);
+  CHECK(labelled.find("\u00A0lb") != std::string::npos);
+  CHECK(labelled.find("20\u00A0mm") != std::string::npos);
+  CHECK(labelled.find("kg") == std::string::npos);
+  REQUIRE(state.placement->teams.size() == before.size());
+  for (std::size_t t = 0; t < before.size(); ++t)
+    CHECK(state.placement->teams[t].robots[0].load == before[t].robots[0].load);
+  give(state, SetUnits{});
+  CHECK(summary(state) == usual);
+}
+
 TEST_CASE("the loads of each model are shown, and what they presume is said", "[view][failing]") {
   AppState state = state_of(Method::area);
   const ModelLoads models = *model_loads(*state.placement);

@@ -1,8 +1,10 @@
 // Share and save: the link, its QR code, and files.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { mkdtempSync, readFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
 import { test } from "node:test";
-import { asset, evenlift, idle, jsQR, link, load, set, sharedBrowser, state } from "../page/browser.mjs";
+import { asset, evenlift, idle, jsQR, link, load, root, set, sharedBrowser, state } from "../page/browser.mjs";
 import { allClosed, noticed, openWindow } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
@@ -88,6 +90,22 @@ test("every file holds what it should, under a name that says what it is", async
   for (const { bytes } of [text, wkt, geojson]) {
     await load(page, String(bytes));
     assert.deepEqual((await state(page)).polygon, now.polygon);
+  }
+  await page.done();
+});
+
+test("poses are the program's, byte for byte", async () => {
+  const page = await browser.open({ acceptDownloads: true });
+  await load(page, asset("violin"));
+  await set(page, { unit: "cm" });
+  const window = await openWindow(page, "save");
+  const folder = mkdtempSync(path.join(tmpdir(), "evenlift-poses-"));
+  for (const [name, ending] of [["Poses as CSV", "csv"], ["Poses as JSON", "json"], ["Poses for ROS 2", "yaml"]]) {
+    const poses = await saved(page, window.getByRole("button", { name: new RegExp(`^${name}`) }));
+    const file = path.join(folder, `poses.${ending}`);
+    evenlift("place", path.join(root, "assets/polygons/violin.txt"), "--unit", "cm", "--poses", file);
+    assert.equal(poses.name, `violin-poses.${ending}`);
+    assert.equal(String(poses.bytes), readFileSync(file, "utf8"));
   }
   await page.done();
 });

@@ -49,7 +49,8 @@ bool is_quick(const Placement& placement) {
 }
 
 std::string words_of(const Failure& failure) {
-  return failure_in_words(failure.robot, count_robots(failure.placement.teams), failure.rest) +
+  return failure_in_words(failure.robot, count_robots(failure.placement.teams), failure.rest,
+                          std::nullopt, failure.placement.settings.units) +
          " " + rest_in_words(failure.placement);
 }
 

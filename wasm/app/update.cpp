@@ -312,6 +312,7 @@ void change_beside(AppState& state, bool live, Edit edit, const Change& change) 
   change(state.placed.settings);
   for (std::optional<Placement>* placement : {&state.placement, &state.second})
     if (*placement) change((*placement)->settings);
+  if (state.walkthrough.trace) change(state.walkthrough.trace->placement.settings);
   state.plan_due |= settings(state).capacity != capacity;
   renew_plan(state);
   renew_outlook(state);
@@ -568,6 +569,10 @@ struct Applier {
     if (settings(state).com_radius == c.radius) return;
     change_beside(state, c.live, Edit::com_radius, [&](Settings& s) { s.com_radius = c.radius; });
   }
+  void operator()(const SetUnits& c) const {
+    if (settings(state).units == c.units) return;
+    change_beside(state, false, Edit::settings, [&](Settings& s) { s.units = c.units; });
+  }
   void operator()(const SetMotion& c) const {
     state.motion = c.on;
     browser::preferences_changed();
@@ -672,6 +677,7 @@ bool places_nothing(const AppState& state, const Document& edited) {
   but.step = settings(state).step;
   but.capacity = settings(state).capacity;
   but.com_radius = settings(state).com_radius;
+  but.units = settings(state).units;
   return !state.refusal && edited.vertices == state.document.vertices &&
          edited.centre_of_mass == state.document.centre_of_mass && but == settings(state);
 }
@@ -704,11 +710,13 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
     if (const auto problem = check_robot(*state.placement, failed)) return problem;
     if (const auto problem = try_step(state, edited.settings.step)) return problem;
     const Settings &before = settings(state), &after = edited.settings;
-    if (before.capacity == after.capacity && before.com_radius == after.com_radius)
+    if (before.capacity == after.capacity && before.com_radius == after.com_radius &&
+        before.units == after.units)
       return std::nullopt;
     change_beside(state, false, edit_between(before, after), [&](Settings& s) {
       s.capacity = after.capacity;
       s.com_radius = after.com_radius;
+      s.units = after.units;
     });
     return std::nullopt;
   }

@@ -209,7 +209,7 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
       const Vec2 at = view.camera.to_screen(robot.point.position);
       if (failed || !view.window.contains(at)) continue;
       const Vec2 away = at - middle;
-      texts.push_back(kilograms(load.least, load.greatest, greatest));
+      texts.push_back(load_in_words(load.least, load.greatest, greatest, placement.settings.units));
       over.push_back(view.overloads(load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
@@ -485,7 +485,8 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
   const std::string text =
       safe ? "Safe: no push here tips it"
-           : "Tips if pushed down with " + kilograms(force, placement.settings.weight);
+           : "Tips if pushed down with " +
+                 load_in_words(force, placement.settings.weight, placement.settings.units);
   // The box has the panel's colour, on which the lifting base's dark green could not be read.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)), view.window,
             view.theme, safe ? view.theme.text : view.theme.amber, text);
@@ -519,8 +520,9 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
 std::string result_in_words(const Placement& placement, bool wide) {
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
-  const std::string words = kilograms(loads.min, loads.max, loads.max) + " · " +
-                            percentage(placement.coverage) + " covered";
+  const std::string words =
+      load_in_words(loads.min, loads.max, loads.max, placement.settings.units) + " · " +
+      percentage(placement.coverage) + " covered";
   return wide ? words + (is_held(placement) ? " · cannot move" : " · can move") : words;
 }
 

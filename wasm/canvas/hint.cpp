@@ -43,12 +43,14 @@ std::string hint_of_team(const Placement* placement, std::size_t i) {
   const TeamInWords words =
       team_in_words(*placement, i, coordinate_decimals(placement->vertices()));
   return "Team " + std::to_string(i + 1) + " · load ratio " + words.ratio + " · " + words.loads[0] +
-         " and " + words.loads[1] + "\u00A0kg · " + words.length + " apart · press it to see why";
+         " and " + with_weight_unit(words.loads[1], placement->settings.units) + " · " +
+         with_length_unit(words.length, placement->settings.units) + " apart · press it to see why";
 }
 
 std::string hint_of_doubt(const AppState& state) {
   const double radius = settings(state).com_radius;
-  return (radius > 0 ? "The centre of mass is known within " + plain(radius)
+  return (radius > 0 ? "The centre of mass is known within " +
+                           with_length_unit(plain(radius), settings(state).units)
                      : std::string("The centre of mass is known exactly")) +
          " · drag away from it for a doubt";
 }
@@ -62,7 +64,8 @@ std::string hint_of_failing(const Failure& failure, const Pick& at) {
   if (robot == failure.robot) return name + " fails · Esc brings it back";
   const LoadRange& load = failure.outlook.loads[robot];
   return name + " · " +
-         (failure.rest ? kilograms(load.least, load.greatest, failure.outlook.greatest)
+         (failure.rest ? load_in_words(load.least, load.greatest, failure.outlook.greatest,
+                                       failure.placement.settings.units)
                        : std::string("cannot hold the object")) +
          " while robot " + std::to_string(failure.robot + 1) + " fails";
 }
@@ -77,8 +80,8 @@ std::string hint_of_robot(const AppState& state, const Pick& at) {
   const TeamInWords words =
       team_in_words(*placement, 0, coordinate_decimals(placement->vertices()));
   if (robot >= words.at.size()) return {};
-  return "Robot " + std::to_string(robot + 1) + " " + words.at[robot] + " · " + words.loads[robot] +
-         "\u00A0kg, as each of them · " +
+  return "Robot " + std::to_string(robot + 1) + " " + words.at[robot] + " · " +
+         with_weight_unit(words.loads[robot], placement->settings.units) + ", as each of them · " +
          (can_take_robot(state, at) ? "drag it along the edge: its neighbours follow"
                                     : "press it to see why");
 }

@@ -18,6 +18,7 @@
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/json.h"
+#include "evenlift/output/poses.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/settings_text.h"
@@ -133,6 +134,11 @@ EMSCRIPTEN_KEEPALIVE const char* page_link() {
 EMSCRIPTEN_KEEPALIVE const char* page_svg() {
   const AppState& state = app().state;
   return hand_over(placement_svg(*state.placement, link_or_nothing(state.placed)));
+}
+// The robots' poses, for a file with this ending: ".csv", ".json" or ".yaml".
+EMSCRIPTEN_KEEPALIVE const char* page_poses(const char* ending) {
+  const auto format = evenlift::pose_format_of_file(ending);
+  return hand_over(format ? poses_text(*app().state.placement, *format) : std::string());
 }
 EMSCRIPTEN_KEEPALIVE const char* page_text() {
   return hand_over(evenlift::write_thesis(app().state.placed));

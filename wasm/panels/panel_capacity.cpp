@@ -60,11 +60,14 @@ void draw_capacity(const Ui& ui) {
     return;
   }
   const float clear = ui.control();
-  const int by = stepper(ui, "capacity", plain(*capacity) + "\u00A0kg", width - clear - 4,
-                         {.can_lower = *capacity > 1e-3,
-                          .can_raise = *capacity < 1e9,
-                          .label = "What a robot carries, in kg",
-                          .setting = "capacity"});
+  const std::string label = "What a robot carries, in " + weight_unit(ui.state);
+  const int by =
+      stepper(ui, "capacity", with_weight_unit(plain(*capacity), settings(ui.state).units),
+              width - clear - 4,
+              {.can_lower = *capacity > 1e-3,
+               .can_raise = *capacity < 1e9,
+               .label = label.c_str(),
+               .setting = "capacity"});
   if (by != 0) ui.push(SetCapacity{stepped(*capacity, by)});
   ImGui::SameLine(0, 4);
   if (icon_button(ui, "any", Icon::close, true, "No limit", clear)) ui.push(SetCapacity{});

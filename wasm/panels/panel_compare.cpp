@@ -13,7 +13,7 @@ namespace evenlift::view {
 namespace {
 
 struct Row {
-  const char* label;
+  std::string label;
   std::array<std::string, 2> values;
 };
 
@@ -24,11 +24,12 @@ std::vector<Row> rows(const Placement& a, const Placement& b) {
       return p.loads ? amount((*p.loads).*member, p.loads->max) : std::string("–");
     };
   };
+  const std::string unit = ", " + std::string(name(a.settings.units.weight));
   return {
       {"Robots", both([](const Placement& p) { return std::to_string(count_robots(p.teams)); })},
-      {"Least load, kg", both(load(&LoadSummary::min))},
-      {"Greatest load, kg", both(load(&LoadSummary::max))},
-      {"Difference, kg", both(load(&LoadSummary::spread))},
+      {"Least load" + unit, both(load(&LoadSummary::min))},
+      {"Greatest load" + unit, both(load(&LoadSummary::max))},
+      {"Difference" + unit, both(load(&LoadSummary::spread))},
       {"Coverage", both([](const Placement& p) { return percentage(p.coverage, 1); })},
       {"Form closure", both([](const Placement& p) { return form_closure_in_words(p.closure); })}};
 }

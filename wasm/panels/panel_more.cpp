@@ -1,4 +1,4 @@
-// Settings that are seldom needed, behind a row that opens them: which loads are shown, how well the centre of mass is known,
+// Settings that are seldom needed, behind a row that opens them: which loads are shown, how well the centre of mass is known, units,
 // and how balanced robots keep apart and what they survive.
 #include <algorithm>
 #include <cmath>
@@ -52,13 +52,33 @@ void draw_doubt(const Ui& ui) {
   const float width =
       labelled(ui, "C known within",
                "The centre of mass lies somewhere within this distance of where it is shown");
-  const int by = stepper(ui, "com radius", plain(radius), width,
-                         {.can_lower = radius > 0,
-                          .can_raise = radius < max_coordinate,
-                          .label = "Distance within which the centre of mass is known",
-                          .setting = "com_radius"});
+  const int by =
+      stepper(ui, "com radius", with_length_unit(plain(radius), settings(ui.state).units), width,
+              {.can_lower = radius > 0,
+               .can_raise = radius < max_coordinate,
+               .label = "Distance within which the centre of mass is known",
+               .setting = "com_radius"});
   if (by != 0) ui.push(SetComRadius{stepped_length(ui, radius, by)});
   if (radius > 0) draw_block(ui, doubt_words(ui.state), 5);
+}
+
+constexpr Choice length_units[] = {{"no unit"}, {"m"}, {"cm"}, {"mm"}, {"in"}};
+constexpr Choice weight_units[] = {{"kg"}, {"t"}, {"N"}, {"lb"}};
+static_assert(std::size(length_units) == std::size(all_length_units));
+static_assert(std::size(weight_units) == std::size(all_weight_units));
+
+void draw_units(const Ui& ui) {
+  Units units = settings(ui.state).units;
+  const float width = labelled(ui, "Units", "Labels of lengths and weights; no number changes"),
+              each = (width - 8) / 2;
+  const auto length = dropdown(ui, "length units", "Unit of lengths", length_units,
+                               static_cast<std::size_t>(units.length), each);
+  ImGui::SameLine(0, 8);
+  const auto weight = dropdown(ui, "weight units", "Unit of weights", weight_units,
+                               static_cast<std::size_t>(units.weight), each);
+  if (length) units.length = static_cast<LengthUnit>(*length);
+  if (weight) units.weight = static_cast<WeightUnit>(*weight);
+  if (!(units == settings(ui.state).units)) ui.push(SetUnits{units});
 }
 
 void draw_apart(const Ui& ui) {
@@ -111,6 +131,7 @@ void draw_more(const Ui& ui) {
   if (!open) return;
   draw_model(ui);
   draw_doubt(ui);
+  draw_units(ui);
   if (settings(ui.state).method != Method::balanced) return;
   draw_apart(ui);
   draw_survive(ui);

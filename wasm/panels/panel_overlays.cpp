@@ -5,6 +5,7 @@
 #include "canvas/heat.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
+#include "panels/summary.h"
 #include "ui/widgets.h"
 
 namespace evenlift::view {
@@ -61,7 +62,7 @@ void draw_heat_key(const Ui& ui) {
   constexpr int bands = 7;
   const float each = width / bands, top = low.y + 20;
   draw_text(list, Face::label, ImVec2(low.x, low.y), ui.theme.second_text,
-            "A push that tips it, in kg");
+            "A push that tips it, in " + weight_unit(ui.state));
   for (int i = 0; i < bands; ++i) {
     const float left = low.x + each * static_cast<float>(i);
     list.AddRectFilled(ImVec2(left, top), ImVec2(left + each - 1, top + 10),

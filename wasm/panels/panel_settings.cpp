@@ -7,6 +7,7 @@
 #include "evenlift/output/words.h"
 #include "panels/methods.h"
 #include "panels/panels.h"
+#include "panels/summary.h"
 #include "state/method.h"
 #include "tools/pick.h"
 #include "ui/dropdown.h"
@@ -55,11 +56,13 @@ void draw_ratio(const Ui& ui) {
 void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width = labelled(ui, "Weight", "Of the whole object");
-  const int by = stepper(ui, "weight", plain(changed.weight) + "\u00A0kg", width,
-                         {.can_lower = changed.weight > 1e-3,
-                          .can_raise = changed.weight < 1e9,
-                          .label = "Weight in kg",
-                          .setting = "weight"});
+  const std::string label = "Weight in " + weight_unit(ui.state);
+  const int by =
+      stepper(ui, "weight", with_weight_unit(plain(changed.weight), changed.units), width,
+              {.can_lower = changed.weight > 1e-3,
+               .can_raise = changed.weight < 1e9,
+               .label = label.c_str(),
+               .setting = "weight"});
   if (by == 0) return;
   changed.weight = stepped(changed.weight, by);
   ui.push(SetSettings{changed});

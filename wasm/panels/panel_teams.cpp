@@ -3,6 +3,7 @@
 
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
+#include "panels/summary.h"
 #include "ui/widgets.h"
 
 namespace evenlift::view {
@@ -48,10 +49,11 @@ void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Col
 void draw_heading(const Ui& ui, const Columns& c) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = ImGui::GetCursorScreenPos().y + 8;
-  const ImVec2 size = text_size(Face::label, "Loads in kg");
+  const std::string loads = "Loads in " + weight_unit(ui.state);
+  const ImVec2 size = text_size(Face::label, loads);
   draw_text(list, Face::label, ImVec2(c.left, y - size.y / 2), ui.theme.second_text, "Team");
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, y - size.y / 2), ui.theme.second_text,
-            "Loads in kg");
+            loads);
   right_aligned(list, Face::label, c.span, y, ui.theme.second_text, "Length");
   right_aligned(list, Face::label, c.ratio, y, ui.theme.second_text, "Ratio");
   ImGui::Dummy(ImVec2(1, 18));
@@ -128,7 +130,7 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
     const float x = c.middle + way * out;
     list.AddLine(ImVec2(x, top), ImVec2(x, bottom), ui.theme.accent.packed(), 1.5f);
   }
-  const std::string text = "even share " + kilograms(mean, greatest);
+  const std::string text = "even share " + load_in_words(mean, greatest, settings(ui.state).units);
   const ImVec2 size = text_size(Face::label, text);
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
 }
@@ -164,7 +166,8 @@ void draw_robots(const Ui& ui, const Columns& c) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text(list, Face::label, at, ui.theme.second_text, "Robot");
-  right_aligned(list, Face::label, c.ratio, at.y + 8, ui.theme.second_text, "Load in kg");
+  right_aligned(list, Face::label, c.ratio, at.y + 8, ui.theme.second_text,
+                "Load in " + weight_unit(ui.state));
   ImGui::Dummy(ImVec2(1, 18));
   const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   for (std::size_t i = 0; i < words.at.size(); ++i) draw_robot_row(ui, c, i, words);

@@ -58,7 +58,9 @@ std::string loads_while_failing(const Failure& failure) {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (i == failure.robot) continue;
     text += " Robot " + std::to_string(i + 1) + " carries " +
-            kilograms(loads[i].least, loads[i].greatest, failure.outlook.greatest) + ".";
+            load_in_words(loads[i].least, loads[i].greatest, failure.outlook.greatest,
+                          failure.placement.settings.units) +
+            ".";
   }
   return text;
 }
@@ -94,7 +96,7 @@ std::string need_in_words(const AppState& state) {
 
 std::string model_words(const AppState& state) {
   const std::optional<ModelLoads>& models = state.outlook.models;
-  return models ? model_in_words(state.load_model, *models) : std::string();
+  return models ? model_in_words(state.load_model, *models, settings(state).units) : std::string();
 }
 
 std::string doubt_words(const AppState& state) {
@@ -102,8 +104,9 @@ std::string doubt_words(const AppState& state) {
   const Settings& now = settings(state);
   if (!models || now.com_radius == 0) return {};
   const Robustness& robustness = state.outlook.robustness;
-  std::string text = doubt_in_words(*models, robustness, now.com_radius);
-  if (now.capacity) text += " " + doubt_of_capacity_in_words(*models, robustness, *now.capacity);
+  std::string text = doubt_in_words(*models, robustness, now.com_radius, now.units);
+  if (now.capacity)
+    text += " " + doubt_of_capacity_in_words(*models, robustness, *now.capacity, now.units);
   return text;
 }
 
@@ -117,9 +120,11 @@ Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
 std::string failure_words(const AppState& state, std::size_t robot) {
   const std::size_t all = count_robots(state.placement->teams);
   if (state.failure && state.failure->robot == robot)
-    return failure_in_words(robot, all, state.failure->rest, settings(state).capacity);
+    return failure_in_words(robot, all, state.failure->rest, settings(state).capacity,
+                            settings(state).units);
   if (robot >= state.failures.size()) return {};
-  return failure_in_words(robot, all, state.failures[robot], settings(state).capacity);
+  return failure_in_words(robot, all, state.failures[robot], settings(state).capacity,
+                          settings(state).units);
 }
 
 Verdict verdict(const AppState& state) {
@@ -160,9 +165,14 @@ std::string summary(const AppState& state) {
   for (std::size_t i = 0; i < named; ++i) {
     const TeamInWords team = team_in_words(placement, i, decimals);
     text += " Team " + std::to_string(i + 1) + " at " + team.at[0] + " and " + team.at[1] + ": " +
-            team.loads[0] + " and " + team.loads[1] + "\u00A0kg, load ratio " + team.ratio + ".";
+            team.loads[0] + " and " + with_weight_unit(team.loads[1], settings.units) +
+            ", load ratio " + team.ratio + ".";
   }
   return text;
+}
+
+std::string weight_unit(const AppState& state) {
+  return std::string(name(settings(state).units.weight));
 }
 
 std::string link_lacks_in_words(const AppState& state) {

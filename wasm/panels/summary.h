@@ -34,6 +34,9 @@ std::string need_in_words(const AppState& state);
 std::string model_words(const AppState& state);
 std::string doubt_words(const AppState& state);
 
+// The label of weights, such as "kg".
+std::string weight_unit(const AppState& state);
+
 // What is on the screen but not in the link, in whole sentences; empty if the link holds everything.
 std::string link_lacks_in_words(const AppState& state);
 

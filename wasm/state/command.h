@@ -154,6 +154,9 @@ struct SetComRadius {
   double radius;
   bool live = false;
 };
+struct SetUnits {
+  Units units;
+};
 struct SetMotion {
   bool on;
 };
@@ -208,12 +211,12 @@ using Command =
                  OpenDocument, SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show,
                  SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack,
                  FinishDrawing, SetDrawCursor, TypeEdge, SetSnap, Compare, Fail, SetLoadModel,
-                 SetCapacity, SetComRadius, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep,
-                 MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice,
-                 AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
-                 SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView,
-                 SetPanelOpen, SetMoreOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet, CopyLink,
-                 TypeValue, OpenDialog, ShowNotice>;
+                 SetCapacity, SetComRadius, SetUnits, SetMotion, OpenWalkthrough, CloseWalkthrough,
+                 GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
+                 PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript,
+                 ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
+                 ZoomView, SetPanelOpen, SetMoreOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet,
+                 CopyLink, TypeValue, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -60,18 +60,21 @@ void explain_team(Explanation& explanation, const Placement& placement, const Pi
   const Team& team = placement.teams[pick.index];
   const TeamInWords words =
       team_in_words(placement, pick.index, coordinate_decimals(placement.vertices()));
-  const std::string of_all = "\u00A0kg of " + plain(placement.settings.weight) + "\u00A0kg";
+  const Units& units = placement.settings.units;
+  const std::string of_all = " of " + with_weight_unit(plain(placement.settings.weight), units);
   if (pick.kind == Pick::Kind::robot) {
     const auto end = static_cast<std::size_t>(pick.end);
     const std::size_t robot = 2 * pick.index + end;
     if (!pick.second) explanation.robot = robot;
     explanation.title = "Robot " + number(robot) + ", of team " + number(pick.index);
-    explanation.rows.push_back({"It carries", words.loads[end] + of_all});
-    explanation.rows.push_back({"The other end carries", words.loads[1 - end] + "\u00A0kg"});
+    explanation.rows.push_back({"It carries", with_weight_unit(words.loads[end], units) + of_all});
+    explanation.rows.push_back(
+        {"The other end carries", with_weight_unit(words.loads[1 - end], units)});
   } else {
     explanation.title = "Team " + number(pick.index);
     explanation.rows.push_back(
-        {"Its robots carry", words.loads[0] + " and " + words.loads[1] + of_all});
+        {"Its robots carry",
+         words.loads[0] + " and " + with_weight_unit(words.loads[1], units) + of_all});
   }
   add_chord(explanation, chord_of(team));
   if (trace) add_choice(explanation, *trace, static_cast<std::uint32_t>(pick.index));
@@ -82,11 +85,13 @@ void explain_balanced(Explanation& explanation, const Placement& placement, cons
   const auto robot = static_cast<std::size_t>(pick.end);
   const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   const std::size_t all = words.loads.size();
+  const Units& units = placement.settings.units;
+  const std::string load = with_weight_unit(words.loads[robot], units);
   if (!pick.second) explanation.robot = robot;
   explanation.title = "Robot " + number(robot) + " of " + std::to_string(all);
-  explanation.rows.push_back({"It carries", words.loads[robot] + "\u00A0kg of " +
-                                                plain(placement.settings.weight) + "\u00A0kg"});
-  explanation.rows.push_back({"Each of the others", words.loads[robot] + "\u00A0kg"});
+  explanation.rows.push_back(
+      {"It carries", load + " of " + with_weight_unit(plain(placement.settings.weight), units)});
+  explanation.rows.push_back({"Each of the others", load});
   explanation.rows.push_back({"It stands at", words.at[robot]});
   explanation.reason = "The centre of mass is the centroid of the " + std::to_string(all) +
                        " robots. So equal forces at them add up to the weight and do not turn the "

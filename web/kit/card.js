@@ -4,6 +4,13 @@ import { ensureStyles } from "./dialogs.js";
 import { button, el } from "./elements.js";
 
 let open;  // the card that is open; there is one at most
+const later = [];  // what waits until there is none
+
+// Calls `act` once no card is open.
+export function whenNoCard(act) {
+  if (open) later.push(act);
+  else act();
+}
 
 // A button that closes the card on which it stands, and then acts. Attributes are as for el().
 export function closingButton(name, attributes, act) {
@@ -26,6 +33,7 @@ export async function openCard(page, { name, title, body, closed, focus = false 
     if (leave.signal.aborted) return;
     leave.abort();
     open = undefined;
+    queueMicrotask(() => open || later.shift()?.());  // not if another card takes its place
     const within = root.contains(document.activeElement);
     root.remove();
     page.program.text("page_seat", 0);
@@ -47,9 +55,9 @@ export async function openCard(page, { name, title, body, closed, focus = false 
   seat();
   const { signal } = leave;
   // Panels may be folded and windows resized; a frame later the program knows.
-  const later = () => requestAnimationFrame(() => requestAnimationFrame(seat));
-  addEventListener("resize", later, { signal });
-  for (const type of ["pointerup", "keyup"]) canvas.addEventListener(type, later, { signal });
+  const seatSoon = () => requestAnimationFrame(() => requestAnimationFrame(seat));
+  addEventListener("resize", seatSoon, { signal });
+  for (const type of ["pointerup", "keyup"]) canvas.addEventListener(type, seatSoon, { signal });
   root.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
     event.preventDefault();

@@ -8,7 +8,7 @@ export function plainValue(shown) {
 }
 
 const number = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
-const one = new RegExp(`^(${number})(?:\\s*(?:kg|×|°))?$`);
+const one = new RegExp(`^(${number})(?:\\s*(?:kg|t|N|lb|m|cm|mm|in|×|°))?$`);
 const two = new RegExp(`^\\(?\\s*(${number})\\s*(?:[;,]\\s+|;|\\s+)\\s*(${number})\\s*\\)?$`);
 const twoWithComma = /^\(?\s*([-+]?[\d.eE+-]+)\s*,\s*([-+]?[\d.eE+-]+)\s*\)?$/;
 

@@ -8,7 +8,7 @@ import { idle } from "./work.js";
 const lists = ["com", "overlays"];
 
 function word(value) {
-  const other = typeof value === "object" || (typeof value === "string" && !/^[a-z]+$/.test(value));
+  const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
   return other ? JSON.stringify(value) : String(value);
 }
 

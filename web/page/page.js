@@ -132,6 +132,7 @@ async function start() {
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
   if (embed) return;
   underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));  // undo begins here then
+  underWay(import("./offline.js")).then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion"))).catch(() => {});
   if (!fragment && !kept.work && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
 }
 

@@ -152,6 +152,8 @@ async function openControls(page) {
       closingButton("Remove", {}, () => remove(page)))] });
 }
 
+export const hasPhoto = () => photo !== undefined;
+
 // In the window that opens things: the picture that is there, and the way to its controls.
 export function photoLine(page) {
   if (!photo) return [];

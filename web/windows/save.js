@@ -30,6 +30,11 @@ const files = [
     ["JSON", "Everything; opens again", "-result.json", "application/json", (p) => p.text("page_state")],
     ["CSV", "A row per robot", ".csv", "text/csv", (p) => csv(JSON.parse(p.text("page_state")))],
   ]],
+  ["Robot poses", [
+    ["Poses as CSV", "Where each stands and faces", "-poses.csv", "text/csv", (p) => p.text("page_poses", ".csv")],
+    ["Poses as JSON", "The same for programs", "-poses.json", "application/json", (p) => p.text("page_poses", ".json")],
+    ["Poses for ROS 2", "A PoseArray in YAML", "-poses.yaml", "application/yaml", (p) => p.text("page_poses", ".yaml")],
+  ]],
 ];
 
 export async function show(page) {

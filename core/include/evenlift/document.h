@@ -48,6 +48,21 @@ std::optional<Goal> goal_from_name(std::string_view text);
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view text);
 
+// Units are labels: they are shown, exported and kept, and change no number.
+enum class LengthUnit : std::uint8_t { none, m, cm, mm, in };
+enum class WeightUnit : std::uint8_t { kg, t, N, lb };
+inline constexpr LengthUnit all_length_units[] = {LengthUnit::none, LengthUnit::m, LengthUnit::cm,
+                                                  LengthUnit::mm, LengthUnit::in};
+inline constexpr WeightUnit all_weight_units[] = {WeightUnit::kg, WeightUnit::t, WeightUnit::N,
+                                                  WeightUnit::lb};
+struct Units {
+  LengthUnit length = LengthUnit::none;  // of coordinates and distances
+  WeightUnit weight = WeightUnit::kg;    // of the object and of loads
+  bool operator==(const Units&) const = default;
+};
+std::string_view name(LengthUnit unit);  // "mm", or "none"
+std::string_view name(WeightUnit unit);  // "kg"
+
 // What the picture shows besides the polygon and its robots. The core only stores it.
 struct Overlays {
   bool candidates = false;       // candidate chords that were not selected
@@ -81,6 +96,7 @@ struct Settings {
                           // in units of length; nothing is placed otherwise for it
   std::optional<double> capacity;  // what one robot can carry, > 0 and finite, in the unit of the
                                    // weight; none means no limit; nor is anything for it
+  Units units;
   bool operator==(const Settings&) const = default;
 };
 

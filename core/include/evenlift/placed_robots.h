@@ -19,6 +19,7 @@ struct PlacedRobot {
   double load = 0;         // by plan
   double heading_deg = 0;  // the direction of the inward normal there, in (-180, 180]; at a vertex
                            // the middle between those of its two edges
+  Vec2 direction = Vec2(1, 0);  // the same as a vector of length 1, but for rounding
 };
 
 // The robots, team after team. A robot is at a vertex if it is within tolerance (tau L) of an end of

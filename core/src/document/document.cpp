@@ -35,6 +35,16 @@ std::optional<Goal> goal_from_name(std::string_view text) {
   return std::nullopt;
 }
 
+std::string_view name(LengthUnit unit) {
+  constexpr std::string_view names[] = {"none", "m", "cm", "mm", "in"};
+  return names[static_cast<std::size_t>(unit)];
+}
+
+std::string_view name(WeightUnit unit) {
+  constexpr std::string_view names[] = {"kg", "t", "N", "lb"};
+  return names[static_cast<std::size_t>(unit)];
+}
+
 Goal goal_of(const Settings& settings) {
   if (settings.goal) return *settings.goal;
   const bool holds = settings.method == Method::balanced && settings.robots > 3;

@@ -36,6 +36,8 @@ constexpr Entry entries[] = {
     {Setting::apart, "apart", "the distance that parts robots is a number of at least 0"},
     {Setting::survive, "survive",
      "the number of failures to survive is a whole number from 0 to 30"},
+    {Setting::unit, "unit", "the unit of lengths is m, cm, mm or in, or none"},
+    {Setting::weight_unit, "weight_unit", "the unit of weights is kg, t, N or lb"},
 };
 static_assert(max_teams == 1048576);
 static_assert(least_robots == 2 && most_robots == 64 && most_survived == 30);
@@ -205,6 +207,17 @@ bool read_step(std::string_view text, Settings& settings) {
   return true;
 }
 
+// One of several values, by its name.
+template <class Value, std::size_t n>
+bool read_name(std::string_view text, const Value (&all)[n], Value& value) {
+  for (const Value each : all) {
+    if (text != name(each)) continue;
+    value = each;
+    return true;
+  }
+  return false;
+}
+
 bool read(Setting setting, std::string_view text, Document& document) {
   switch (setting) {
     case Setting::teams:
@@ -240,6 +253,10 @@ bool read(Setting setting, std::string_view text, Document& document) {
       return read_apart(text, document.settings);
     case Setting::survive:
       return read_survive(text, document.settings);
+    case Setting::unit:
+      return read_name(text, all_length_units, document.settings.units.length);
+    case Setting::weight_unit:
+      return read_name(text, all_weight_units, document.settings.units.weight);
   }
   return false;
 }
@@ -284,6 +301,8 @@ std::optional<InputError> check_ranges(const Settings& settings) {
   if (settings.survive > most_survived) return setting_error(Setting::survive);
   if (!is_length(settings.com_radius)) return setting_error(Setting::com_radius);
   if (settings.capacity && !is_weight(*settings.capacity)) return setting_error(Setting::capacity);
+  if (settings.units.length > LengthUnit::in) return setting_error(Setting::unit);
+  if (settings.units.weight > WeightUnit::lb) return setting_error(Setting::weight_unit);
   return std::nullopt;
 }
 

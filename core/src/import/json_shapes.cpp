@@ -7,8 +7,8 @@
 #include "evenlift/settings_text.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
-#include "import/json_tree.h"
 #include "import/readers.h"
+#include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -142,6 +142,10 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
     if (auto wrong = take_balanced(document)) return wrong;
   if (const auto at = tree_.member(0, "overlays"); is(at, Kind::object))
     if (auto wrong = take_overlays(*at, document.settings)) return wrong;
+  for (const auto& [name, setting] :
+       {std::pair("unit", Setting::unit), std::pair("weight_unit", Setting::weight_unit)})
+    if (const auto at = tree_.member(0, name); is(at, Kind::string))
+      if (auto wrong = set(setting, *at, tree_.text(*at))) return wrong;
   return take_doubt(document);
 }
 

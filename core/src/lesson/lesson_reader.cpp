@@ -141,6 +141,8 @@ class Reader {
       {"seed", &Reader::take_setting, Setting::seed},
       {"robots", &Reader::take_setting, Setting::robots},
       {"goal", &Reader::take_setting, Setting::goal},
+      {"unit", &Reader::take_setting, Setting::unit},
+      {"weight-unit", &Reader::take_setting, Setting::weight_unit},
       {"predict", &Reader::take_predict, {}},
   };
 

@@ -40,6 +40,25 @@ std::optional<Setting> setting_of(Tag tag) {
   }
 }
 
+// "mm", ",lb" or "mm,lb"; empty for the usual units, which need no record.
+std::string units_text(const Units& units) {
+  std::string text;
+  if (units.length != LengthUnit::none) text += name(units.length);
+  if (units.weight != WeightUnit::kg) text += "," + std::string(name(units.weight));
+  return text;
+}
+
+// Whether the text is what units_text() writes of some units.
+bool take_units(const std::string& text, Document& document) {
+  document.settings.units = {};
+  const std::size_t comma = text.find(',');
+  if (comma != 0 && read_setting(Setting::unit, text.substr(0, comma), document)) return false;
+  if (comma != std::string::npos &&
+      read_setting(Setting::weight_unit, text.substr(comma + 1), document))
+    return false;
+  return !text.empty() && units_text(document.settings.units) == text;
+}
+
 // What only balanced robots have.
 void add_balanced(Records& records, const Settings& settings) {
   records.push_back({Tag::robots, std::to_string(settings.robots)});
@@ -53,7 +72,9 @@ void add_balanced(Records& records, const Settings& settings) {
 
 }  // namespace
 
-bool is_known(Tag tag) { return tag == Tag::halo || setting_of(tag).has_value(); }
+bool is_known(Tag tag) {
+  return tag == Tag::halo || tag == Tag::units || setting_of(tag).has_value();
+}
 
 Records records_of(const Settings& settings) {
   Records records;
@@ -61,6 +82,7 @@ Records records_of(const Settings& settings) {
   if (!same_bits(settings.com_radius, usual_com_radius))
     records.push_back({Tag::com_radius, shortest(settings.com_radius)});
   if (settings.capacity) records.push_back({Tag::capacity, shortest(*settings.capacity)});
+  if (!(settings.units == Units{})) records.push_back({Tag::units, units_text(settings.units)});
   if (settings.overlays.halo) records.push_back({Tag::halo, shown});
   return records;
 }
@@ -69,10 +91,15 @@ bool take_records(const Records& records, Document& document) {
   document.settings.min_margin = usual_min_margin;
   document.settings.survive = usual_survive;
   document.settings.com_radius = usual_com_radius;
+  document.settings.units = {};
   for (const Record& record : records) {
     if (record.tag == Tag::halo) {
       if (record.payload != shown) return false;
       document.settings.overlays.halo = true;
+      continue;
+    }
+    if (record.tag == Tag::units) {
+      if (!take_units(record.payload, document)) return false;
       continue;
     }
     if (record.tag == Tag::robots) document.settings.method = Method::balanced;

@@ -24,12 +24,12 @@ enum class Tag : std::uint8_t {
   survive = 5,
   com_radius = 7,
   capacity = 8,
-  halo = 18,  // an overlay, which has no setting of its own
+  units = 11,  // of lengths and of weights, with a comma before the latter
+  halo = 18,   // an overlay, which has no setting of its own
   // Reserved.
   positions = 6,
   robot = 9,
   no_go = 10,
-  units = 11,
   cargo = 12,
   holes = 13,
   regions = 14,

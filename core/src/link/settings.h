@@ -37,6 +37,7 @@ inline void forget_later_settings(Settings& settings) {
   settings.survive = usual.survive;
   settings.com_radius = usual.com_radius;
   settings.capacity = usual.capacity;
+  settings.units = usual.units;
   settings.overlays.halo = usual.overlays.halo;
 }
 

@@ -77,8 +77,8 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
     for (const Robot& robot : placement.teams[t].robots) {
       const Vec2 inward = outline.inward_at(robot.point);
       const double heading_deg = arctangent2(inward.y() + 0.0, inward.x()) * (180 / pi);
-      robots.push_back(
-          {robot.point.position, static_cast<std::uint32_t>(t), robot.load, heading_deg});
+      robots.push_back({robot.point.position, static_cast<std::uint32_t>(t), robot.load,
+                        heading_deg, inward / length(inward)});
     }
   }
   return robots;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "evenlift/capacity.h"
 #include "evenlift/document.h"
@@ -28,6 +29,10 @@ struct RobustnessInJson {
 std::string placement_json(const Placement& placement, bool with_candidates,
                            const std::optional<CapacityInJson>& capacity = std::nullopt,
                            const RobustnessInJson& robustness = {});
+
+// {"candidates": [{"ends", "ratio", "kind"}]}: the candidates by themselves, with the layout of
+// placement_json. O(candidates).
+std::string candidates_json(const std::vector<Candidate>& candidates);
 
 // What a link holds: the polygon, the centre of mass if it is not the centroid, and the settings.
 std::string document_json(const Document& document);

@@ -39,10 +39,15 @@ std::string amount(double value, double largest);
 std::string amounts(double low, double high, double largest);
 
 // A load or weight with its unit: "16.7 kg".
-std::string kilograms(double value, double largest);
+std::string load_in_words(double value, double largest, const Units& units);
 
 // The same of a range: "15.2–18.1 kg".
-std::string kilograms(double low, double high, double largest);
+std::string load_in_words(double low, double high, double largest, const Units& units);
+
+// A number that is a weight or a length already, with its unit: "100 kg", "2.5 mm". Lengths may have
+// none: "2.5".
+std::string with_weight_unit(const std::string& number, const Units& units);
+std::string with_length_unit(const std::string& number, const Units& units);
 
 // A share of 1 as a percentage: "81 %". Only 0 is "0 %" and only 1 is "100 %", both within
 // tolerance; what would be rounded to them is "< 1 %" or "> 99 %" (with one decimal "< 0.1 %").

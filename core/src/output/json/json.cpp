@@ -24,7 +24,7 @@ std::string team_json(const Team& team) {
                        {"loads", json::array(loads)}});
 }
 
-std::string candidates_json(const std::vector<Candidate>& candidates) {
+std::string candidate_list(const std::vector<Candidate>& candidates) {
   std::vector<std::string> items;
   for (const Candidate& candidate : candidates)
     items.push_back(json::object({{"ends", ends(candidate.chord)},
@@ -109,7 +109,18 @@ void add_balanced(std::vector<json::Member>& members, const Settings& settings) 
   members.push_back({"survive", std::to_string(settings.survive)});
 }
 
+// The units, where they are others than usual: what has none is written as it always was.
+void add_units(std::vector<json::Member>& members, const Units& units) {
+  if (units.length != LengthUnit::none) members.push_back({"unit", json::text(name(units.length))});
+  if (units.weight != WeightUnit::kg)
+    members.push_back({"weight_unit", json::text(name(units.weight))});
+}
+
 }  // namespace
+
+std::string candidates_json(const std::vector<Candidate>& candidates) {
+  return json::long_object({{"candidates", candidate_list(candidates)}}, 0) + "\n";
+}
 
 std::string placement_json(const Placement& placement, bool with_candidates,
                            const std::optional<CapacityInJson>& capacity,
@@ -125,7 +136,8 @@ std::string placement_json(const Placement& placement, bool with_candidates,
       {"weight", json::number(settings.weight)},
       {"seed", std::to_string(settings.seed)},
   };
-  if (with_candidates) members.push_back({"candidates", candidates_json(placement.candidates)});
+  add_units(members, settings.units);
+  if (with_candidates) members.push_back({"candidates", candidate_list(placement.candidates)});
   members.push_back({"requested_teams", std::to_string(placement.requested_teams)});
   members.push_back({"teams", teams_json(placement.teams)});
   if (robots) members.push_back({"robots", json::robots(placement, 1)});
@@ -147,21 +159,20 @@ std::string placement_json(const Placement& placement, bool with_candidates,
 
 std::string document_json(const Document& document) {
   const Settings& settings = document.settings;
-  return json::long_object(
-             {{"polygon", json::points(document.vertices, 1)},
-              {"centre_of_mass",
-               document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"},
-              {"teams", settings.teams ? std::to_string(*settings.teams) : json::text("max")},
-              {"metric", json::text(name(settings.method))},
-              {"min_ratio", json::number(settings.min_ratio)},
-              {"weight", json::number(settings.weight)},
-              {"seed", std::to_string(settings.seed)},
-              {"overlays", overlays_json(settings.overlays)},
-              {"step", settings.step ? std::to_string(*settings.step) : "null"},
-              {"com_radius", json::number(settings.com_radius)},
-              {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"}},
-             0) +
-         "\n";
+  std::vector<json::Member> members = {
+      {"polygon", json::points(document.vertices, 1)},
+      {"centre_of_mass", document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"},
+      {"teams", settings.teams ? std::to_string(*settings.teams) : json::text("max")},
+      {"metric", json::text(name(settings.method))},
+      {"min_ratio", json::number(settings.min_ratio)},
+      {"weight", json::number(settings.weight)},
+      {"seed", std::to_string(settings.seed)},
+      {"overlays", overlays_json(settings.overlays)},
+      {"step", settings.step ? std::to_string(*settings.step) : "null"},
+      {"com_radius", json::number(settings.com_radius)},
+      {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"}};
+  add_units(members, settings.units);
+  return json::long_object(members, 0) + "\n";
 }
 
 }  // namespace evenlift

@@ -12,7 +12,7 @@ namespace {
 
 Piece bears(const Trace& trace, std::size_t robots) {
   const double load = trace.placement.settings.weight / static_cast<double>(robots);
-  return {Piece::Kind::kilograms, load, load};
+  return weight_text(trace, load, load);
 }
 
 // "the coverage goes from 83 % to 89 %", with as many decimals as tell the two apart.
@@ -222,7 +222,8 @@ std::string StepCaptions::settled() const {
 
 std::string StepCaptions::failure() const {
   const std::optional<RestOfRobots>& rest = detail_.balanced->rest_of[item_];
-  const std::string fails = failure_in_words(item_, detail_.balanced->rest_of.size(), rest);
+  const std::string fails = failure_in_words(item_, detail_.balanced->rest_of.size(), rest,
+                                             std::nullopt, placement_.settings.units);
   if (!rest) return fails + " C is outside of their hull: the object tips over.";
   return fails +
          fill(
@@ -232,7 +233,7 @@ std::string StepCaptions::failure() const {
 
 std::string StepCaptions::failures() const {
   const int carried = robustness(placement_).failures_carried;
-  const std::string text = failures_in_words(detail_.balanced->rest_of);
+  const std::string text = failures_in_words(detail_.balanced->rest_of, placement_.settings.units);
   return carried < 2 ? text
                      : text + fill(" Even any # may fail at once, whichever they are.",
                                    {whole(static_cast<std::size_t>(carried))});
@@ -242,7 +243,7 @@ std::string StepCaptions::pairs() const {
   const Placement& pairs = *trace_.in_pairs;
   const std::size_t teams = pairs.teams.size();
   const double most = pairs.loads->max;
-  const std::string loads = kilograms(pairs.loads->min, most, most);
+  const std::string loads = load_in_words(pairs.loads->min, most, most, placement_.settings.units);
   return fill(
       "As many robots in pairs, chosen by area, cover # instead of #, and bear # each. But every line through C has one robot of each pair on either side, so # carry any # at once, wherever they stand. Balanced robots give no such promise: each set must be looked at.",
       {percent(pairs.coverage), percent(placement_.coverage), loads, counted(teams, "pair"),

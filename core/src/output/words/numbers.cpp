@@ -92,15 +92,26 @@ std::string amount(double value, double largest) {
   return fixed(value, decimals_for(largest));
 }
 
-std::string kilograms(double value, double largest) { return amount(value, largest) + "\u00A0kg"; }
+std::string load_in_words(double value, double largest, const Units& units) {
+  return with_weight_unit(amount(value, largest), units);
+}
 
 std::string amounts(double low, double high, double largest) {
   const std::string from = amount(low, largest), to = amount(high, largest);
   return from == to ? from : from + "–" + to;
 }
 
-std::string kilograms(double low, double high, double largest) {
-  return amounts(low, high, largest) + "\u00A0kg";
+std::string load_in_words(double low, double high, double largest, const Units& units) {
+  return with_weight_unit(amounts(low, high, largest), units);
+}
+
+std::string with_weight_unit(const std::string& number, const Units& units) {
+  return number + "\u00A0" + std::string(name(units.weight));
+}
+
+std::string with_length_unit(const std::string& number, const Units& units) {
+  return units.length == LengthUnit::none ? number
+                                          : number + "\u00A0" + std::string(name(units.length));
 }
 
 std::string percentage(double share, int decimals) {

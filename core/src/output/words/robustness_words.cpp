@@ -12,12 +12,14 @@ namespace {
 using Robots = std::vector<std::size_t>;
 
 // A length by itself.
-std::string length_in_words(double length) { return amount(length, length); }
+std::string length_in_words(double length, const Units& units) {
+  return with_length_unit(amount(length, length), units);
+}
 
-std::string springs_in_words(const SpringLoads& springs) {
+std::string springs_in_words(const SpringLoads& springs, const Units& units) {
   const auto [least, greatest] = std::minmax_element(springs.loads.begin(), springs.loads.end());
   std::string text = "If all robots are equally stiff they bear " +
-                     kilograms(*least, *greatest, *greatest) + " each.";
+                     load_in_words(*least, *greatest, *greatest, units) + " each.";
   Robots idle;
   for (std::size_t i = 0; i < springs.loads.size(); ++i)
     if (springs.loads[i] == 0) idle.push_back(i + 1);
@@ -40,51 +42,53 @@ std::string robots_or(const Robots& robots) {
 
 }  // namespace
 
-std::string model_in_words(LoadModel model, const ModelLoads& loads) {
+std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units) {
   switch (model) {
     case LoadModel::plan:
       return {};
     case LoadModel::springs:
-      return springs_in_words(loads.springs);
+      return springs_in_words(loads.springs, units);
     case LoadModel::best:
       return "However well the weight is shared, some robot bears at least " +
-             kilograms(loads.best, loads.best) + ".";
+             load_in_words(loads.best, loads.best, units) + ".";
     case LoadModel::worst: {
       const double greatest = *std::max_element(loads.worst.begin(), loads.worst.end());
       return "If the robots' heights are unequal, a robot may come to bear up to " +
-             kilograms(greatest, greatest) + ".";
+             load_in_words(greatest, greatest, units) + ".";
     }
   }
   return {};
 }
 
-std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness,
-                           double com_radius) {
+std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness, double com_radius,
+                           const Units& units) {
   const SpringLoads& springs = loads.springs;
   const double change = greatest_change(springs, com_radius);
-  std::string text = "If the centre of mass is off by up to " + plain(com_radius) +
-                     ", loads change by up to " + kilograms(change, change) + ".";
+  std::string text = "If the centre of mass is off by up to " +
+                     with_length_unit(plain(com_radius), units) + ", loads change by up to " +
+                     load_in_words(change, change, units) + ".";
   if (robustness.tipping_distance == 0)
     return text + " The object can tip however little it is off.";
   if (com_radius >= robustness.tipping_distance)
-    return text + " From " + length_in_words(robustness.tipping_distance) +
+    return text + " From " + length_in_words(robustness.tipping_distance, units) +
            " on the object can tip.";
   if (com_radius > springs.same_within)
-    return text + " From " + length_in_words(springs.same_within) +
+    return text + " From " + length_in_words(springs.same_within, units) +
            " on other robots bear something, and the ranges are too narrow.";
   return text;
 }
 
 std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                       double capacity) {
-  const std::string limit = plain(capacity) + "\u00A0kg";
+                                       double capacity, const Units& units) {
+  const std::string limit = with_weight_unit(plain(capacity), units);
   const auto radius = radius_within_capacity(loads.springs, robustness.tipping_distance, capacity);
   if (!radius) return "If all robots are equally stiff, some bear more than " + limit + ".";
   return "Equally stiff robots stay within " + limit + " as long as it is off by no more than " +
-         length_in_words(*radius) + ".";
+         length_in_words(*radius, units) + ".";
 }
 
-std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures) {
+std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
+                              const Units& units) {
   Robots needed, for_steadiness;
   double greatest = 0;
   for (std::size_t i = 0; i < failures.size(); ++i) {
@@ -96,7 +100,8 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
     greatest = std::max(greatest, failures[i]->greatest_by_springs);
   }
   if (needed.size() == failures.size()) return "The object falls whichever robot fails.";
-  const std::string most = "at most " + kilograms(greatest, greatest) + " each if equally stiff.";
+  const std::string most =
+      "at most " + load_in_words(greatest, greatest, units) + " each if equally stiff.";
   std::string text = needed.empty() ? "Whichever robot fails, the others carry the object, " + most
                                     : "The object falls if " + robots_or(needed) +
                                           " fails. If another fails, the others carry it, " + most;
@@ -106,15 +111,16 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
 
 std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,
-                             const std::optional<double>& capacity) {
+                             const std::optional<double>& capacity, const Units& units) {
   const std::string fails = "Robot " + std::to_string(robot + 1) + " fails: ";
   const std::string others = "the other " + in_letters(robots - 1);
   if (!rest) return fails + others + " cannot hold it.";
   const double greatest = rest->greatest_by_springs;
-  const std::string overload = capacity && greatest > *capacity
-                                   ? " One can carry " + plain(*capacity) + "\u00A0kg."
-                                   : std::string();
-  return fails + "held by " + others + ", at most " + kilograms(greatest, greatest) +
+  const std::string overload =
+      capacity && greatest > *capacity
+          ? " One can carry " + with_weight_unit(plain(*capacity), units) + "."
+          : std::string();
+  return fails + "held by " + others + ", at most " + load_in_words(greatest, greatest, units) +
          (rest->steady ? "." : ", but it can tip.") + overload;
 }
 
@@ -133,7 +139,8 @@ std::vector<Fact> robustness_facts(const Placement& placement, const Robustness&
     may_fail += "; any " + std::to_string(steady) + " without tipping";
   return {{"Robots that may fail", may_fail,
            "How many may let go at once, whichever they are, so that the others carry the object"},
-          {"Centre of mass may be off by", length_in_words(robustness.tipping_distance),
+          {"Centre of mass may be off by",
+           length_in_words(robustness.tipping_distance, placement.settings.units),
            "The distance at which the object tips, if robots can only push"}};
 }
 

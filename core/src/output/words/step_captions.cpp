@@ -29,7 +29,7 @@ const char* score_in_words(Method method) {
 
 }  // namespace
 
-Piece StepCaptions::load(double value) const { return kilograms_text(trace_, value); }
+Piece StepCaptions::load(double value) const { return weight_text(trace_, value); }
 
 Piece StepCaptions::ratio(double value) const {
   return ratio_text(value, placement_.settings.min_ratio);

@@ -108,14 +108,14 @@ std::string StepFormulas::share() const {
   return fill(
       "W1 = # / # × |C r2| / |r1 r2| = # × # / # = #",
       {weight, whole(placement_.teams.size()), load(load1 + load2), length_text(trace_, chord.arm2),
-       length_text(trace_, chord.arm1 + chord.arm2), kilograms_text(trace_, load1)});
+       length_text(trace_, chord.arm1 + chord.arm2), weight_text(trace_, load1)});
 }
 
 std::string StepFormulas::loads() const {
-  return fill("mean = # / # = #, greatest − least = #",
-              {exact(placement_.settings.weight), whole(count_robots(placement_.teams)),
-               kilograms_text(trace_, placement_.loads->mean),
-               kilograms_text(trace_, placement_.loads->spread)});
+  return fill(
+      "mean = # / # = #, greatest − least = #",
+      {exact(placement_.settings.weight), whole(count_robots(placement_.teams)),
+       weight_text(trace_, placement_.loads->mean), weight_text(trace_, placement_.loads->spread)});
 }
 
 std::string StepFormulas::coverage() const {

@@ -70,8 +70,9 @@ std::string robot_in_words(const Trace& trace, std::uint32_t number) {
 std::string loaded(const Trace& trace, const Figure& figure) {
   std::string text = robot_in_words(trace, *figure.item);
   if (figure.value > 0)
-    text += fill(": #", {Piece{Piece::Kind::kilograms, figure.value,
-                               trace.balanced() ? figure.value : trace.placement.loads->max}});
+    text +=
+        fill(": #", {weight_text(trace, figure.value,
+                                 trace.balanced() ? figure.value : trace.placement.loads->max)});
   return text;
 }
 

@@ -64,8 +64,8 @@ std::string written(const Piece& piece) {
       return fixed(piece.a, static_cast<int>(piece.b));
     case Piece::Kind::amount:
       return amount(piece.a, piece.b);
-    case Piece::Kind::kilograms:
-      return kilograms(piece.a, piece.b);
+    case Piece::Kind::load:
+      return amount(piece.a, piece.b) + "\u00A0" + std::string(piece.text);
     case Piece::Kind::exact:
       return plain(piece.a);
     case Piece::Kind::percent:
@@ -129,8 +129,12 @@ Piece load_text(const Trace& trace, double value) {
   return {Piece::Kind::amount, value, trace.placement.loads->max};
 }
 
-Piece kilograms_text(const Trace& trace, double value) {
-  return {Piece::Kind::kilograms, value, trace.placement.loads->max};
+Piece weight_text(const Trace& trace, double value) {
+  return weight_text(trace, value, trace.placement.loads->max);
+}
+
+Piece weight_text(const Trace& trace, double value, double largest) {
+  return {Piece::Kind::load, value, largest, 0, name(trace.placement.settings.units.weight)};
 }
 
 Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }

@@ -21,7 +21,7 @@ struct Piece {
     point,
     fixed,
     amount,
-    kilograms,
+    load,
     exact,
     percent
   };
@@ -72,7 +72,8 @@ Piece point_text(const Trace& trace, const Vec2& point);
 // A load as loads_in_words shows it, without its unit and with it, in a trace that has teams; and a
 // margin.
 Piece load_text(const Trace& trace, double value);
-Piece kilograms_text(const Trace& trace, double value);
+Piece weight_text(const Trace& trace, double value);
+Piece weight_text(const Trace& trace, double value, double largest);
 Piece margin_text(double value);
 
 // Which robot a contact belongs to: "robot 1 of team 2", or of balanced robots "robot 3".

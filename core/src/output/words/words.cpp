@@ -31,7 +31,7 @@ std::string teams_of(const Placement& placement, const std::vector<std::size_t>&
 std::string overload_in_words(const Placement& placement, double capacity,
                               const std::vector<std::size_t>& robots) {
   if (placement.teams.empty()) return {};
-  const std::string limit = plain(capacity) + "\u00A0kg";
+  const std::string limit = with_weight_unit(plain(capacity), placement.settings.units);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
   const std::size_t all = count_robots(placement.teams);
   return (robots.size() == all
@@ -42,10 +42,11 @@ std::string overload_in_words(const Placement& placement, double capacity,
          ".";
 }
 
-std::string need_in_words(const CapacityPlan& plan) {
+std::string need_in_words(const CapacityPlan& plan, const Units& units) {
   if (plan.possible)
     return "This method needs " + count_of(plan.team_size * plan.teams, "robot", "robots") +
-           ", with at most " + kilograms(plan.greatest_load, plan.greatest_load) + " each.";
+           ", with at most " + load_in_words(plan.greatest_load, plan.greatest_load, units) +
+           " each.";
   const std::string tried = std::to_string(plan.team_size * plan.tried);
   if (plan.tried >= most_teams_for_capacity || plan.team_size == most_robots)
     return "Even " + tried + " robots are too few.";
@@ -64,10 +65,12 @@ std::string loads_in_words(const Placement& placement) {
   const LoadSummary& loads = *placement.loads;
   const std::string robots = std::to_string(count_robots(placement.teams)) + " robots";
   if (placement.settings.method == Method::balanced)
-    return robots + ", each exactly " + kilograms(loads.max, loads.max) + " of " +
+    return robots + ", each exactly " +
+           load_in_words(loads.max, loads.max, placement.settings.units) + " of " +
            plain(placement.settings.weight) + ".";
-  return robots + " carry " + kilograms(loads.min, loads.max, loads.max) + " each (" +
-         plain(placement.settings.weight) + "\u00A0kg in all).";
+  return robots + " carry " +
+         load_in_words(loads.min, loads.max, loads.max, placement.settings.units) + " each (" +
+         with_weight_unit(plain(placement.settings.weight), placement.settings.units) + " in all).";
 }
 
 std::string shortage_in_words(const Placement& placement) {
@@ -142,7 +145,7 @@ std::string capacity_in_words(const Placement& placement, double capacity,
 std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded) {
   return joined({overload_in_words(placement, capacity, overloaded),
-                 plan ? need_in_words(*plan) : std::string()});
+                 plan ? need_in_words(*plan, placement.settings.units) : std::string()});
 }
 
 std::vector<Fact> facts_in_words(const Placement& placement) {
@@ -155,9 +158,11 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
   const LoadSummary loads = placement.loads.value_or(LoadSummary{});
   facts.push_back({"Coverage", percentage(placement.coverage, 1),
                    "Share of the object inside the lifting base"});
-  facts.push_back({"Mean load", kilograms(loads.mean, loads.max), "Of all robots"});
-  facts.push_back(
-      {"Spread of loads", kilograms(loads.spread, loads.max), "Greatest load less the least"});
+  facts.push_back({"Mean load", load_in_words(loads.mean, loads.max, placement.settings.units),
+                   "Of all robots"});
+  facts.push_back({"Spread of loads",
+                   load_in_words(loads.spread, loads.max, placement.settings.units),
+                   "Greatest load less the least"});
   if (in_pairs)
     facts.push_back({"Greatest share in a team", percentage(loads.max_share, 1),
                      "50 % in a team that is perfectly even"});

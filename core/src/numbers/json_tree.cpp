@@ -1,4 +1,4 @@
-#include "import/json_tree.h"
+#include "numbers/json_tree.h"
 
 #include <utility>
 

@@ -1,0 +1,181 @@
+#include "evenlift/output/poses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "evenlift/numbers.h"
+#include "evenlift/placed_robots.h"
+#include "output/json/json_text.h"
+
+namespace evenlift {
+namespace {
+
+constexpr std::size_t longest_frame = 255;
+
+bool is_of_frame(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string_view("_-./").find(c) != std::string_view::npos;
+}
+
+std::string_view name(PoseOrigin origin) { return origin == PoseOrigin::file ? "file" : "com"; }
+
+// Zero has no sign in a table or a message.
+double without_sign(double value) { return value == 0 ? 0 : value; }
+
+std::vector<PlacedRobot> robots_from(const Placement& placement, PoseOrigin origin) {
+  std::vector<PlacedRobot> robots = placed_robots(placement);
+  for (PlacedRobot& robot : robots)
+    if (origin == PoseOrigin::com) robot.at -= placement.centre_of_mass;
+  return robots;
+}
+
+std::string unit_or_nothing(LengthUnit unit) {
+  return unit == LengthUnit::none ? std::string() : std::string(name(unit));
+}
+
+std::string as_csv(const std::vector<PlacedRobot>& robots, const Settings& settings) {
+  std::string text = "robot,team,x,y,heading_deg,load,unit,weight_unit\n";
+  const std::string units = "," + unit_or_nothing(settings.units.length) + "," +
+                            std::string(name(settings.units.weight)) + "\n";
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const PlacedRobot& robot = robots[i];
+    text += std::to_string(i + 1) + "," + std::to_string(robot.team + 1);
+    for (const double value : {robot.at.x(), robot.at.y(), robot.heading_deg, robot.load})
+      text += "," + shortest(without_sign(value));
+    text += units;
+  }
+  return text;
+}
+
+std::string as_json(const std::vector<PlacedRobot>& robots, const Settings& settings,
+                    const PoseOptions& options) {
+  std::vector<std::string> items;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const PlacedRobot& robot = robots[i];
+    const auto number = [](double value) { return json::number(without_sign(value)); };
+    items.push_back(json::object(
+        {{"robot", std::to_string(i + 1)},
+         {"team", std::to_string(robot.team + 1)},
+         {"x", number(robot.at.x())},
+         {"y", number(robot.at.y())},
+         {"heading_deg", number(robot.heading_deg)},
+         {"direction", json::array({number(robot.direction.x()), number(robot.direction.y())})},
+         {"load", number(robot.load)}}));
+  }
+  const bool has_unit = settings.units.length != LengthUnit::none;
+  return json::long_object({{"frame", json::text(options.frame)},
+                            {"origin", json::text(name(options.origin))},
+                            {"unit", has_unit ? json::text(name(settings.units.length)) : "null"},
+                            {"weight_unit", json::text(name(settings.units.weight))},
+                            {"robots", json::long_array(items, 1)}},
+                           0) +
+         "\n";
+}
+
+// --- The message of ROS 2
+
+// The length in metres, rounded once if the unit is a metre's decimal part.
+double in_metres(double length, LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::none:
+    case LengthUnit::m:
+      break;
+    case LengthUnit::cm:
+      return length / 100;
+    case LengthUnit::mm:
+      return length / 1000;
+    case LengthUnit::in:
+      return length * 254 / 10000;
+  }
+  return length;
+}
+
+// A number that every reader of YAML takes for one with a fraction: some want the point, and a sign
+// in the exponent.
+std::string yaml_number(double value) {
+  std::string text = shortest(without_sign(value));
+  const std::size_t exponent = text.find('e');
+  if (text.find('.') == std::string::npos)
+    text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");
+  return text;
+}
+
+// The rotation about z that turns x into the direction, as the z and w of its quaternion, w >= 0: by
+// the half-angle formulas, each used where nothing cancels.
+std::array<double, 2> half_turn(const Vec2& direction) {
+  const double x = direction.x(), y = direction.y() + 0.0;  // straight back is a turn to the left
+  if (x >= 0) {
+    const double w = std::sqrt((1 + x) / 2);
+    return {y / (2 * w), w};
+  }
+  const double z = std::sqrt((1 - x) / 2);
+  return {y < 0 ? -z : z, std::fabs(y) / (2 * z)};
+}
+
+std::string vector_in_yaml(std::initializer_list<std::pair<const char*, double>> members) {
+  std::string text;
+  for (const auto& [member, value] : members)
+    text += (text.empty() ? "{" : ", ") + std::string(member) + ": " + yaml_number(value);
+  return text + "}";
+}
+
+std::string as_yaml(const std::vector<PlacedRobot>& robots, const Settings& settings,
+                    const PoseOptions& options) {
+  std::string text = "# geometry_msgs/msg/PoseArray, in metres; x of each pose faces the object\n";
+  if (settings.units.length == LengthUnit::none)
+    text += "# The object has no unit: its coordinates are taken for metres\n";
+  text += "header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: \"" + options.frame + "\"\n";
+  text += robots.empty() ? "poses: []\n" : "poses:\n";
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const PlacedRobot& robot = robots[i];
+    const auto [z, w] = half_turn(robot.direction);
+    text += "  # Robot " + std::to_string(i + 1) + " of team " + std::to_string(robot.team + 1) +
+            " bears " + shortest(robot.load) + " " + std::string(name(settings.units.weight)) +
+            "\n";
+    text += "  - position: " +
+            vector_in_yaml({{"x", in_metres(robot.at.x(), settings.units.length)},
+                            {"y", in_metres(robot.at.y(), settings.units.length)},
+                            {"z", 0}}) +
+            "\n    orientation: " + vector_in_yaml({{"x", 0}, {"y", 0}, {"z", z}, {"w", w}}) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<PoseFormat> pose_format_of_file(std::string_view file_name) {
+  for (const auto& [ending, format] :
+       {std::pair(".csv", PoseFormat::csv), std::pair(".json", PoseFormat::json),
+        std::pair(".yaml", PoseFormat::yaml)})
+    if (file_name.ends_with(ending)) return format;
+  return std::nullopt;
+}
+
+std::optional<PoseOrigin> pose_origin_from_name(std::string_view text) {
+  for (const PoseOrigin origin : {PoseOrigin::file, PoseOrigin::com})
+    if (text == name(origin)) return origin;
+  return std::nullopt;
+}
+
+bool is_frame_name(std::string_view text) {
+  return !text.empty() && text.size() <= longest_frame && text.front() != '/' &&
+         std::all_of(text.begin(), text.end(), is_of_frame);
+}
+
+std::string poses_text(const Placement& placement, PoseFormat format, const PoseOptions& options) {
+  const std::vector<PlacedRobot> robots = robots_from(placement, options.origin);
+  switch (format) {
+    case PoseFormat::csv:
+      return as_csv(robots, placement.settings);
+    case PoseFormat::json:
+      return as_json(robots, placement.settings, options);
+    case PoseFormat::yaml:
+      return as_yaml(robots, placement.settings, options);
+  }
+  return {};
+}
+
+}  // namespace evenlift

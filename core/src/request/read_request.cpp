@@ -1,0 +1,298 @@
+#include "request/read_request.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "evenlift/formats.h"
+#include "evenlift/link.h"
+#include "evenlift/numbers.h"
+#include "evenlift/request.h"
+#include "evenlift/settings_text.h"
+#include "numbers/json_tree.h"
+#include "numbers/text_cursor.h"
+
+namespace evenlift {
+namespace {
+
+using Kind = JsonTree::Kind;
+using Index = JsonTree::Index;
+using Problem = std::optional<InputError>;
+
+// What a command may have besides "command".
+struct CommandEntry {
+  std::string_view name;
+  Command command;
+  std::string_view members;  // with spaces around each
+};
+constexpr CommandEntry commands[] = {
+    {"place", Command::place, " polygon text centre_of_mass settings candidates failures "},
+    {"candidates", Command::candidates, " polygon text centre_of_mass settings "},
+    {"svg", Command::svg, " polygon text centre_of_mass settings candidates "},
+    {"poses", Command::poses, " polygon text centre_of_mass settings format frame origin "},
+    {"link", Command::link, " polygon text centre_of_mass settings "},
+    {"experiment", Command::experiment, " polygons settings "},
+    {"version", Command::version, " "},
+};
+constexpr const char* command_names =
+    "the command is place, candidates, svg, poses, link, experiment or version";
+constexpr std::string_view polygon_members = " name set polygon text centre_of_mass ";
+
+class Reader {
+ public:
+  Reader(std::string_view text, const JsonTree& tree) : text_(text), tree_(tree) {}
+
+  Result<Request> read();
+
+ private:
+  InputError error(Index at, std::string message, ErrorCode code = ErrorCode::bad_syntax) const {
+    return text_error(code, std::move(message), text_, tree_.offset(at));
+  }
+  Problem check_members(Index object, std::string_view allowed) const;
+  Problem take_command(Request& request, std::string_view& allowed) const;
+  Problem take_members(Index object, Request& request) const;
+  Problem take_pose_options(Index object, Request& request) const;
+
+  // The polygon, its centre of mass and the settings of an object.
+  Result<Document> document(Index object) const;
+  Result<Points> points(Index array) const;
+  Result<Vec2> point(Index at) const;
+  Problem take_settings(Index object, Document& document) const;
+  Problem take_polygons(Request& request) const;
+  Problem take_experiment_settings(Request& request) const;
+
+  Problem take_flag(Index object, std::string_view name, bool& flag) const;
+  Result<std::string> string(Index at, const char* what) const;
+  std::string value_text(Index at) const;
+
+  std::string_view text_;
+  const JsonTree& tree_;
+};
+
+// The text of a string, or the digits of a number: a seed may have more of them than a double holds.
+std::string Reader::value_text(Index at) const {
+  if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
+  if (tree_.kind(at) != Kind::number) return {};
+  const std::size_t last = tree_.offset(at);
+  std::size_t first = last;
+  while (first > 0 &&
+         std::string_view("0123456789+-.eE").find(text_[first - 1]) != std::string_view::npos)
+    --first;
+  return std::string(text_.substr(first, last + 1 - first));
+}
+
+Result<std::string> Reader::string(Index at, const char* what) const {
+  if (tree_.kind(at) != Kind::string) return error(at, std::string(what) + " is a string");
+  return std::string(tree_.text(at));
+}
+
+Problem Reader::check_members(Index object, std::string_view allowed) const {
+  for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
+    const std::string name(tree_.name(i));
+    const bool is_word = name.find(' ') == std::string::npos && !name.empty();
+    if (!is_word || allowed.find(" " + name + " ") == std::string_view::npos)
+      return error(i, "there is no member \"" + name + "\" here", ErrorCode::unsupported);
+    if (tree_.member(object, name) != i)
+      return error(i, "the member \"" + name + "\" is given twice");
+  }
+  return std::nullopt;
+}
+
+Problem Reader::take_flag(Index object, std::string_view name, bool& flag) const {
+  const auto at = tree_.member(object, name);
+  if (!at) return std::nullopt;
+  if (tree_.kind(*at) != Kind::boolean)
+    return error(*at, "\"" + std::string(name) + "\" is true or false");
+  // The offset is that of the last letter: "true" and "false" end alike, but are not as long.
+  const std::size_t last = tree_.offset(*at);
+  flag = last >= 3 && text_.substr(last - 3, 4) == "true";
+  return std::nullopt;
+}
+
+// --- Polygons
+
+Result<Vec2> Reader::point(Index at) const {
+  double values[2] = {0, 0};
+  std::size_t count = 0;
+  if (tree_.kind(at) == Kind::array)
+    for (Index i = tree_.first(at); i != tree_.end(at); i = tree_.next(i)) {
+      if (tree_.kind(i) != Kind::number || count == 2)
+        return error(i, "expected a point [x, y] of two numbers");
+      values[count++] = tree_.number(i);
+    }
+  if (count != 2) return error(at, "expected a point [x, y] of two numbers");
+  return Vec2(values[0], values[1]);
+}
+
+Result<Points> Reader::points(Index array) const {
+  if (tree_.kind(array) != Kind::array)
+    return error(array, "the polygon is an array of points [x, y]");
+  Points points;
+  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
+    if (points.size() == max_vertices)
+      return error(i, "the polygon has more than 1048576 vertices", ErrorCode::too_many_vertices);
+    const Result<Vec2> vertex = point(i);
+    if (!vertex) return vertex.error();
+    points.push_back(*vertex);
+  }
+  return points;
+}
+
+Result<Document> Reader::document(Index object) const {
+  const auto polygon = tree_.member(object, "polygon"), text = tree_.member(object, "text");
+  if (polygon.has_value() == text.has_value())
+    return error(object,
+                 "a polygon comes as \"polygon\", an array of points [x, y], or as \"text\"");
+  Document document;
+  if (polygon) {
+    Result<Points> vertices = points(*polygon);
+    if (!vertices) return vertices.error();
+    document.vertices = std::move(vertices).value();
+  } else {
+    const Result<std::string> given = string(*text, "\"text\"");
+    if (!given) return given.error();
+    Result<Document> read = looks_like_link(*given) ? decode_link(*given) : read_polygon(*given);
+    if (!read) return read.error();
+    document = std::move(read).value();
+  }
+  if (const auto centre = tree_.member(object, "centre_of_mass")) {
+    if (tree_.kind(*centre) == Kind::null) {
+      document.centre_of_mass.reset();
+      return document;
+    }
+    const Result<Vec2> at = point(*centre);
+    if (!at) return at.error();
+    document.centre_of_mass = *at;
+  }
+  return document;
+}
+
+Problem Reader::take_settings(Index object, Document& document) const {
+  const auto settings = tree_.member(object, "settings");
+  if (!settings) return std::nullopt;
+  if (tree_.kind(*settings) != Kind::object) return error(*settings, "\"settings\" is an object");
+  for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
+    const std::string name(tree_.name(i));
+    const auto setting = setting_from_name(name);
+    if (!setting || *setting == Setting::loads || *setting == Setting::failed)
+      return error(i, "there is no setting \"" + name + "\"", ErrorCode::bad_setting);
+    if (tree_.kind(i) == Kind::null) continue;  // as if it were not given
+    if (auto wrong = read_setting(*setting, value_text(i), document)) return wrong;
+  }
+  return std::nullopt;
+}
+
+Problem Reader::take_pose_options(Index object, Request& request) const {
+  if (const auto at = tree_.member(object, "format")) {
+    const auto format = pose_format_of_file("." + value_text(*at));
+    if (!format) return error(*at, "the format of poses is csv, json or yaml");
+    request.pose_format = *format;
+  }
+  if (const auto at = tree_.member(object, "origin")) {
+    const auto origin = pose_origin_from_name(value_text(*at));
+    if (!origin) return error(*at, pose_origin_requirement);
+    request.poses.origin = *origin;
+  }
+  if (const auto at = tree_.member(object, "frame")) {
+    request.poses.frame = value_text(*at);
+    if (tree_.kind(*at) != Kind::string || !is_frame_name(request.poses.frame))
+      return error(*at, frame_requirement);
+  }
+  return std::nullopt;
+}
+
+// --- Experiments
+
+Problem Reader::take_polygons(Request& request) const {
+  const auto array = tree_.member(0, "polygons");
+  if (!array || tree_.kind(*array) != Kind::array)
+    return error(array.value_or(0), "an experiment has \"polygons\", an array of objects");
+  for (Index i = tree_.first(*array); i != tree_.end(*array); i = tree_.next(i)) {
+    if (request.polygons.size() == max_request_polygons)
+      return error(i, "there are more than 10000 polygons", ErrorCode::unsupported);
+    if (tree_.kind(i) != Kind::object) return error(i, "each of \"polygons\" is an object");
+    if (auto wrong = check_members(i, polygon_members)) return wrong;
+    NamedPolygon polygon{"polygons", "polygon " + std::to_string(request.polygons.size() + 1),
+                         document(i)};
+    for (const auto& [member, into] :
+         {std::pair("name", &polygon.name), std::pair("set", &polygon.set)})
+      if (const auto at = tree_.member(i, member)) {
+        const Result<std::string> given = string(*at, "a name");
+        if (!given) return given.error();
+        *into = *given;
+      }
+    request.polygons.push_back(std::move(polygon));
+  }
+  return std::nullopt;
+}
+
+Problem Reader::take_experiment_settings(Request& request) const {
+  const auto settings = tree_.member(0, "settings");
+  if (!settings) return std::nullopt;
+  if (tree_.kind(*settings) != Kind::object) return error(*settings, "\"settings\" is an object");
+  if (auto wrong = check_members(*settings, " min_ratio samples max_teams max_balanced "))
+    return wrong;
+  experiment::ExperimentSettings& given = request.experiment;
+  if (const auto at = tree_.member(*settings, "min_ratio"))
+    given.min_ratio = read_number(value_text(*at)).value_or(-1);
+  for (const auto& [name, into] :
+       {std::pair("samples", &given.samples), std::pair("max_teams", &given.most_teams),
+        std::pair("max_balanced", &given.most_balanced)})
+    if (const auto at = tree_.member(*settings, name)) {
+      const auto number = read_whole(value_text(*at));
+      *into = static_cast<std::uint32_t>(std::min<std::uint64_t>(number.value_or(0), ~0u));
+    }
+  return experiment::check_settings(given);
+}
+
+// --- The whole
+
+Problem Reader::take_command(Request& request, std::string_view& allowed) const {
+  const auto at = tree_.member(0, "command");
+  const std::string name = at ? value_text(*at) : "place";
+  for (const CommandEntry& entry : commands) {
+    if (entry.name != name) continue;
+    request.command = entry.command;
+    allowed = entry.members;
+    return std::nullopt;
+  }
+  return error(at.value_or(0), command_names, ErrorCode::unsupported);
+}
+
+Problem Reader::take_members(Index object, Request& request) const {
+  Result<Document> given = document(object);
+  if (!given) return given.error();
+  request.document = std::move(given).value();
+  if (auto wrong = take_settings(object, request.document)) return wrong;
+  if (auto wrong = take_flag(object, "candidates", request.candidates)) return wrong;
+  if (auto wrong = take_flag(object, "failures", request.failures)) return wrong;
+  return take_pose_options(object, request);
+}
+
+Result<Request> Reader::read() {
+  if (tree_.kind(tree_.root()) != Kind::object) return error(0, "a request is a JSON object");
+  Request request;
+  std::string_view allowed;
+  if (auto wrong = take_command(request, allowed)) return *std::move(wrong);
+  if (auto wrong = check_members(0, std::string(" command") + std::string(allowed)))
+    return *std::move(wrong);
+  if (request.command == Command::version) return request;
+  if (request.command == Command::experiment) {
+    if (auto wrong = take_polygons(request)) return *std::move(wrong);
+    if (auto wrong = take_experiment_settings(request)) return *std::move(wrong);
+    return request;
+  }
+  if (auto wrong = take_members(0, request)) return *std::move(wrong);
+  return request;
+}
+
+}  // namespace
+
+Result<Request> read_request(std::string_view text) {
+  if (text.size() > max_request_bytes)
+    return InputError{ErrorCode::text_too_long, "the request is longer than 64 MiB", {}};
+  const Result<JsonTree> tree = JsonTree::read(text);
+  if (!tree) return tree.error();
+  return Reader(text, *tree).read();
+}
+
+}  // namespace evenlift

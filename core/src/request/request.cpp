@@ -1,0 +1,182 @@
+#include "evenlift/request.h"
+
+#include <utility>
+
+#include "evenlift/candidates.h"
+#include "evenlift/experiment/outputs.h"
+#include "evenlift/link.h"
+#include "evenlift/output/json.h"
+#include "evenlift/output/svg.h"
+#include "evenlift/output/words.h"
+#include "evenlift/placement.h"
+#include "evenlift/settings_text.h"
+#include "output/json/json_text.h"
+#include "request/read_request.h"
+
+namespace evenlift {
+namespace {
+
+const char* name(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::too_few_vertices:
+      return "too_few_vertices";
+    case ErrorCode::too_many_vertices:
+      return "too_many_vertices";
+    case ErrorCode::bad_coordinate:
+      return "bad_coordinate";
+    case ErrorCode::repeated_vertex:
+      return "repeated_vertex";
+    case ErrorCode::no_area:
+      return "no_area";
+    case ErrorCode::edges_cross:
+      return "edges_cross";
+    case ErrorCode::object_too_small:
+      return "object_too_small";
+    case ErrorCode::centre_outside_hull:
+      return "centre_outside_hull";
+    case ErrorCode::bad_setting:
+      return "bad_setting";
+    case ErrorCode::too_many_edge_pairs:
+      return "too_many_edge_pairs";
+    case ErrorCode::bad_syntax:
+      return "bad_syntax";
+    case ErrorCode::unsupported:
+      return "unsupported";
+    case ErrorCode::text_too_long:
+      return "text_too_long";
+    case ErrorCode::bad_link:
+      return "bad_link";
+    case ErrorCode::bad_checksum:
+      return "bad_checksum";
+    case ErrorCode::unknown_version:
+      return "unknown_version";
+  }
+  return "";
+}
+
+// One or two vertices or edges, counted from 0.
+std::string place_json(const Place& place) {
+  const std::string index = std::to_string(place.index), other = std::to_string(place.other);
+  const bool two = place.other != 0 && place.other != place.index;
+  const std::string both = json::array(two ? std::vector{index, other} : std::vector{index});
+  switch (place.kind) {
+    case Place::Kind::nowhere:
+      break;
+    case Place::Kind::line:
+      return json::object({{"line", index}, {"column", other}});
+    case Place::Kind::vertex:
+      return json::object({{"vertices", both}});
+    case Place::Kind::edge:
+      return json::object({{"edges", both}});
+    case Place::Kind::centre_of_mass:
+      return json::object({{"centre_of_mass", "true"}});
+    case Place::Kind::option:
+      return json::object({{"setting", json::text(place.option)}});
+    case Place::Kind::link:
+      return json::object({{"character", index}});
+  }
+  return "null";
+}
+
+std::string error_json(const InputError& error) {
+  return json::object({{"error", json::object({{"code", json::text(name(error.code))},
+                                               {"message", json::text(sentence(error))},
+                                               {"place", place_json(error.place)}})}}) +
+         "\n";
+}
+
+std::string one_member(std::string_view name, std::string_view text) {
+  return json::object({{name, json::text(text)}}) + "\n";
+}
+
+std::string placement_answer(const Request& request, const Placement& placement) {
+  std::optional<CapacityInJson> capacity;
+  const Settings& settings = placement.settings;
+  if (settings.capacity)
+    capacity = CapacityInJson{*settings.capacity, plan_capacity(placement, *settings.capacity)};
+  return placement_json(placement, request.candidates, capacity,
+                        {settings.com_radius, request.failures});
+}
+
+std::string svg_answer(const Request& request, Placement placement) {
+  placement.settings.overlays.candidates |= request.candidates;
+  const Result<std::string> link = encode_link(request.document);  // a huge polygon has none
+  return one_member("svg", placement_svg(placement, link ? *link : std::string()));
+}
+
+// Everything that needs a placement.
+std::string placed_answer(const Request& request) {
+  const Result<Placement> placement = place(request.document);
+  if (!placement) return error_json(placement.error());
+  if (request.command == Command::svg) return svg_answer(request, *placement);
+  if (request.command == Command::poses)
+    return one_member("poses", poses_text(*placement, request.pose_format, request.poses));
+  return placement_answer(request, *placement);
+}
+
+std::string candidates_answer(const Request& request) {
+  const Document& document = request.document;
+  if (const auto wrong = check_ranges(document.settings)) return error_json(*wrong);
+  const Result<experiment::Subject> subject =
+      experiment::prepare(document, document.settings.min_ratio);
+  return subject ? candidates_json(subject->candidates) : error_json(subject.error());
+}
+
+std::string link_answer(const Request& request) {
+  const Result<std::string> link = encode_link(request.document);
+  return link ? one_member("link", *link) : error_json(link.error());
+}
+
+// --- Experiments
+
+experiment::PolygonResult measured(const NamedPolygon& polygon,
+                                   const experiment::ExperimentSettings& settings) {
+  const auto refused = [&](const InputError& error) {
+    experiment::PolygonResult result;
+    result.set = polygon.set;
+    result.polygon = polygon.name;
+    result.problem = sentence(error);
+    return result;
+  };
+  if (!polygon.document) return refused(polygon.document.error());
+  const auto subject = experiment::prepare(*polygon.document, settings.min_ratio);
+  if (!subject) return refused(subject.error());
+  experiment::PolygonResult result = experiment::describe(polygon.set, polygon.name, *subject);
+  for (const Method method : all_methods)
+    for (experiment::Measurement& m : experiment::measure(*subject, method, settings))
+      result.measurements.push_back(std::move(m));
+  return result;
+}
+
+std::string experiment_answer(const Request& request) {
+  std::vector<experiment::PolygonResult> results;
+  for (const NamedPolygon& polygon : request.polygons)
+    results.push_back(measured(polygon, request.experiment));
+  experiment::sort_results(results);
+  const auto sets = experiment::group_by_set(std::move(results));
+  return experiment::outputs_json(experiment::make_outputs(sets)) + "\n";
+}
+
+}  // namespace
+
+std::string answer(std::string_view text) {
+  const Result<Request> request = read_request(text);
+  if (!request) return error_json(request.error());
+  switch (request->command) {
+    case Command::place:
+    case Command::svg:
+    case Command::poses:
+      return placed_answer(*request);
+    case Command::candidates:
+      return candidates_answer(*request);
+    case Command::link:
+      return link_answer(*request);
+    case Command::experiment:
+      return experiment_answer(*request);
+    case Command::version:
+      return one_member("version", EVENLIFT_VERSION);
+  }
+  return {};
+}
+
+}  // namespace evenlift

@@ -1,0 +1,12 @@
+// evenlift for browsers, their workers, and what builds for them. node.js is the same for Node.
+import { createApi } from "./api.js";
+
+async function compile(url) {
+  const answer = await fetch(url);
+  if (!answer.ok) throw new Error(`${url} cannot be fetched: the server answers ${answer.status}`);
+  return WebAssembly.compile(await answer.arrayBuffer());  // whatever type the server calls it
+}
+
+export { EvenliftError } from "./api.js";
+export const { run, place, candidates, svg, poses, link, experiment, version } =
+  createApi(await compile(new URL("evenlift.wasm", import.meta.url)));

@@ -1,0 +1,53 @@
+"""The C library inside the package: requests and answers as JSON."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import pathlib
+import sys
+from typing import Any, Optional
+
+_name = {"win32": "evenlift.dll", "darwin": "libevenlift.dylib"}.get(sys.platform, "libevenlift.so")
+_library = ctypes.CDLL(str(pathlib.Path(__file__).with_name(_name)))
+_library.evenlift_run.argtypes = [ctypes.c_char_p]
+_library.evenlift_run.restype = ctypes.c_void_p
+_library.evenlift_free.argtypes = [ctypes.c_void_p]
+_library.evenlift_free.restype = None
+
+
+class EvenliftError(ValueError):
+    """A request that evenlift cannot answer. `code` is one word for programs, `place` says where, if that is known."""
+
+    def __init__(self, message: str, code: str, place: Optional[dict[str, Any]]) -> None:
+        super().__init__(message)
+        self.code = code
+        self.place = place
+
+
+def answer(request: str) -> str:
+    """The answer to a request, both JSON (docs/requests.md). Other threads run meanwhile."""
+    if "\0" in request:
+        raise EvenliftError("a request has no zero bytes", "bad_syntax", None)
+    pointer = _library.evenlift_run(request.encode("utf-8"))
+    if not pointer:
+        raise MemoryError
+    try:
+        return ctypes.string_at(pointer).decode("utf-8")
+    finally:
+        _library.evenlift_free(pointer)
+
+
+def ask_for_text(request: dict[str, Any]) -> str:
+    """The answer's own bytes; an error raises."""
+    text = answer(json.dumps(request, allow_nan=False))
+    if text.startswith('{"error": '):
+        error = json.loads(text)["error"]
+        if error["code"] == "no_memory":
+            raise MemoryError(error["message"])
+        raise EvenliftError(error["message"], error["code"], error["place"])
+    return text
+
+
+def ask(request: dict[str, Any]) -> dict[str, Any]:
+    return json.loads(ask_for_text(request))

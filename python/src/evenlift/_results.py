@@ -1,0 +1,103 @@
+"""Answers as plain dictionaries and lists, with what Python makes easier: arrays, tables, pictures."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+from ._library import ask, ask_for_text
+
+if TYPE_CHECKING:
+    import numpy
+
+
+class Placement(dict[str, Any]):
+    """What `evenlift place --json` prints, as a dictionary (docs/cli.md lists its members). `json` has its very bytes."""
+
+    def __init__(self, request: dict[str, Any]) -> None:
+        self.json = ask_for_text(request)
+        self._request = request
+        super().__init__(json.loads(self.json))
+
+    def svg(self, candidates: Optional[bool] = None) -> str:
+        """The placement as a picture."""
+        shown = {name: self._request[name] for name in ("polygon", "text", "centre_of_mass", "settings") if name in self._request}
+        listed = bool(self._request.get("candidates")) if candidates is None else candidates
+        return ask({"command": "svg", **shown, "candidates": listed})["svg"]
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def arrays(self) -> dict[str, numpy.ndarray]:
+        """The numbers as NumPy arrays: `polygon` and `hull` (n × 2), and in the robots' order `at`, `stand` and `contact`
+        (m × 2), `load`, `heading` in degrees, and `team`."""
+        import numpy
+
+        robots = self.get("robots", [])
+        arrays = {name: numpy.array(self[name], dtype=float).reshape(-1, 2) for name in ("polygon", "hull")}
+        for name in ("at", "stand", "contact"):
+            arrays[name] = numpy.array([robot[name] for robot in robots], dtype=float).reshape(-1, 2)
+        for name in ("load", "heading"):
+            arrays[name] = numpy.array([robot[name] for robot in robots], dtype=float)
+        arrays["team"] = numpy.array([robot["team"] for robot in robots], dtype=int)
+        return arrays
+
+
+class Candidates(list[dict[str, Any]]):
+    """Candidate chords in candidate order, each {"ends", "ratio", "kind"}."""
+
+    def __init__(self, request: dict[str, Any]) -> None:
+        self.json = ask_for_text(request)
+        super().__init__(json.loads(self.json)["candidates"])
+
+    def arrays(self) -> dict[str, numpy.ndarray]:
+        """`ends` (n × 2 × 2) and `ratio` (n) as NumPy arrays."""
+        import numpy
+
+        ends = numpy.array([candidate["ends"] for candidate in self], dtype=float).reshape(-1, 2, 2)
+        return {"ends": ends, "ratio": numpy.array([candidate["ratio"] for candidate in self], dtype=float)}
+
+
+def _number(text: str) -> Union[int, float, str, None]:
+    if text == "":
+        return None
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
+
+
+_names = {"set", "polygon", "method", "metric", "problem"}  # columns of words, whatever they look like
+
+
+class Experiment(dict[str, Any]):
+    """What `evenlift experiment` finds. `measurements`, `aggregates` and `polygons` are lists of rows, each a dictionary by the
+    columns of the files of the same names, with None where a field is empty; csv() has the files themselves."""
+
+    def __init__(self, request: dict[str, Any]) -> None:
+        self.json = ask_for_text(request)
+        content = json.loads(self.json)
+        self._tables = {name: content[name] for name in ("measurements", "aggregates", "polygons")}
+        for name, text in self._tables.items():
+            rows = csv.DictReader(io.StringIO(text, newline=""))
+            content[name] = [{k: v if k in _names else _number(v) for k, v in row.items()} for row in rows]
+        super().__init__(content)
+
+    def csv(self, table: str = "measurements") -> str:
+        """A table as the text of a CSV file, the bytes that the program writes."""
+        return self._tables[table]
+
+    def arrays(self, table: str = "measurements") -> dict[str, numpy.ndarray]:
+        """A table's columns as NumPy arrays; where a field of numbers is empty there is NaN."""
+        import numpy
+
+        rows = self[table]
+        columns = {}
+        for name in next(csv.reader(io.StringIO(self._tables[table], newline=""))):
+            values = [row[name] for row in rows]
+            columns[name] = numpy.array(values) if name in _names else numpy.array(values, dtype=float)
+        return columns

@@ -1,0 +1,143 @@
+// Robots as poses: tables, JSON and messages of ROS 2. tests/consumers/check_poses.py reads them with other people's readers.
+#include "evenlift/output/poses.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "evenlift/angles.h"
+#include "evenlift/placed_robots.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/placed.h"
+#include "kit/polygons.h"
+
+using namespace evenlift;
+using evenlift::testing::placed;
+using nlohmann::json;
+
+namespace {
+
+// One robot at this point of a square of side 4, whose centre of mass is (2, 2).
+Placement one_robot(const Vec2& at, std::uint32_t edge, Units units = {}) {
+  Placement placement(testing::polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+  placement.centre_of_mass = {2, 2};
+  placement.settings.units = units;
+  placement.teams = {Team{{Robot{{at, edge}, 1, 12.5}}, 1}};
+  return placement;
+}
+
+// The numbers of the message's only pose, by name: those of its place and then of its rotation.
+json numbers_of_pose(const std::string& yaml) {
+  json pose;
+  for (const char* part : {"position", "orientation"}) {
+    std::string text = yaml.substr(yaml.find(std::string(part) + ": {"));
+    text = text.substr(text.find('{'), text.find('}') - text.find('{') + 1);
+    for (const char* name : {"x", "y", "z", "w"}) {
+      const std::size_t at = text.find(std::string(name) + ": ");
+      if (at != std::string::npos) text.replace(at, 1, "\"" + std::string(name) + "\"");
+    }
+    pose[part] = json::parse(text);
+  }
+  return pose;
+}
+
+}  // namespace
+
+TEST_CASE("the ending of a file's name says the format of poses", "[poses]") {
+  CHECK(pose_format_of_file("robots.csv") == PoseFormat::csv);
+  CHECK(pose_format_of_file("a/b.c.json") == PoseFormat::json);
+  CHECK(pose_format_of_file(".yaml") == PoseFormat::yaml);
+  for (const char* other : {"", "csv", "robots", "robots.yml", "robots.CSV", "robots.csv "})
+    CHECK_FALSE(pose_format_of_file(other));
+}
+
+TEST_CASE("a frame is a name that ROS 2 takes", "[poses]") {
+  for (const std::string& good :
+       {std::string("object"), std::string("map/table-1.a_B"), std::string(255, 'x')})
+    CHECK(is_frame_name(good));
+  for (const std::string& bad :
+       {std::string(), std::string("/map"), std::string("a b"), std::string("a\"b"),
+        std::string("a\nb"), std::string("\u00E4"), std::string(256, 'x')})
+    CHECK_FALSE(is_frame_name(bad));
+}
+
+TEST_CASE("a table has a row for each robot, with its units", "[poses]") {
+  CHECK(poses_text(one_robot({1, 0}, 0), PoseFormat::csv) ==
+        "robot,team,x,y,heading_deg,load,unit,weight_unit\n1,1,1,0,90,12.5,,kg\n");
+  CHECK(poses_text(one_robot({1, 0}, 0, {LengthUnit::mm, WeightUnit::lb}), PoseFormat::csv,
+                   {PoseOrigin::com, "object"}) ==
+        "robot,team,x,y,heading_deg,load,unit,weight_unit\n1,1,-1,-2,90,12.5,mm,lb\n");
+}
+
+TEST_CASE("poses in JSON name their frame, origin and units", "[poses]") {
+  const json poses = json::parse(poses_text(one_robot({1, 0}, 0), PoseFormat::json));
+  CHECK(poses["frame"] == "object");
+  CHECK(poses["origin"] == "file");
+  CHECK(poses["unit"].is_null());
+  CHECK(poses["weight_unit"] == "kg");
+  REQUIRE(poses["robots"].size() == 1);
+  const json& robot = poses["robots"][0];
+  CHECK(robot == json::parse(R"({"robot": 1, "team": 1, "x": 1, "y": 0, "heading_deg": 90,
+                                 "direction": [0, 1], "load": 12.5})"));
+}
+
+TEST_CASE("a message of ROS 2 is in metres", "[poses]") {
+  const auto x = [](LengthUnit unit) {
+    const std::string yaml =
+        poses_text(one_robot({3, 0}, 0, {unit, WeightUnit::kg}), PoseFormat::yaml);
+    CHECK((yaml.find("has no unit") != std::string::npos) == (unit == LengthUnit::none));
+    return numbers_of_pose(yaml)["position"]["x"].get<double>();
+  };
+  CHECK(x(LengthUnit::none) == 3);
+  CHECK(x(LengthUnit::m) == 3);
+  CHECK(x(LengthUnit::cm) == 0.03);
+  CHECK(x(LengthUnit::mm) == 0.003);
+  CHECK(x(LengthUnit::in) == Approx(0.0762).epsilon(1e-15));
+}
+
+TEST_CASE("a pose's rotation turns x into the heading, wherever the robot stands", "[poses]") {
+  // At the four edges, and at the four vertices in the middle of the two normals.
+  const struct {
+    Vec2 at;
+    std::uint32_t edge;
+    double heading_deg;
+  } robots[] = {{{1, 0}, 0, 90}, {{4, 1}, 1, 180}, {{1, 4}, 2, -90},  {{0, 1}, 3, 0},
+                {{0, 0}, 0, 45}, {{4, 0}, 1, 135}, {{4, 4}, 2, -135}, {{0, 4}, 3, -45}};
+  for (const auto& [at, edge, heading_deg] : robots) {
+    INFO(heading_deg);
+    const json turn =
+        numbers_of_pose(poses_text(one_robot(at, edge), PoseFormat::yaml))["orientation"];
+    const double z = turn["z"], w = turn["w"];
+    CHECK(turn["x"] == 0);
+    CHECK(turn["y"] == 0);
+    CHECK(w >= 0);
+    CHECK(z * z + w * w == Approx(1).epsilon(1e-15));
+    CHECK(w * w - z * z == Approx(cosine(heading_deg * pi / 180)).margin(1e-15));
+    CHECK(2 * w * z == Approx(sine(heading_deg * pi / 180)).margin(1e-15));
+  }
+}
+
+TEST_CASE("the rotations of all samples' robots are their headings", "[poses]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    Document document = corpus::polygon(name);
+    document.settings.method = Method::distributed;
+    document.settings.teams = 5;
+    const Placement placement = placed(document);
+    INFO(name);
+    for (const PlacedRobot& robot : placed_robots(placement)) {
+      const double angle = robot.heading_deg * pi / 180;
+      CHECK(robot.direction.x() == Approx(cosine(angle)).margin(1e-14));
+      CHECK(robot.direction.y() == Approx(sine(angle)).margin(1e-14));
+      CHECK(length(robot.direction) == Approx(1).epsilon(1e-15));
+    }
+  }
+}
+
+TEST_CASE("a placement without robots has no poses", "[poses]") {
+  Placement placement(testing::polygon(testing::square));
+  CHECK(poses_text(placement, PoseFormat::csv) ==
+        "robot,team,x,y,heading_deg,load,unit,weight_unit\n");
+  CHECK(json::parse(poses_text(placement, PoseFormat::json))["robots"].empty());
+  CHECK(poses_text(placement, PoseFormat::yaml).ends_with("poses: []\n"));
+}

@@ -1,0 +1,37 @@
+// Lets the browser keep the page, so that it opens without a network, and tells of a new version. Loaded after the first
+// picture, which it must not slow.
+const betweenChecks = 3600000;  // milliseconds; besides, the browser looks whenever the page is opened
+
+// Calls `tell` once, when a new version is there or when another tab has taken it.
+export async function keepForOffline(tell) {
+  const container = navigator.serviceWorker;
+  if (!container || navigator.connection?.saveData) return;
+  let inControl = container.controller;
+  let told = false;
+  const newVersion = () => {
+    if (!told) tell();
+    told = true;
+  };
+  container.addEventListener("controllerchange", () => {
+    if (inControl) newVersion();
+    inControl = container.controller;
+  });
+  const registration = await container.register(new URL("service_worker.js", import.meta.url), { updateViaCache: "none" });
+  // Of the first version, which this page is, there is nothing to say.
+  const look = () => registration.active && registration.waiting && newVersion();
+  const follow = () => registration.installing?.addEventListener("statechange", look);
+  registration.addEventListener("updatefound", follow);
+  follow();
+  look();
+  checkNowAndThen(registration);
+}
+
+// For pages that stay open for days.
+function checkNowAndThen(registration) {
+  let checked = Date.now();
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden || Date.now() - checked < betweenChecks) return;
+    checked = Date.now();
+    registration.update().catch(() => {});  // without a network there is nothing new
+  });
+}

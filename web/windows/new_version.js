@@ -1,0 +1,27 @@
+// The card that says that there is a new version of the page. Nothing is loaded before its button is pressed.
+import { closingButton, openCard, whenNoCard } from "../kit/card.js";
+import { el } from "../kit/elements.js";
+import { hasPhoto } from "./photo.js";
+
+export function newVersion(page) {
+  whenNoCard(() => show(page));
+}
+
+async function show(page) {
+  const sentence = el("p", { role: "status" });
+  await openCard(page, {
+    name: "new-version",
+    title: "New version",
+    body: [sentence, el("div", { class: "ways" }, closingButton("Load it", { class: "button primary" }, load))],
+  });
+  const lost = hasPhoto() ? " but for the picture behind the drawing" : "";
+  sentence.textContent = `A new version of evenlift is ready, and what you have open stays${lost}.`;  // afterwards, so that it is read out
+}
+
+// The service worker of the new version waits to be told; if another tab has told it, the page needs only to be opened again.
+async function load() {
+  const registration = await navigator.serviceWorker.getRegistration();
+  if (!registration?.waiting) return location.reload();
+  navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), { once: true });
+  registration.waiting.postMessage("take over");
+}
