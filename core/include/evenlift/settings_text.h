@@ -27,7 +27,8 @@ enum class Setting : std::uint8_t {
   goal,
   min_margin,
   apart,
-  survive
+  survive,
+  positions
 };
 
 // The setting's name in JSON and scripts, such as "min_ratio"; and the setting of a name, or
@@ -58,6 +59,7 @@ InputError setting_error(Setting setting);
 //   survive    a whole number from 0 to 30
 //   com_radius a number of at least 0
 //   capacity   a number above 0, or "none"
+//   positions  "best" or "range"
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
 // hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text and any
 // value out of range is an error and changes nothing. loads and failed are no settings of a document

@@ -36,6 +36,7 @@ constexpr Entry entries[] = {
     {Setting::apart, "apart", "the distance that parts robots is a number of at least 0"},
     {Setting::survive, "survive",
      "the number of failures to survive is a whole number from 0 to 30"},
+    {Setting::positions, "positions", "the positions are best or range"},
 };
 static_assert(max_teams == 1048576);
 static_assert(least_robots == 2 && most_robots == 64 && most_survived == 30);
@@ -184,6 +185,12 @@ bool read_survive(std::string_view text, Settings& settings) {
   return true;
 }
 
+bool read_positions(std::string_view text, Settings& settings) {
+  const std::optional<Positions> positions = positions_from_name(text);
+  if (positions) settings.positions = *positions;
+  return positions.has_value();
+}
+
 bool read_capacity(std::string_view text, Settings& settings) {
   const std::optional<double> value = read_number(text);
   if (value ? !is_weight(*value) : text != "none") return false;
@@ -240,6 +247,8 @@ bool read(Setting setting, std::string_view text, Document& document) {
       return read_apart(text, document.settings);
     case Setting::survive:
       return read_survive(text, document.settings);
+    case Setting::positions:
+      return read_positions(text, document.settings);
   }
   return false;
 }

@@ -22,11 +22,11 @@ enum class Tag : std::uint8_t {
   min_margin = 3,
   apart = 4,
   survive = 5,
+  positions = 6,
   com_radius = 7,
   capacity = 8,
   halo = 18,  // an overlay, which has no setting of its own
   // Reserved.
-  positions = 6,
   robot = 9,
   no_go = 10,
   units = 11,
