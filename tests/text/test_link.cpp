@@ -258,6 +258,29 @@ TEST_CASE("a doubt, a capacity and the halo read back in every bit, whatever the
   }
 }
 
+TEST_CASE("positions and the goal to hold of teams of two read back in every bit", "[link]") {
+  Rng rng(6);
+  for (int i = 0; i < 1000; ++i) {
+    Document document = random_document(rng, 14);
+    Settings& settings = document.settings;
+    if (i % 3 != 0) settings.positions = Positions::range;
+    if (i % 5 != 0) settings.goal = Goal::hold;
+    if (i % 5 != 0 && i % 2 == 0) settings.min_margin = rng.uniform();
+    const std::string link = encode(document);
+    INFO(link);
+    const Document back = decode(link);
+    REQUIRE(back.settings == settings);
+    REQUIRE(same_document(back, document));
+    REQUIRE(encode(back) == link);
+  }
+  // To cover is the usual goal of teams of two.
+  Document document = thesis_sample();
+  const std::string link = encode(document);
+  document.settings.goal = Goal::cover;
+  document.settings.min_margin = 0.3;
+  CHECK(encode(document) == link);
+}
+
 TEST_CASE("what version 1 holds is written as version 1", "[link]") {
   Rng rng(3);
   for (int i = 0; i < 500; ++i) CHECK(encode(random_document(rng, 14)).starts_with("1."));

@@ -50,6 +50,10 @@ void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team
 // The step at which the candidate was found.
 std::optional<std::uint32_t> step_of_candidate(const Trace& trace, std::uint32_t candidate) {
   const std::uint32_t source = trace.source_of_candidate[candidate];
+  if (trace.placement.candidates[candidate].kind == CandidateKind::range) {
+    const auto range = std::find(trace.ranges.begin(), trace.ranges.end(), source);
+    return trace.find(StepKind::range, static_cast<std::uint32_t>(range - trace.ranges.begin()));
+  }
   const auto pairs = static_cast<std::uint32_t>(trace.pairs.size());
   return source < pairs ? trace.find(StepKind::outcome, source)
                         : trace.find(StepKind::opposite, source - pairs);
