@@ -117,7 +117,8 @@ TEST_CASE("teams that are exchanged are never worse than their start, and no exc
     document.settings.min_ratio = 0.8;
     document.settings.method = metrics[number % metrics.size()];
     const auto positions = number % 2 == 0 ? Positions::best : Positions::range;
-    const auto placement = place(to_hold(document, 2 + number % 3, positions));
+    const auto placement =
+        place(to_hold(document, static_cast<std::uint32_t>(2 + number % 3), positions));
     if (!placement || placement->teams.empty()) continue;
     INFO("case " << number);
     if (placement->candidates.size() <= 60) check_result(*placement);

@@ -179,6 +179,16 @@ Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robo
   return placement;
 }
 
+Placement with_chord(Placement placement, std::size_t team, const Chord& chord) {
+  std::vector<Chord> chords;
+  for (const Team& each : placement.teams) chords.push_back(chord_of(each));
+  chords[team] = chord;
+  placement.teams = distribute_weight(chords, placement.settings.weight);
+  placement.team_candidates.clear();
+  describe_grasp(placement);
+  return placement;
+}
+
 Placement with_failure(Placement placement, std::size_t robot) {
   const std::optional<SpringLoads> springs = springs_without(placement, robot);
   std::vector<LiftingPoint> others = lifting_points(placement.teams);
