@@ -66,7 +66,6 @@ constexpr Text good[] = {
     {Setting::capacity, "none"},
     {Setting::com_radius, "0"},
     {Setting::com_radius, "12.5"},
-    {Setting::positions, "best"},
     {Setting::positions, "range"},
 };
 

@@ -324,13 +324,20 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   const Document six = decode(link_with({{1, "6"}}, true));
   CHECK(six.settings.method == Method::balanced);
   CHECK(six.settings.robots == 6);
+  const Document held = decode(link_with({{2, "hold"}, {3, "0.125"}, {6, "range"}}, true));
+  CHECK(held.settings.goal == Goal::hold);
+  CHECK(held.settings.min_margin == 0.125);
+  CHECK(held.settings.positions == Positions::range);
   const Document doubted = decode(link_with({{7, "2.5"}, {8, "20"}, {18, "shown"}}, true));
   CHECK(doubted.settings.com_radius == 2.5);
   CHECK(doubted.settings.capacity == 20.0);
   CHECK(doubted.settings.overlays.halo);
   for (const auto& records : std::vector<std::vector<std::pair<unsigned, std::string>>>{
            {},             // version 1 holds it
-           {{2, "hold"}},  // of no balanced robots
+           {{2, "cover"}},  // the usual goal of teams of two
+           {{3, "0.1"}},    // of teams that are to cover
+           {{6, "best"}},
+           {{6, "any"}},
            {{1, "1"}},
            {{1, "65"}},
            {{1, "06"}},
@@ -356,7 +363,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{1, std::string(40000, '6')}}}) {
     CHECK(refusal(link_with(records, true)).code == ErrorCode::bad_link);
   }
-  for (const unsigned later : {6u, 9u, 17u, 19u, 255u}) {
+  for (const unsigned later : {9u, 17u, 19u, 255u}) {
     for (const bool ends : {true, false}) {
       const InputError error = refusal(link_with({{1, "6"}, {later, "anything"}}, ends));
       CHECK(error.code == ErrorCode::unknown_version);

@@ -1,7 +1,6 @@
 #include "exchange/choices.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "balanced/small_hull.h"
@@ -13,8 +12,8 @@ namespace {
 constexpr double least_margin = 0.001, halfway = 0.4;
 // Bounds of margins are computed in plain doubles.
 constexpr double slack = 1e-9;
-// Where the reach of parts is kept: memory for all directions together, in numbers.
-constexpr std::size_t most_reaches = std::size_t{1} << 23, most_directions = 256;
+// So many directions are tried of each choice.
+constexpr std::size_t most_directions = 64;
 
 std::array<double, 3> ascending(double min_margin) {
   std::array<double, 3> bounds{least_margin, halfway * min_margin, min_margin};
@@ -40,8 +39,6 @@ Choices::Choices(const Polygon& polygon, const Vec2& centre,
       margins_(polygon, centre) {
   parts_.reserve(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) parts_.push_back(part_of({i}));
-  most_directions_ = std::clamp(most_reaches / std::max<std::size_t>(candidates.size(), 1),
-                                std::size_t{26}, most_directions);
   for (const int x : {-1, 0, 1})
     for (const int y : {-1, 0, 1})
       for (const int z : {-1, 0, 1})
@@ -72,28 +69,7 @@ HoldKeys Choices::keys_of(const Part& part) const {
           part.ratios};
 }
 
-double Choices::reach(const Part& part, const Wrench& u) {
-  double farthest = -std::numeric_limits<double>::infinity();
-  for (const Wrench& w : part.wrenches) farthest = std::max(farthest, u.dot(w));
-  return farthest;
-}
-
-void Choices::know(const Wrench& direction) {
-  if (directions_.size() >= most_directions_) return;
-  Direction known{direction, {}};
-  known.reach.reserve(parts_.size() + staying_.size());
-  for (const Part& part : parts_) known.reach.push_back(reach(part, direction));
-  for (const Part& part : staying_) known.reach.push_back(reach(part, direction));
-  directions_.push_back(std::move(known));
-}
-
-void Choices::set_parts(std::vector<Part> parts) {
-  staying_ = std::move(parts);
-  for (Direction& known : directions_) {
-    known.reach.resize(parts_.size());
-    for (const Part& part : staying_) known.reach.push_back(reach(part, known.u));
-  }
-}
+void Choices::set_parts(std::vector<Part> parts) { staying_ = std::move(parts); }
 
 const std::vector<LiftingPoint>& Choices::robots_of(const Trial& trial) const {
   robots_ = part(trial.other).robots;
@@ -116,11 +92,26 @@ void Choices::sharpen(Trial& trial) const {
   ++trial.sharpness;
 }
 
-bool Choices::surely_below(const Trial& trial, std::uint32_t level) const {
+bool Choices::surely_below(const Trial& trial, std::uint32_t level) {
   const double bound = bounds_[level - 1] - slack;
-  return std::any_of(directions_.begin(), directions_.end(), [&](const Direction& known) {
-    return known.reach[trial.candidate] < bound && known.reach[trial.other] < bound;
-  });
+  const auto stays_below = [&](const Part& part, const Wrench& u) {
+    return std::all_of(part.wrenches.begin(), part.wrenches.end(),
+                       [&](const Wrench& w) { return u.dot(w) < bound; });
+  };
+  const Part &first = part(trial.candidate), &second = part(trial.other);
+  const auto telling =
+      std::find_if(directions_.begin(), directions_.end(), [&](const Wrench& u) {
+        return stays_below(first, u) && stays_below(second, u);
+      });
+  if (telling == directions_.end()) return false;
+  // What told of one choice tells of the next one, too.
+  std::rotate(directions_.begin(), telling, telling + 1);
+  return true;
+}
+
+void Choices::know(const Wrench& direction) {
+  if (directions_.size() == most_directions) directions_.pop_back();
+  directions_.insert(directions_.begin(), direction);
 }
 
 bool Choices::reaches(const Trial& trial, std::uint32_t level) {

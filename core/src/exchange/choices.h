@@ -26,6 +26,7 @@ struct Trial {
   double coverage = 0;          // or an upper bound
   std::uint8_t sharpness = 0;   // 0 and 1: bounds, 2: exact
   std::uint8_t most_level = 3;  // its level is at most that
+  std::uint8_t least_level = 0;  // and at least that
 };
 
 class Choices {
@@ -44,7 +45,7 @@ class Choices {
   std::uint32_t size() const { return static_cast<std::uint32_t>(parts_.size()); }
   std::uint32_t parts() const { return static_cast<std::uint32_t>(staying_.size()); }
 
-  // Replaces the parts that stay. O(parts) for each direction that is known.
+  // Replaces the parts that stay.
   void set_parts(std::vector<Part> parts);
 
   // A trial with a first bound of its coverage. O(robots).
@@ -53,8 +54,9 @@ class Choices {
   // Makes what is known of the coverage sharper.
   void sharpen(Trial& trial) const;
 
-  // Whether the level of the trial is surely below `level`, by the directions that are known.
-  bool surely_below(const Trial& trial, std::uint32_t level) const;
+  // Whether the level of the trial, above 0, is surely below `level`: in a direction that is known it
+  // reaches less far.
+  bool surely_below(const Trial& trial, std::uint32_t level);
 
   // Whether it reaches that level. If not, the direction in which it is weakest becomes known.
   bool reaches(const Trial& trial, std::uint32_t level);
@@ -71,13 +73,6 @@ class Choices {
   const std::vector<LiftingPoint>& robots_of(const Trial& trial) const;
   void know(const Wrench& direction);
 
-  // How far parts reach in a direction: the maximum of u . w over their wrenches w.
-  struct Direction {
-    Wrench u;
-    std::vector<double> reach;  // by part
-  };
-  static double reach(const Part& part, const Wrench& u);
-
   const Polygon& polygon_;
   const std::vector<Candidate>& candidates_;
   Vec2 centre_;
@@ -87,8 +82,7 @@ class Choices {
   Margins margins_;
   std::vector<Part> parts_;    // of the candidates
   std::vector<Part> staying_;  // the others
-  std::vector<Direction> directions_;
-  std::size_t most_directions_ = 0;
+  std::vector<Wrench> directions_;  // in which choices are weak, what told last first
   mutable std::vector<LiftingPoint> robots_;  // of one trial after another
 };
 

@@ -78,8 +78,8 @@ class Round {
   }
 
   // Whether the known directions show that the trial is below the level.
-  bool fails(Trial& trial, std::uint32_t level) const {
-    if (level == 0 || !choices_.surely_below(trial, level)) return false;
+  bool fails(Trial& trial, std::uint32_t level) {
+    if (trial.least_level >= level || !choices_.surely_below(trial, level)) return false;
     trial.most_level = static_cast<std::uint8_t>(level - 1);
     return true;
   }
@@ -92,7 +92,9 @@ class Round {
     std::vector<std::uint32_t> found;
     while (!queue.empty() && trials_[queue.first()].coverage >= least) {
       Trial& trial = trials_[queue.first()];
-      if (fails(trial, level)) {
+      // While none is found at a better level, no coverage is too small: then the margin tells more.
+      const bool margin_first = least < 0;
+      if (fails(trial, level) || (margin_first && !reaches(trial, level))) {
         queue.pop();
       } else if (trial.sharpness < exact) {
         choices_.sharpen(trial);
@@ -109,7 +111,11 @@ class Round {
   }
 
   bool reaches(Trial& trial, std::uint32_t level) {
-    if (level == 0 || choices_.reaches(trial, level)) return true;
+    if (trial.least_level >= level) return true;
+    if (choices_.reaches(trial, level)) {
+      trial.least_level = static_cast<std::uint8_t>(level);
+      return true;
+    }
     trial.most_level = static_cast<std::uint8_t>(level - 1);
     return false;
   }
