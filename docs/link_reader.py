@@ -17,7 +17,7 @@ METRICS = ["area", "circle", "distance", "distributed", "random"]
 OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "tipping"]
 # What a record's payload is read as, by its tag; the other tags are those of later programs.
 RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int),
-           7: ("com_radius", float), 8: ("capacity", float), 11: ("units", str), 18: ("halo", str)}
+           6: ("positions", str), 7: ("com_radius", float), 8: ("capacity", float), 11: ("units", str), 18: ("halo", str)}
 DOUBLES = 23  # the scale that numbers every double
 
 

@@ -82,6 +82,10 @@ std::string facts(const Placement& placement, const Robustness& robustness) {
       lines.emplace_back("Failures to survive", std::to_string(settings.survive));
   } else {
     lines.emplace_back("Minimum load ratio", plain(settings.min_ratio));
+    if (settings.positions == Positions::range)
+      lines.emplace_back("Positions", "anywhere in the range");
+    if (exchanges_teams(settings))
+      lines.emplace_back("Goal", placement.goal_reached ? "hold" : "hold, not reached");
   }
   lines.emplace_back("Centre of mass", point_in_words(placement.centre_of_mass,
                                                       coordinate_decimals(placement.vertices())));

@@ -13,6 +13,7 @@ void cmd_place(const Arguments& arguments);
 void cmd_link(const Arguments& arguments);
 void cmd_generate(const Arguments& arguments);
 void cmd_trace(const Arguments& arguments);
+void cmd_optimum(const Arguments& arguments);
 void cmd_experiment(const Arguments& arguments);
 
 }  // namespace evenlift::native

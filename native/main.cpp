@@ -21,6 +21,7 @@ constexpr Command commands[] = {
     {"trace", "the algorithm step by step, in words and numbers", cmd_trace},
     {"link", "a polygon and its settings as a share link, and back", cmd_link},
     {"generate", "a polygon from a family, a size and a seed", cmd_generate},
+    {"optimum", "how far the greedy choice of teams is from the best one", cmd_optimum},
     {"experiment", "chapter 5's measurements over many polygons, with a report", cmd_experiment},
 };
 

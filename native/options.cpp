@@ -52,6 +52,8 @@ void SettingOptions::declare(CommandLine& line) {
   line.value(robots, "--robots", "M", "number of balanced robots, 2 to 64 (default 6)");
   line.value(goal, "--goal", "GOAL", "cover: the widest base; hold: first of all a firm hold");
   line.value(min_margin, "--min-margin", "F", "the margin of a firm hold (default 0.05)");
+  line.value(positions, "--positions", "WHERE",
+             "best: one place for two edges; range: anywhere in their range");
   line.value(apart, "--apart", "A",
              "robots nearer than this are too near (default 0.12 of the object's radius)");
   line.value(survive, "--survive", "F", "failures that balanced robots should survive (default 0)");
@@ -64,23 +66,28 @@ void SettingOptions::apply(Document& document) const {
         std::pair(Setting::weight, &weight), std::pair(Setting::seed, &seed),
         std::pair(Setting::robots, &robots), std::pair(Setting::goal, &goal),
         std::pair(Setting::min_margin, &min_margin), std::pair(Setting::apart, &apart),
-        std::pair(Setting::survive, &survive)})
+        std::pair(Setting::survive, &survive), std::pair(Setting::positions, &positions)})
     if (*typed) setting_option(setting, **typed, document);
-  check_method(document.settings.method);
+  check_method(document.settings);
 }
 
-void SettingOptions::check_method(Method method) const {
-  if (method == Method::balanced) {
-    if (teams)
-      throw Failure{bad_input_status, "--teams", "balanced robots are no teams; give --robots"};
-    return;
-  }
-  for (const auto& [option, typed] :
-       {std::pair("--robots", &robots), std::pair("--min-margin", &min_margin),
-        std::pair("--apart", &apart), std::pair("--survive", &survive)})
+void SettingOptions::check_method(const Settings& settings) const {
+  const Method method = settings.method;
+  const bool balanced = method == Method::balanced;
+  if (balanced && teams)
+    throw Failure{bad_input_status, "--teams", "balanced robots are no teams; give --robots"};
+  if (positions && !selects_candidates(method))
+    throw Failure{
+        bad_input_status, "--positions",
+        "it is for --metric area, circle and distance, not for " + std::string(name(method))};
+  if (balanced) return;
+  for (const auto& [option, typed] : {std::pair("--robots", &robots), std::pair("--apart", &apart),
+                                      std::pair("--survive", &survive)})
     if (*typed)
       throw Failure{bad_input_status, option,
                     "it is for --metric balanced, not for " + std::string(name(method))};
+  if (min_margin && goal_of(settings) != Goal::hold)
+    throw Failure{bad_input_status, "--min-margin", "it is for --goal hold"};
 }
 
 void DoubtOptions::declare(CommandLine& line) {

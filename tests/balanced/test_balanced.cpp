@@ -163,10 +163,6 @@ TEST_CASE("settings of balanced robots that do not go together are refused", "[b
   CHECK_FALSE(check_settings(document.settings));
   document.settings.robots = 65;
   CHECK(check_settings(document.settings)->place.option == "robots");
-  Settings pairs;
-  pairs.goal = Goal::hold;
-  REQUIRE(check_settings(pairs));
-  CHECK(check_settings(pairs)->place.option == "goal");
 }
 
 TEST_CASE("where no set has its centroid at the centre of mass, no robot is placed", "[balanced]") {

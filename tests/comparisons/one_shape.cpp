@@ -96,8 +96,9 @@ class Shape {
       return left;
     }
     std::vector<std::uint32_t> even;
+    const bool any_ratio = placement_.settings.positions == Positions::range;
     for (const std::uint32_t i : left)
-      if (is_even(candidates()[i].chord)) even.push_back(i);
+      if (any_ratio || is_even(candidates()[i].chord)) even.push_back(i);
     if (even.empty()) {
       keep_best(left, ratio, absolute);
       keep_best(left, length_of, relative);

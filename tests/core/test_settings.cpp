@@ -19,7 +19,7 @@ constexpr Setting all_settings[] = {
     Setting::weight,   Setting::seed,    Setting::overlays,   Setting::step,
     Setting::capacity, Setting::robots,  Setting::goal,       Setting::min_margin,
     Setting::apart,    Setting::survive, Setting::com_radius, Setting::loads,
-    Setting::failed,   Setting::unit,    Setting::weight_unit};
+    Setting::failed,   Setting::unit,    Setting::weight_unit, Setting::positions};
 
 struct Text {
   Setting setting;
@@ -72,6 +72,7 @@ constexpr Text good[] = {
     {Setting::unit, "none"},
     {Setting::weight_unit, "lb"},
     {Setting::weight_unit, "t"},
+    {Setting::positions, "range"},
 };
 
 constexpr Text bad[] = {
@@ -134,6 +135,8 @@ constexpr Text bad[] = {
     {Setting::robots, "1"},
     {Setting::robots, "65"},
     {Setting::robots, "max"},
+    {Setting::positions, "anywhere"},
+    {Setting::positions, ""},
     {Setting::goal, "Hold"},
     {Setting::goal, ""},
     {Setting::min_margin, "-0.1"},
@@ -268,8 +271,9 @@ TEST_CASE("the robot that fails is a number from 1, or none", "[settings]") {
 
 TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[settings][view]") {
   const auto script = [](const Text& given) {
-    // Only balanced robots have a goal, and two of them survive no failure.
-    const bool of_balanced = given.setting > Setting::capacity;
+    // Goals are not for all teams of two, and two robots survive no failure.
+    const bool of_balanced =
+        given.setting > Setting::capacity && given.setting != Setting::positions;
     std::string method;
     if (of_balanced) method = "metric=balanced\n";
     if (of_balanced) method += given.setting == Setting::survive ? "robots=64\n" : "survive=0\n";

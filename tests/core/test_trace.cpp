@@ -235,7 +235,7 @@ TEST_CASE("every caption, formula and name of every sample is complete", "[trace
     for (const Method method : pair_methods) {
       const Trace trace = traced(placed(corpus::polygon(name), method));
       INFO(name << ' ' << evenlift::name(method));
-      const std::vector<std::string_view> code = pseudo_code(method);
+      const std::vector<std::string_view> code = pseudo_code({.method = method});
       for (std::uint32_t k = 0; k < trace.size(); ++k) {
         INFO("step " << k);
         const StepDetail detail = look_at(trace, k);
@@ -542,7 +542,7 @@ TEST_CASE("every step of balanced robots has its words, figures and numbers", "[
         const StepDetail detail = look_at(trace, k);
         check_text(caption(trace, detail), true);
         check_text(formula(trace, detail), false);
-        CHECK(pseudo_line(trace, detail) < pseudo_code(Method::balanced).size());
+        CHECK(pseudo_line(trace, detail) < pseudo_code({.method = Method::balanced}).size());
         for (const Figure& figure : figures(trace, detail))
           check_text(figure_text(trace, detail, figure), false);
         for (const Number& number : numbers(trace, detail)) CHECK(std::isfinite(number.value));

@@ -93,6 +93,10 @@ Settings settings_from(Rng& rng) {
   if (rng.below(4) == 0) settings.min_ratio = rng.uniform();
   settings.weight = 1 + 1000 * rng.uniform();
   settings.seed = rng.below(~std::uint64_t{0});
+  if (rng.below(3) == 0) settings.positions = Positions::range;
+  const bool may_hold = selects_candidates(settings.method);
+  if (may_hold && rng.below(3) == 0) settings.goal = Goal::hold;
+  if (may_hold && rng.below(6) == 0) settings.min_margin = 0.3 * rng.uniform();
   return settings;
 }
 

@@ -581,6 +581,24 @@ TEST_CASE("a result with balanced robots opens again with what was asked", "[imp
   CHECK(result.shapes.at(0).document.settings == document.settings);
 }
 
+TEST_CASE("a result of teams that hold in ranges opens again with what was asked", "[import]") {
+  Document document;
+  document.vertices = triangle;
+  document.settings.positions = Positions::range;
+  document.settings.goal = Goal::hold;
+  document.settings.min_margin = 0.125;
+  for (const bool holds : {true, false}) {
+    if (!holds) {
+      document.settings.goal.reset();
+      document.settings.min_margin = Settings{}.min_margin;
+    }
+    const Result<Placement> placement = place(document);
+    REQUIRE(placement.ok());
+    CHECK(read(placement_json(*placement, false)).shapes.at(0).document.settings ==
+          document.settings);
+  }
+}
+
 // --- All of them
 
 TEST_CASE("what read_polygon reads is read alike", "[import]") {

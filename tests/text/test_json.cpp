@@ -56,6 +56,20 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
   }
 }
 
+TEST_CASE("the JSON of teams that hold in ranges says so", "[json]") {
+  Document document = corpus::polygon("thesis-sample-centroid");
+  document.settings.positions = Positions::range;
+  document.settings.goal = Goal::hold;
+  const ordered_json json = ordered_json::parse(placement_json(placed(document), true));
+  CHECK(json["positions"] == "range");
+  CHECK(json["goal"] == "hold");
+  CHECK(json["goal_reached"] == true);
+  CHECK(json["min_margin"] == 0.05);
+  const auto& candidates = json["candidates"];
+  CHECK(std::any_of(candidates.begin(), candidates.end(),
+                    [](const auto& candidate) { return candidate["kind"] == "range"; }));
+}
+
 TEST_CASE("the JSON of balanced robots says what they were asked for", "[json][balanced]") {
   Document document = corpus::polygon("grand-piano");
   document.settings.method = Method::balanced;

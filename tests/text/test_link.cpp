@@ -273,6 +273,29 @@ TEST_CASE("a doubt, a capacity and the halo read back in every bit, whatever the
   }
 }
 
+TEST_CASE("positions and the goal to hold of teams of two read back in every bit", "[link]") {
+  Rng rng(6);
+  for (int i = 0; i < 1000; ++i) {
+    Document document = random_document(rng, 14);
+    Settings& settings = document.settings;
+    if (i % 3 != 0) settings.positions = Positions::range;
+    if (i % 5 != 0) settings.goal = Goal::hold;
+    if (i % 5 != 0 && i % 2 == 0) settings.min_margin = rng.uniform();
+    const std::string link = encode(document);
+    INFO(link);
+    const Document back = decode(link);
+    REQUIRE(back.settings == settings);
+    REQUIRE(same_document(back, document));
+    REQUIRE(encode(back) == link);
+  }
+  // To cover is the usual goal of teams of two.
+  Document document = thesis_sample();
+  const std::string link = encode(document);
+  document.settings.goal = Goal::cover;
+  document.settings.min_margin = 0.3;
+  CHECK(encode(document) == link);
+}
+
 TEST_CASE("what version 1 holds is written as version 1", "[link]") {
   Rng rng(3);
   for (int i = 0; i < 500; ++i) CHECK(encode(random_document(rng, 14)).starts_with("1."));
@@ -316,13 +339,20 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   const Document six = decode(link_with({{1, "6"}}, true));
   CHECK(six.settings.method == Method::balanced);
   CHECK(six.settings.robots == 6);
+  const Document held = decode(link_with({{2, "hold"}, {3, "0.125"}, {6, "range"}}, true));
+  CHECK(held.settings.goal == Goal::hold);
+  CHECK(held.settings.min_margin == 0.125);
+  CHECK(held.settings.positions == Positions::range);
   const Document doubted = decode(link_with({{7, "2.5"}, {8, "20"}, {18, "shown"}}, true));
   CHECK(doubted.settings.com_radius == 2.5);
   CHECK(doubted.settings.capacity == 20.0);
   CHECK(doubted.settings.overlays.halo);
   for (const auto& records : std::vector<std::vector<std::pair<unsigned, std::string>>>{
            {},             // version 1 holds it
-           {{2, "hold"}},  // of no balanced robots
+           {{2, "cover"}},  // the usual goal of teams of two
+           {{3, "0.1"}},    // of teams that are to cover
+           {{6, "best"}},
+           {{6, "any"}},
            {{1, "1"}},
            {{1, "65"}},
            {{1, "06"}},
@@ -357,7 +387,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{1, std::string(40000, '6')}}}) {
     CHECK(refusal(link_with(records, true)).code == ErrorCode::bad_link);
   }
-  for (const unsigned later : {6u, 9u, 17u, 19u, 255u}) {
+  for (const unsigned later : {9u, 17u, 19u, 255u}) {
     for (const bool ends : {true, false}) {
       const InputError error = refusal(link_with({{1, "6"}, {later, "anything"}}, ends));
       CHECK(error.code == ErrorCode::unknown_version);

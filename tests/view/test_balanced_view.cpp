@@ -172,6 +172,10 @@ TEST_CASE("another method takes what it can have of the settings", "[view][balan
   settings.method = Method::balanced;
   CHECK(with_method(settings, Method::balanced, 4).goal == Goal::hold);
   CHECK_FALSE(with_method(settings, Method::area, 4).goal);
+  // Teams of two keep theirs where the method can have it.
+  settings.method = Method::area;
+  CHECK(with_method(settings, Method::circle, 4).goal == Goal::hold);
+  CHECK_FALSE(with_method(settings, Method::random, 4).goal);
 }
 
 TEST_CASE("every key of a number changes the robots of balanced ones", "[view][balanced]") {

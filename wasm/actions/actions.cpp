@@ -7,6 +7,7 @@
 #include "state/layout.h"
 #include "state/method.h"
 #include "tools/drawing.h"
+#include "tools/pick.h"
 #include "tools/transform.h"
 #include "walkthrough/walkthrough.h"
 
@@ -173,10 +174,10 @@ void move_cursor(const AppState& s, Commands& out) {
 }
 
 // Moves the selected vertex, or the whole polygon, by a dot of the grid.
-// A balanced robot can be moved while its card is open.
+// A robot that can be moved by hand can be moved while its card is open.
 bool on_robot(const AppState& s) {
-  return on_parts(s) && s.explanation && s.explanation->robot &&
-         settings(s).method == Method::balanced;
+  return on_parts(s) && s.explanation && s.explanation->robot && s.placement &&
+         (settings(s).method == Method::balanced || can_move_teams(*s.placement));
 }
 bool can_nudge(const AppState& s) {
   return on_vertex(s) || on_robot(s) || transforming(s) || drawing(s);

@@ -94,8 +94,10 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   }
   if (held.kind == Pick::Kind::doubt)
     commands.push_back(SetComRadius{doubt_for_grip(state, pointer.at + held.at), true});
-  if (held.kind == Pick::Kind::robot)
-    commands.push_back(MoveRobot{static_cast<std::size_t>(held.end), to});
+  if (held.kind == Pick::Kind::robot && state.placement && !state.placement->teams.empty()) {
+    const std::size_t in_team = state.placement->teams.front().robots.size();
+    commands.push_back(MoveRobot{held.index * in_team + static_cast<std::size_t>(held.end), to});
+  }
   if (held.kind == Pick::Kind::centre) {
     const Vec2 centroid = centroid_of(state.document.vertices).value_or(to);
     const double away = length(state.camera.to_screen(to) - state.camera.to_screen(centroid));

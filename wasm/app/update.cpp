@@ -167,6 +167,7 @@ Edit edit_between(const Settings& before, const Settings& after) {
   compare(before.seed == after.seed, Edit::seed);
   compare(before.robots == after.robots, Edit::robots);
   compare(before.goal == after.goal && same_margin(before, after), Edit::goal);
+  compare(before.positions == after.positions, Edit::positions);
   compare(before.capacity == after.capacity, Edit::capacity);
   compare(before.com_radius == after.com_radius, Edit::com_radius);
   return differing == 1 ? edit : Edit::settings;
@@ -483,7 +484,11 @@ struct Applier {
     renew_drawing(state);
   }
   void operator()(const FinishDrawing&) const { finish_drawing(state); }
-  void operator()(const OpenWalkthrough&) const { open_walkthrough(state); }
+  void operator()(const OpenWalkthrough&) const {
+    // The steps are those of teams where they were found.
+    if (state.by_hand && settings(state).method != Method::balanced) recompute(state);
+    open_walkthrough(state);
+  }
   void operator()(const CloseWalkthrough&) const { leave_lesson(state); }
   void operator()(const GoToStep& c) const { go_to_step(state, c.step); }
   void operator()(const MoveSteps& c) const { move_steps(state, c.by); }

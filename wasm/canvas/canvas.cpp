@@ -9,6 +9,8 @@
 #include "canvas/canvas_walkthrough.h"
 #include "canvas/hint.h"
 #include "canvas/painter.h"
+#include "evenlift/candidates.h"
+#include "tools/pick.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
@@ -104,12 +106,49 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
   }
 }
 
+// The candidate or team that is pointed at while teams may stand anywhere in their ranges.
+std::optional<Chord> pointed_chord(const CanvasView& view) {
+  const Pick& named =
+      view.state.held.kind == Pick::Kind::robot ? view.state.held : view.state.hover;
+  const Placement& placement = *view.placement;
+  if (!can_move_teams(placement) || named.second != view.second) return std::nullopt;
+  if (named.kind == Pick::Kind::candidate && named.index < placement.candidates.size())
+    return placement.candidates[named.index].chord;
+  const bool of_team = named.kind == Pick::Kind::robot || named.kind == Pick::Kind::chord;
+  if (of_team && named.index < placement.teams.size())
+    return chord_of(placement.teams[named.index]);
+  return std::nullopt;
+}
+
+// Where its robots may stand: a soft double wedge from C to both edges.
+void draw_range(const Painter& painter, const CanvasView& view) {
+  const std::optional<Chord> chord = pointed_chord(view);
+  if (!chord) return;
+  const Placement& placement = *view.placement;
+  const Vec2& c = placement.centre_of_mass;
+  const auto range = range_of(placement.polygon, c, *chord, placement.settings.min_ratio);
+  if (!range) return;
+  const Chord first = chord_at(c, *range, range->first), last = chord_at(c, *range, range->last);
+  // The ends on edge a, and those on edge b.
+  const auto end_on = [](const Chord& each, std::uint32_t edge) {
+    return each.r1.edge == edge ? each.r1.position : each.r2.position;
+  };
+  for (const std::uint32_t edge : {range->a, range->b}) {
+    const Vec2 from = end_on(first, edge), to = end_on(last, edge);
+    const bool turns_left = cross(from - c, to - c) > 0;
+    painter.fill_convex(turns_left ? Points{c, from, to} : Points{c, to, from},
+                        view.theme.accent.at(0.16f));
+    painter.line(from, to, view.theme.accent, 5);
+  }
+}
+
 void draw_picture(const Painter& painter, const CanvasView& view) {
   const std::vector<Shape>& shapes = view.scene.shapes;
   const auto candidates = std::count_if(shapes.begin(), shapes.end(),
                                         [](const Shape& s) { return s.role == Role::candidate; });
   for (const Shape& shape : shapes)
     draw_shape(painter, view, shape, static_cast<std::size_t>(candidates));
+  draw_range(painter, view);
 }
 
 // The outline of a document that is refused, and the place of its fault.

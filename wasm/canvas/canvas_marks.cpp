@@ -93,8 +93,8 @@ std::size_t robots_of(const std::vector<Team>& all, std::size_t teams) {
 }
 
 // The size of each robot: one that stands too near to another is smaller and has no number.
-std::vector<RobotSize> robot_sizes(const CanvasView& view, std::size_t teams) {
-  const std::vector<Team>& all = view.placement->teams;
+std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
+                                   std::size_t teams) {
   std::vector<RobotSize> sizes(robots_of(all, teams), robot_size(pairs_of(all)));
   if (pairs_of(all) <= 16 || pairs_of(all) > most_labelled) return sizes;
   Points robots;
@@ -338,7 +338,8 @@ void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) 
   if (view.state.walkthrough.trace->balanced()) return draw_balanced_of_walkthrough(painter, view);
   const Progress& known = view.state.walkthrough.known;
   if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
-  const std::vector<RobotSize> sizes = robot_sizes(view, known.teams);
+  const std::vector<Team>& teams = teams_at(*view.state.walkthrough.trace, known);
+  const std::vector<RobotSize> sizes = robot_sizes(view, teams, known.teams);
   if (known.shares > 0 && known.shares == placement.teams.size() && known.shares <= most_labelled) {
     const RobotSize size = robot_size(placement.teams.size());
     Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
@@ -346,8 +347,8 @@ void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) 
                placement.loads->max, occupied);
   }
   for (std::size_t i = known.teams; i-- > 0;) {
-    std::size_t number = robots_of(placement.teams, i);
-    for (const Robot& robot : placement.teams[i].robots) {
+    std::size_t number = robots_of(teams, i);
+    for (const Robot& robot : teams[i].robots) {
       const double share = i < known.shares ? robot.load / placement.loads->max : 1;
       draw_robot(painter, view.theme, sizes[number++], robot.point.position, {i + 1, share});
     }
@@ -360,7 +361,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
   if (placement.teams.size() > most_single_robots)
     return draw_swarm(painter, view, placement.teams.size());
   const Outlook& outlook = view.outlook();
-  const std::vector<RobotSize> sizes = robot_sizes(view, placement.teams.size());
+  const std::vector<RobotSize> sizes = robot_sizes(view, placement.teams, placement.teams.size());
   const bool at_rest = view.scene.progress >= 1;
   if (pairs_of(placement.teams) <= most_labelled && at_rest) {
     const RobotSize size = robot_size(pairs_of(placement.teams));

@@ -99,7 +99,10 @@ std::optional<Stroke> stroke_of(FigureKind kind, const Theme& t, std::size_t cou
     case FigureKind::reflected:
       return Stroke{t.clockwise_line, 3, dashed};
     case FigureKind::section_end:
+    case FigureKind::range_end:
       return Stroke{t.chord, 2};
+    case FigureKind::former:
+      return Stroke{t.quiet, 2, dashed};
     case FigureKind::bisecting:
       return Stroke{t.hull_outline, 2, dashed};
     case FigureKind::chosen:
@@ -142,6 +145,7 @@ std::optional<Stroke> stroke_of(FigureKind kind, const Theme& t, std::size_t cou
     case FigureKind::mirrored:
     case FigureKind::left:
     case FigureKind::way:
+    case FigureKind::range:
       break;
   }
   return std::nullopt;
@@ -238,6 +242,8 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Figure& fi
       return draw_area(painter, p, t.hull.at(0.5f), t.hull_outline, 1.5f);
     case FigureKind::gain_part:
       return draw_area(painter, p, t.hull, t.hull_outline, 0);
+    case FigureKind::range:
+      return draw_area(painter, p, t.accent.at(0.14f), t.accent, 0);
     case FigureKind::gain_circle:
       return draw_circle_gained(painter, view, figure);
     case FigureKind::base_before:
@@ -349,13 +355,13 @@ namespace {
 // What the step is about, over what is known so far.
 void draw_step(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
-  const Placement& placement = walk.trace->placement;
+  const std::vector<Team>& teams = teams_at(*walk.trace, walk.known);
   if (walk.base.size() >= 2)
     painter.outline(walk.base, view.theme.hull_outline, 2, walk.base.size() > 2);
   draw_rays(painter, view);
   draw_candidates(painter, view);
   for (std::uint32_t i = 0; i < walk.known.teams; ++i)
-    draw_chord(painter, chord_of(placement.teams[i]), view.theme.chord, 2);
+    draw_chord(painter, chord_of(teams[i]), view.theme.chord, 2);
   for (const Figure& figure : walk.gained) draw_figure(painter, view, figure);
   for (const Figure& figure : walk.figures) draw_figure(painter, view, figure);
   if (walk.hovered && *walk.hovered < walk.figures.size()) {

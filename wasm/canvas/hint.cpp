@@ -75,7 +75,8 @@ std::string hint_of_robot(const AppState& state, const Pick& at) {
   if (const Failure* failure = failing(state); failure && !at.second)
     return hint_of_failing(*failure, at);
   if (!placement || placement->settings.method != Method::balanced)
-    return hint_of_team(placement, at.index);
+    return hint_of_team(placement, at.index) +
+           (can_take_robot(state, at) ? " · drag it along its range" : "");
   const auto robot = static_cast<std::size_t>(at.end);
   const TeamInWords words =
       team_in_words(*placement, 0, coordinate_decimals(placement->vertices()));

@@ -61,7 +61,7 @@ std::string in_text(const Chord& chord) {
 void append_known(const Trace& trace, const StepDetail& detail, std::string& text) {
   const Placement& placement = trace.placement;
   const Progress known = progress_at(trace, detail.number);
-  text += "base\t" + in_text(lifting_base(trace, known.base_teams)) + '\n';
+  text += "base\t" + in_text(lifting_base(trace, known)) + '\n';
   std::size_t shown = 0;
   for (std::size_t c = 0; c < placement.candidates.size() && shown < most_candidates; ++c) {
     if (!known.merged && trace.first_source_of_candidate[c] >= known.sources) continue;
@@ -69,7 +69,7 @@ void append_known(const Trace& trace, const StepDetail& detail, std::string& tex
     ++shown;
   }
   for (std::uint32_t t = 0; t < known.teams; ++t) {
-    const Team& team = placement.teams[t];
+    const Team& team = teams_at(trace, known)[t];
     text += "team\t" + in_text(chord_of(team));
     if (t < known.shares)
       for (const Robot& robot : team.robots) text += '\t' + shortest(robot.load);

@@ -1,5 +1,5 @@
-// Settings that are seldom needed, behind a row that opens them: which loads are shown, how well the centre of mass is known, units,
-// and how balanced robots keep apart and what they survive.
+// Settings that are seldom needed, behind a row that opens them: where teams may stand and what they are for, which loads are
+// shown, how well the centre of mass is known, units, and how balanced robots keep apart and what they survive.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -121,6 +121,19 @@ void draw_survive(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
+// Whether a team stands at the best place of two edges or anywhere in their range.
+void draw_positions(const Ui& ui) {
+  Settings changed = settings(ui.state);
+  constexpr Choice positions[] = {{"Best", "one place for two edges, as in the thesis"},
+                                  {"Anywhere in the range", "wherever the ratio allows it"}};
+  const float width = labelled(ui, "Positions", "Where on two edges a team may stand");
+  const auto now = static_cast<std::size_t>(changed.positions);
+  const auto chosen = dropdown(ui, "positions", "Positions", positions, now, width);
+  if (!chosen || *chosen == now) return;
+  changed.positions = static_cast<Positions>(*chosen);
+  ui.push(SetSettings{changed});
+}
+
 }  // namespace
 
 void draw_more(const Ui& ui) {
@@ -129,6 +142,10 @@ void draw_more(const Ui& ui) {
                   ImGui::GetContentRegionAvail().x))
     ui.push(SetMoreOpen{!open});
   if (!open) return;
+  if (selects_candidates(settings(ui.state).method)) {
+    draw_positions(ui);
+    draw_goal(ui);
+  }
   draw_model(ui);
   draw_doubt(ui);
   draw_units(ui);

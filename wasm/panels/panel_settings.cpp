@@ -98,6 +98,13 @@ void draw_centre(const Ui& ui) {
     ui.push(ReleaseCentre{});
 }
 
+// Puts robots that somebody moved back.
+void draw_reset(const Ui& ui, float width) {
+  ImGui::SameLine(0, 8);
+  if (flat_button(ui, "reset robots", "Reset", width)) ui.push(ResetRobots{});
+  if (ImGui::IsItemHovered()) tip(ui, "Back to the places that were found");
+}
+
 void draw_robots_stepper(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width =
@@ -109,24 +116,24 @@ void draw_robots_stepper(const Ui& ui) {
                .can_raise = changed.robots < most_robots,
                .label = "Robots",
                .setting = "robots"});
-  if (reset > 0) {
-    ImGui::SameLine(0, 8);
-    if (flat_button(ui, "reset robots", "Reset", reset)) ui.push(ResetRobots{});
-    if (ImGui::IsItemHovered()) tip(ui, "Back to the places that were found");
-  }
+  if (reset > 0) draw_reset(ui, reset);
   if (by == 0) return;
   changed.robots = by > 0 ? changed.robots + 1 : changed.robots - 1;
   ui.push(SetSettings{changed});
 }
 
-// What balanced robots are for, and how firm a hold is firm.
+}  // namespace
+
+// What robots are for, and how firm a hold is firm.
 void draw_goal(const Ui& ui) {
   Settings changed = settings(ui.state);
-  if (changed.method != Method::balanced) return;
   constexpr Choice goals[] = {{"Cover", "most of the object safe to push on"},
                               {"Hold", "first of all a firm hold"}};
   const Goal now = goal_of(changed);
-  const float width = labelled(ui, "Goal", "What decides first between two sets of robots");
+  const float width = labelled(ui, "Goal",
+                               changed.method == Method::balanced
+                                   ? "What decides first between two sets of robots"
+                                   : "Whether teams are exchanged until they hold the object");
   const auto chosen = dropdown(ui, "goals", "Goal", goals, static_cast<std::size_t>(now), width);
   if (chosen && *chosen != static_cast<std::size_t>(now)) {
     changed.goal.reset();  // the usual goal needs not be kept
@@ -146,8 +153,6 @@ void draw_goal(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
-}  // namespace
-
 void draw_teams_stepper(const Ui& ui) {
   if (settings(ui.state).method == Method::balanced) return draw_robots_stepper(ui);
   Settings changed = settings(ui.state);
@@ -155,9 +160,10 @@ void draw_teams_stepper(const Ui& ui) {
   const float width = labelled(
                   ui, "Teams",
                   "Two robots each, at the two ends of a chord through the centre of mass"),
-              for_all = 52;
+              for_all = 52, reset = ui.state.by_hand ? 64 : 0;
   const std::uint32_t shown = all ? placed_teams(ui.state) : *changed.teams;
-  const float stepper_width = can_have_all ? width - for_all - 8 : width;
+  const float stepper_width =
+      width - (can_have_all ? for_all + 8 : 0) - (reset > 0 ? reset + 8 : 0);
   const int by = stepper(ui, "teams", std::to_string(shown), stepper_width,
                          {.can_lower = shown > 1,
                           .can_raise = shown < max_teams && !all,
@@ -167,6 +173,7 @@ void draw_teams_stepper(const Ui& ui) {
     changed.teams = by > 0 ? shown + 1 : shown - 1;
     ui.push(SetSettings{changed});
   }
+  if (reset > 0) draw_reset(ui, reset);
   if (!can_have_all) return;
   ImGui::SameLine(0, 8);
   if (toggle_button(ui, "all", "All", "A team on every candidate chord", for_all, all)) {
@@ -184,7 +191,7 @@ void draw_settings(const Ui& ui) {
   draw_weight(ui);
   draw_capacity(ui);
   draw_seed(ui);
-  draw_goal(ui);
+  if (settings(ui.state).method == Method::balanced) draw_goal(ui);
   draw_centre(ui);
   draw_more(ui);
   if (!walkthrough_is_open(ui.state)) draw_compare(ui);

@@ -216,6 +216,7 @@ void draw_ranked(const Ui& ui, const TeamScores& scores, std::size_t place, doub
 const char* title_of_ranking(Rule rule) {
   return rule == Rule::score          ? "Candidates by score"
          : rule == Rule::longest_even ? "Even candidates by length"
+         : rule == Rule::longest      ? "Candidates by length"
                                       : "Candidates by load ratio";
 }
 
@@ -270,7 +271,7 @@ void draw_walkthrough_ranking(const Ui& ui) {
 // In a box that scrolls to its current line, so that the caption above stays where it is.
 void draw_walkthrough_code(const Ui& ui) {
   const Walkthrough& walk = ui.state.walkthrough;
-  const auto lines = pseudo_code(settings(ui.state).method);
+  const auto lines = pseudo_code(settings(ui.state));
   const std::uint32_t current = pseudo_line(*walk.trace, walk.detail);
   text_line(Face::strong_label, ui.theme.second_text, "The algorithm");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));

@@ -46,11 +46,11 @@ struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
-// Moves a balanced robot along the outline; its neighbours follow. This changes the placement and not
-// the document, so it is no step of undo.
+// Moves a balanced robot along the outline, and its neighbours follow; or a team along its range, with
+// the robot. This changes the placement and not the document, so it is no step of undo.
 struct MoveRobot {
-  std::size_t robot;
-  Vec2 to;  // the robot goes to the nearest point of the outline
+  std::size_t robot;  // its number, team after team
+  Vec2 to;            // the robot goes to the nearest point of the outline
 };
 struct ResetRobots {};  // back to where they were found
 

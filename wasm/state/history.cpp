@@ -26,8 +26,9 @@ constexpr const char* words[] = {"opened a polygon",
                                  "changed the comparison",
                                  "left a lesson",
                                  "changed the number of robots",
-                                 "changed what balanced robots are for",
-                                 "changed how well the centre of mass is known"};
+                                 "changed what the robots are for",
+                                 "changed how well the centre of mass is known",
+                                 "changed where teams may stand"};
 static_assert(std::size(words) == edit_count);
 
 }  // namespace

@@ -127,7 +127,7 @@ struct AppState {
   std::optional<Failure> failure;                     // the robot that somebody let fail
   bool motion = true;  // changes are animated, except with reduced motion
   Search search;
-  bool by_hand = false;  // somebody moved the balanced robots from where they were found
+  bool by_hand = false;  // somebody moved the robots from where they were found
   std::optional<LiftingPoint>
       closed_to;  // where the robot is wanted that is dragged, if the others
                   // cannot follow it there

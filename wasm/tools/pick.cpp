@@ -147,12 +147,18 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
   return found;
 }
 
+bool can_move_teams(const Placement& placement) {
+  return placement.settings.positions == Positions::range &&
+         selects_candidates(placement.settings.method);
+}
+
 bool can_take_robot(const AppState& state, const Pick& pick) {
   if (pick.kind != Pick::Kind::robot || pick.second || state.screen.embed) return false;
   if (walkthrough_is_open(state)) return false;  // it shows other robots
   const Placement* placement = current_placement(state, false);
-  return placement && placement->settings.method == Method::balanced &&
-         count_robots(placement->teams) >= 3;
+  if (!placement) return false;
+  return can_move_teams(*placement) ||
+         (placement->settings.method == Method::balanced && count_robots(placement->teams) >= 3);
 }
 
 Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second) {

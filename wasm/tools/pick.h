@@ -10,7 +10,11 @@ namespace evenlift::view {
 // are that method's. O(vertices + teams).
 Pick pick(const AppState& state, const Vec2& screen, bool second = false);
 
-// Whether what was picked is a balanced robot that can be moved by hand: two others can follow it.
+// Whether the teams of a placement can be moved along their ranges: they may stand anywhere in them.
+bool can_move_teams(const Placement& placement);
+
+// Whether what was picked is a robot that can be moved by hand: a balanced one that two others can
+// follow, or one of a team that may stand anywhere in its range.
 bool can_take_robot(const AppState& state, const Pick& pick);
 
 // The same for a press that may drag: a vertex or the centre of mass within reach comes before a robot, unless that can be

@@ -1,6 +1,7 @@
 #include "walkthrough/explain.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -38,8 +39,24 @@ const char* aim_of(Method method) {
   return "";
 }
 
+// The last exchange that moved the team, if one did.
+std::optional<std::uint32_t> swap_of(const Trace& trace, std::uint32_t team) {
+  if (!trace.exchanges) return std::nullopt;
+  const std::vector<Exchange>& exchanges = trace.exchanges->exchanges;
+  for (std::size_t i = exchanges.size(); i-- > 0;)
+    if (std::find(exchanges[i].teams.begin(), exchanges[i].teams.end(), team) !=
+        exchanges[i].teams.end())
+      return trace.find(StepKind::swap, static_cast<std::uint32_t>(i));
+  return std::nullopt;
+}
+
 // What the choice of team `team` says about itself.
 void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team) {
+  if (const auto swap = swap_of(trace, team)) {
+    explanation.step = swap;
+    explanation.reason = caption(trace, look_at(trace, *swap));
+    return;
+  }
   explanation.step = trace.find(StepKind::team, team);
   if (!explanation.step) return;
   const std::string aim = team > 0 ? aim_of(trace.placement.settings.method) : "";
@@ -50,6 +67,10 @@ void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team
 // The step at which the candidate was found.
 std::optional<std::uint32_t> step_of_candidate(const Trace& trace, std::uint32_t candidate) {
   const std::uint32_t source = trace.source_of_candidate[candidate];
+  if (trace.placement.candidates[candidate].kind == CandidateKind::range) {
+    const auto range = std::find(trace.ranges.begin(), trace.ranges.end(), source);
+    return trace.find(StepKind::range, static_cast<std::uint32_t>(range - trace.ranges.begin()));
+  }
   const auto pairs = static_cast<std::uint32_t>(trace.pairs.size());
   return source < pairs ? trace.find(StepKind::outcome, source)
                         : trace.find(StepKind::opposite, source - pairs);
@@ -121,8 +142,10 @@ Explanation explain(const AppState& state, const Pick& pick) {
     return explanation;
   }
   // A placement whose trace would be too long is explained by its numbers alone.
-  const Result<Trace> made = compute_trace(placement);
-  const Trace* trace = made ? &*made : nullptr;
+  const bool moved = !pick.second && state.by_hand;  // and not where the algorithm put them
+  std::optional<Result<Trace>> made;
+  if (!moved) made = compute_trace(placement);
+  const Trace* trace = made && *made ? &**made : nullptr;
   if (pick.kind == Pick::Kind::candidate)
     explain_candidate(explanation, placement, pick, trace);
   else

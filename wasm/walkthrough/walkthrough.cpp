@@ -40,7 +40,7 @@ void look(Walkthrough& walk) {
   walk.detail = look_at(trace, walk.at);
   walk.known = progress_at(trace, walk.at);
   walk.figures = figures(trace, walk.detail);
-  walk.base = trace.balanced() ? walk.detail.base : lifting_base(trace, walk.known.base_teams);
+  walk.base = trace.balanced() ? walk.detail.base : lifting_base(trace, walk.known);
   walk.caption = caption(trace, walk.detail);
   walk.formula = formula(trace, walk.detail);
   const std::optional<TeamScores>& scores = walk.detail.scores;

@@ -1,18 +1,21 @@
 // Candidate chords: at most one of each edge-pair, and those between opposite vertices, in order of
-// slope and without duplicates (algorithm.md, Candidates; thesis 3.2, 3.3, 4.2).
+// slope and without duplicates (algorithm.md, Candidates; thesis 3.2, 3.3, 4.2). With positions
+// anywhere in the range, an edge-pair offers two more (algorithm.md, Ranges).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "evenlift/chords.h"
+#include "evenlift/document.h"
 
 namespace evenlift {
 
-enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex };
+enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex, range };
 
-// "bisecting", "midpoint" or "vertex". O(1).
+// "bisecting", "midpoint", "vertex" or "range". O(1).
 std::string_view name(CandidateKind kind);
 
 struct Candidate {
@@ -45,11 +48,48 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
 Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
                          const OppositeVertices& opposite);
 
+// The chords of an edge-pair that are even enough. A place x in [0, 1] runs linearly along the
+// section of edge a, from its beginning to its end: r_a - C = (1 - x) a0 + x a1, and
+// |C r_a| / |C r_b| = (1 - x) q0 + x q1.
+struct PairRange {
+  std::uint32_t a = 0, b = 0;                 // the edges
+  Vec2 a0 = Vec2::Zero(), a1 = Vec2::Zero();  // the ends of the section of a, from C
+  double q0 = 1, q1 = 1;                      // > 0
+  double first = 0, last = 1;                 // the places of the range, first <= last
+
+  double q(double x) const { return (1 - x) * q0 + x * q1; }
+};
+
+// The range of an edge-pair: the places at which the load ratio is at least `min_ratio`, or the whole
+// section if the edges are parallel and their ratio is at least the minimum, within tolerance.
+// Nothing if there is no such place. O(1).
+std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
+                                  double min_ratio);
+
+// The same of a chord with one end on each of two edges, such as that of a candidate. Nothing also if
+// the edges do not face each other. O(1).
+std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const Chord& chord,
+                                  double min_ratio);
+
+// The chord of a range at the place x in [0, 1]. O(1).
+Chord chord_at(const Vec2& centre, const PairRange& range, double x);
+
+// The place of the chord of a range whose direction is (1 - s) times that of the chord at `first`
+// and s times that at `last`, both as long as the chords are. So the place does not depend on which
+// of the two edges is called a. O(1).
+double place_at(const PairRange& range, double s);
+
+// The two range candidates of a pair are at place_at(range, s) for these s. At the very ends of the
+// range robots would often stand on corners, where they hold nothing.
+inline constexpr double range_places[] = {1.0 / 16, 15.0 / 16};
+
 // All candidates in candidate order; `min_ratio` in [0, 1]. It is an error if there are more than
-// max_edge_pairs edge-pairs and opposite vertices. For K of them O(n log n + K) if few candidates
+// max_edge_pairs edge-pairs and opposite vertices, or a third of that with positions anywhere in the
+// range. For K of them O(n log n + K) if few candidates
 // lie on one line through C, and O(n log n + K log K) at worst.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
-                                               double min_ratio);
+                                               double min_ratio,
+                                               Positions positions = Positions::best);
 
 // The same candidates, and their sources. The sources are numbered: first the edge-pairs in the
 // order of edge_pairs(), then the opposite vertices in the order of opposite_vertices(). The
@@ -58,8 +98,11 @@ inline constexpr std::uint32_t no_candidate = ~std::uint32_t{0};  // not an opti
 struct TracedCandidates {
   std::vector<Candidate> candidates;
   std::vector<std::uint32_t> of_source;  // the candidate that each source led to, or no_candidate
+  // What the two range candidates of each source became, in order of slope, or no_candidate; empty
+  // with the best positions only.
+  std::vector<std::array<std::uint32_t, 2>> ranges_of_source;
 };
 Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
-                                          double min_ratio);
+                                          double min_ratio, Positions positions = Positions::best);
 
 }  // namespace evenlift

@@ -33,11 +33,12 @@ struct CapacityPlan {
 
 // Plans for the object of a placement, which must come from place(), and for robots that carry up
 // to `capacity` > 0 each, in the unit of its weight. The plan depends on the placement's polygon,
-// centre of mass, method, minimum load ratio, weight and seed, but not on its number of teams. The
+// centre of mass, method, minimum load ratio, weight, seed, positions and goal, but not on its number of teams. The
 // candidates of the placement are reused. The methods area, circle, distance and random choose
 // teams one after another, so the first k teams of a selection are a placement of k teams; they
 // cost as much as selecting the teams that are needed, or 512. The method distributed has different
-// teams for each number. Balanced robots bear the same, so their least number follows from the
+// teams for each number, and so have teams that are exchanged until they hold, of which up to
+// most_exchanged_teams (exchange.h) are tried. Balanced robots bear the same, so their least number follows from the
 // weight; that such a set exists is not tried. For distributed teams only the loads are computed, and a number of teams is rejected
 // as soon as one robot carries too much.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);

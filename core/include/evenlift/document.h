@@ -43,6 +43,12 @@ enum class Goal : std::uint8_t { cover, hold };
 std::string_view name(Goal goal);
 std::optional<Goal> goal_from_name(std::string_view text);
 
+// Where a team may stand on two edges that face each other: at the one best place, or anywhere in the
+// range in which its chord is even enough (candidates.h).
+enum class Positions : std::uint8_t { best, range };
+std::string_view name(Positions positions);
+std::optional<Positions> positions_from_name(std::string_view text);
+
 // The method's name in JSON and options, such as "area"; and the method of a name, or nothing for
 // an unknown name. O(1).
 std::string_view name(Method method);
@@ -97,12 +103,16 @@ struct Settings {
   std::optional<double> capacity;  // what one robot can carry, > 0 and finite, in the unit of the
                                    // weight; none means no limit; nor is anything for it
   Units units;
+  Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
   bool operator==(const Settings&) const = default;
 };
 
 // The goal of a placement: the one given, or the usual one, which is to hold with balanced robots,
 // unless they are two or three, where holding would cost too much base, and else to cover. O(1).
 Goal goal_of(const Settings& settings);
+
+// Whether teams of two are exchanged until they hold (exchange.h). O(1).
+bool exchanges_teams(const Settings& settings);
 
 struct Document {
   Points vertices;                     // in the order given, either orientation

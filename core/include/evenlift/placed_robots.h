@@ -59,6 +59,10 @@ std::optional<RestOfRobots> single_failure(const Placement& placement, std::size
 // which it bears nothing itself. None if the others do not carry the object. O(m log m).
 std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot);
 
+// The placement with one team on another chord, where somebody moved it. Its teams are then not those
+// that were chosen: team_candidates is empty. O(n log n).
+Placement with_chord(Placement placement, std::size_t team, const Chord& chord);
+
 // The placement while the robot with this number fails, for pictures and words. All robots are still
 // in their row; H, coverage, closure and loads are those of the others, who share the weight by
 // springs. Where they do not carry the object nobody bears anything, there is no summary of loads, and

@@ -43,13 +43,13 @@ struct Placement {
 enum class Effort : std::uint8_t { whole, start };
 
 // Checks that settings are in their ranges (settings_text.h) and go together: "max" needs a method
-// that chooses among candidates, the goal to hold balanced robots, and these are enough for the
+// that chooses among candidates, the goal to hold such a method or balanced robots, and these are enough for the
 // failures that they are to survive. The error's place names the setting. O(1).
 std::optional<InputError> check_settings(const Settings& settings);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. O(n log n + K log K) for K edge-pairs, besides the cost of the
-// selection (selection.h) or the search for balanced robots (balanced.h).
+// selection (selection.h), the exchanges (exchange.h) or the search for balanced robots (balanced.h).
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
 // The same for a polygon that is checked already: who moves its centre of mass or changes settings

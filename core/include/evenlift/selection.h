@@ -10,6 +10,15 @@
 
 namespace evenlift {
 
+// Which candidate the first team takes: the longest even one, or, where the minimum load ratio alone
+// says what is even enough, the longest of all.
+enum class FirstTeam : std::uint8_t { even, longest };
+
+// The rule for the first team with these positions. O(1).
+constexpr FirstTeam first_team(Positions positions) {
+  return positions == Positions::range ? FirstTeam::longest : FirstTeam::even;
+}
+
 // Chooses teams greedily. Returns indices into `candidates` in the order of choice: `teams` of
 // them, or all if there are fewer. `metric` is area, circle or distance. Geometry decides every
 // tie, so the same shape gets the same teams. O(K) for each team that widens H, and O(n) for each
@@ -17,7 +26,7 @@ namespace evenlift {
 // still win. Once no candidate widens H, all further teams together cost O(K log K).
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Method metric,
-                                        std::size_t teams);
+                                        std::size_t teams, FirstTeam first = FirstTeam::even);
 
 // The score of every candidate against the lifting base of the teams selected so far, of which
 // there is at least one: what select_teams maximizes. area and circle are in squared units of

@@ -29,7 +29,8 @@ enum class Setting : std::uint8_t {
   apart,
   survive,
   unit,
-  weight_unit
+  weight_unit,
+  positions
 };
 
 // The setting's name in JSON and scripts, such as "min_ratio"; and the setting of a name, or
@@ -62,6 +63,7 @@ InputError setting_error(Setting setting);
 //   capacity   a number above 0, or "none"
 //   unit       "m", "cm", "mm" or "in", or "none"
 //   weight_unit "kg", "t", "N" or "lb"
+//   positions  "best" or "range"
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
 // hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text and any
 // value out of range is an error and changes nothing. loads and failed are no settings of a document

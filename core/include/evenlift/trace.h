@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "evenlift/balanced_history.h"
+#include "evenlift/exchange.h"
 #include "evenlift/failures.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
@@ -43,11 +44,12 @@ enum class Chapter : std::uint8_t {
   further_teams,
   start,     // balanced: a first set
   exchange,  // balanced: three robots move at a time
+  swaps,     // teams of two that are to hold are exchanged
   loads,
   failures,  // balanced: if a robot fails
   grasp,     // coverage and immobilization
 };
-inline constexpr std::uint32_t chapter_count = 13;
+inline constexpr std::uint32_t chapter_count = 14;
 
 // What a step is about. The `item` of a step counts from 0 among the steps of its kind. The
 // comments say what it numbers; "1" means that there is only one such step.
@@ -91,8 +93,12 @@ enum class StepKind : std::uint8_t {
   failure,     // robots, of 3 to most_failing: it fails
   failures,    // 1: how many may fail at once
   pairs,       // 1, of an even number: as many robots in pairs on the same object
+  // Teams anywhere in their ranges, and teams that are to hold:
+  range,  // ranges: the places of an edge-pair that are even enough, and the two candidates there
+  swap,   // exchanges of teams: who went where, and why that is better
+  held,   // 1: no exchange makes them better
 };
-inline constexpr std::uint32_t step_kind_count = 38;
+inline constexpr std::uint32_t step_kind_count = 41;
 inline constexpr std::uint32_t most_failing = 16;
 
 // "pairs", "first_team"; "outcome", "second_order": as in JSON, lessons and links. O(1).
@@ -135,6 +141,14 @@ struct Trace {
   std::vector<std::uint32_t> candidate_of_source;
   // For each candidate the source whose chord was kept, and the first source that led to it.
   std::vector<std::uint32_t> source_of_candidate, first_source_of_candidate;
+  // With positions anywhere in the range: the pairs that add range candidates, and for each of them
+  // what its two became.
+  std::vector<std::uint32_t> ranges;
+  std::vector<std::array<std::uint32_t, 2>> candidates_of_range;
+
+  // Teams that are to hold: what was exchanged; and the teams at the start, and after each exchange.
+  std::optional<ExchangeHistory> exchanges;
+  std::vector<std::vector<Team>> stages;
 
   std::vector<Contact> contacts;
 
@@ -167,6 +181,13 @@ struct Trace {
   std::optional<std::uint32_t> chapter_begin(Chapter chapter) const;
   // Whether teams are chosen among candidates: area, circle or distance. O(1).
   bool by_candidates() const;
+  // The candidates that the metric selects, and the teams there: before any exchange. O(1).
+  const std::vector<std::uint32_t>& selected() const {
+    return exchanges ? exchanges->start : placement.team_candidates;
+  }
+  const std::vector<Team>& selected_teams() const {
+    return stages.empty() ? placement.teams : stages.front();
+  }
   // Whether the robots are balanced. O(1).
   bool balanced() const { return problem.has_value(); }
 };
@@ -210,16 +231,22 @@ struct Progress {
   std::uint32_t base_teams = 0;  // teams whose robots H is the hull of
   std::uint32_t shares = 0;      // teams whose loads are known
   bool coverage = false;
-  std::uint32_t cuts = 0;  // contacts whose normal lines have cut the regions
-  bool closure = false;    // all that place() reports
+  std::uint32_t swaps = 0;  // exchanges of teams that were made
+  std::uint32_t cuts = 0;   // contacts whose normal lines have cut the regions
+  bool closure = false;     // all that place() reports
   bool operator==(const Progress&) const = default;
 };
 // Depends on k alone. Candidate c is known if `merged`, or else if first_source_of_candidate[c] <
 // `sources`. O(1).
 Progress progress_at(const Trace& trace, std::uint32_t k);
 
-// The lifting base H of the first `teams` teams. O(teams log teams).
+// The teams that stand where so much is known; the first `known.teams` of them count. O(1).
+const std::vector<Team>& teams_at(const Trace& trace, const Progress& known);
+
+// The lifting base H of the first `teams` teams that the metric selects; of those that stand where so
+// much is known. O(teams log teams).
 Points lifting_base(const Trace& trace, std::uint32_t teams);
+Points lifting_base(const Trace& trace, const Progress& known);
 
 // What became of an edge-pair.
 enum class Outcome : std::uint8_t {
@@ -250,6 +277,28 @@ struct PairDetail {
 };
 // O(1).
 PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
+
+// A range, and the candidates in it.
+struct RangeDetail {
+  EdgePair pair;
+  PairRange range;
+  std::array<Chord, 2> ends;                  // the most uneven that are allowed, or the section's
+  std::array<std::uint32_t, 2> candidates{};  // into placement.candidates
+};
+// Of trace.ranges[index]. O(1).
+RangeDetail look_at_range(const Trace& trace, std::uint32_t index);
+
+// What an exchange of teams changed.
+struct SwapDetail {
+  HoldKeys before, after;
+  std::optional<double> margin_before, margin;
+  std::vector<std::uint32_t> teams;     // that went elsewhere
+  std::vector<std::uint32_t> from, to;  // their candidates
+  ExchangeKind kind = ExchangeKind::single;
+  HoldKey decided_by = HoldKey::level;
+};
+// Of trace.exchanges. O(n log n).
+SwapDetail look_at_swap(const Trace& trace, std::uint32_t index);
 
 // What became of two opposite vertices.
 struct OppositeDetail {
@@ -283,6 +332,7 @@ enum class Rule : std::uint8_t {
   longest_even,  // first team: length, ratio, order
   most_even,     // first team without an even candidate: ratio, length, order
   score,         // further teams: score, ratio, length, order
+  longest,       // first team with positions anywhere in the range: length, ratio, order
 };
 struct TeamScores {
   std::uint32_t team = 0;
@@ -330,6 +380,8 @@ struct StepDetail {
   Step step;
   std::optional<PairDetail> pair;          // sections, outcome
   std::optional<OppositeDetail> opposite;  // opposite
+  std::optional<RangeDetail> range;        // range
+  std::optional<SwapDetail> swap;          // swap
   std::optional<TeamScores> scores;        // scores, team: by candidates
   Points base_before, base;  // scores, team, base: H without and with the team; start,
                              // exchange, and all that follows: likewise
@@ -383,6 +435,9 @@ enum class FigureKind : std::uint8_t {
   even_chord,   // about the middle; item: its number
   left,         // point: where a robot stood before; item: its number then
   way,          // from there to where one came
+  range,        // C and a stretch of an edge where robots may stand (area); item: edge
+  range_end,    // chord at an end of a range; item: 0 or 1; value: ratio
+  former,       // chord that a team left; item: candidate; value: ratio
 };
 std::string_view name(FigureKind kind);
 

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "candidates/pair_range.h"
+#include "evenlift/tolerance.h"
+
 namespace evenlift {
 
 void CandidateSeeds::examine_and_add(const EdgePair& pair) {
@@ -28,6 +31,14 @@ void CandidateSeeds::examine_and_add(const EdgePair& pair) {
 void CandidateSeeds::examine_and_add(const OppositeVertices& opposite) {
   const Candidate candidate = opposite_chord(polygon_, centre_, opposite);
   if (reaches(candidate.chord, min_ratio_)) add_finished(candidate);
+}
+
+void CandidateSeeds::add_range(const EdgePair& pair) {
+  const SeenEdge a = see(polygon_, view_, pair.a), b = see(polygon_, view_, pair.b);
+  const auto range = find_range(polygon_, centre_, a, b, pair, min_ratio_);
+  if (!range || is_one_place(*range, near_distance(polygon_.diagonal()))) return;
+  for (const double s : range_places)
+    add_finished(range_candidate(centre_, *range, place_at(*range, s)));
 }
 
 void CandidateSeeds::add_finished(const Candidate& candidate) {

@@ -19,12 +19,21 @@ class CandidateSeeds {
   // If `traced`, grow() sets the source of each candidate: the number of the call of add() from
   // which it came.
   CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
-                 double min_ratio, bool traced)
-      : polygon_(polygon), centre_(centre), view_(view), min_ratio_(min_ratio), traced_(traced) {}
+                 double min_ratio, Positions positions, bool traced)
+      : polygon_(polygon),
+        centre_(centre),
+        view_(view),
+        min_ratio_(min_ratio),
+        positions_(positions),
+        traced_(traced) {}
 
-  // Examines an edge-pair or two opposite vertices and adds at most one seed. Amortized O(1).
+  // Examines an edge-pair or two opposite vertices and adds at most one seed, and two more of an
+  // edge-pair with positions anywhere in the range. Amortized O(1).
   void add(const EdgePair& pair) {
+    const std::size_t before = seeds_.size();
     examine_and_add(pair);
+    // A pair without a candidate has no range.
+    if (positions_ == Positions::range && seeds_.size() > before) add_range(pair);
     ++sources_;
   }
   void add(const OppositeVertices& opposite) {
@@ -54,6 +63,7 @@ class CandidateSeeds {
 
   void examine_and_add(const EdgePair& pair);
   void examine_and_add(const OppositeVertices& opposite);
+  void add_range(const EdgePair& pair);
   void add_seed(const Seed& seed, const Vec2& direction);
   void add_finished(const Candidate& candidate);
   void add_vertex_chord(const EdgePair& pair, std::uint32_t vertex_a, std::uint32_t vertex_b);
@@ -65,6 +75,7 @@ class CandidateSeeds {
   const Vec2& centre_;
   const RadialView& view_;
   double min_ratio_;
+  Positions positions_;
   bool traced_;
   std::uint32_t sources_ = 0;
   std::vector<Seed> seeds_;

@@ -1,10 +1,13 @@
 #include "evenlift/candidates.h"
 
+#include <string>
 #include <utility>
 
 #include "candidates/candidate_seeds.h"
+#include "candidates/common_range.h"
 #include "candidates/duplicates.h"
 #include "candidates/pair_candidate.h"
+#include "candidates/pair_range.h"
 #include "chords/opposite_vertices.h"
 #include "chords/radial_view.h"
 #include "evenlift/tolerance.h"
@@ -16,24 +19,43 @@ struct Found {
   std::vector<Candidate> candidates;
   std::uint32_t sources = 0;
   std::vector<std::uint32_t> source_of_chord;  // if traced: the source of each chord before merging
+  std::vector<char> in_range;                  // and whether it is a range candidate
   std::vector<std::uint32_t> became;           // and the candidate that the chord led to
 };
 
-Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio, bool traced) {
+// Each pair may have three candidates, and their numbers must fit into their keys (candidate_order.h).
+std::optional<InputError> check_number_in_ranges(std::uint64_t sources) {
+  constexpr std::uint64_t most = max_edge_pairs / 3;
+  if (sources <= most) return std::nullopt;
+  return InputError{ErrorCode::too_many_edge_pairs,
+                    "the polygon has " + std::to_string(sources) +
+                        " edge-pairs and opposite vertices about its centre of mass; with "
+                        "positions anywhere in the range there can be " +
+                        std::to_string(most),
+                    {}};
+}
+
+Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,
+                   Positions positions, bool traced) {
   const RadialView view(polygon, centre);
   const std::uint64_t pairs = count_edge_pairs(polygon, view);
   if (auto error = check_number(pairs, "edge-pairs")) return *error;
   const auto opposite = find_opposite_vertices(polygon, centre, view, max_edge_pairs - pairs);
   if (!opposite) return too_many_opposite_vertices();
 
-  CandidateSeeds seeds(polygon, centre, view, min_ratio, traced);
+  if (positions == Positions::range)
+    if (auto error = check_number_in_ranges(pairs + opposite->size())) return *error;
+  CandidateSeeds seeds(polygon, centre, view, min_ratio, positions, traced);
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) { seeds.add(pair); });
   for (const OppositeVertices& two : *opposite) seeds.add(two);
   Found found;
   std::vector<Candidate> chords = seeds.grow();
   found.sources = static_cast<std::uint32_t>(pairs + opposite->size());
   if (traced)
-    for (const Candidate& c : chords) found.source_of_chord.push_back(c.source);
+    for (const Candidate& c : chords) {
+      found.source_of_chord.push_back(c.source);
+      found.in_range.push_back(c.kind == CandidateKind::range ? 1 : 0);
+    }
   MergedCandidates merged = merge_duplicates(std::move(chords), near_distance(polygon.diagonal()));
   found.candidates = std::move(merged.candidates);
   found.became = std::move(merged.became);
@@ -50,11 +72,26 @@ std::string_view name(CandidateKind kind) {
       return "midpoint";
     case CandidateKind::vertex:
       return "vertex";
+    case CandidateKind::range:
+      return "range";
   }
   return {};
 }
 
 bool is_even(const Chord& chord) { return chord.ratio >= 1.0 - tau; }
+
+std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
+                                  double min_ratio) {
+  return find_range(polygon, centre, see(polygon, centre, pair.a), see(polygon, centre, pair.b),
+                    pair, min_ratio);
+}
+
+std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const Chord& chord,
+                                  double min_ratio) {
+  const double near = near_distance(polygon.diagonal());
+  const auto pair = pair_of_edges(polygon, centre, chord.r1.edge, chord.r2.edge, near);
+  return pair ? range_of(polygon, centre, *pair, min_ratio) : std::nullopt;
+}
 
 PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                          double min_ratio) {
@@ -63,20 +100,29 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
 }
 
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
-                                               double min_ratio) {
-  auto found = find(polygon, centre, min_ratio, false);
+                                               double min_ratio, Positions positions) {
+  auto found = find(polygon, centre, min_ratio, positions, false);
   if (!found) return found.error();
   return std::move(found->candidates);
 }
 
 Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
-                                          double min_ratio) {
-  auto found = find(polygon, centre, min_ratio, true);
+                                          double min_ratio, Positions positions) {
+  auto found = find(polygon, centre, min_ratio, positions, true);
   if (!found) return found.error();
-  TracedCandidates traced{std::move(found->candidates), {}};
+  TracedCandidates traced{std::move(found->candidates), {}, {}};
   traced.of_source.assign(found->sources, no_candidate);
-  for (std::size_t i = 0; i < found->became.size(); ++i)
-    traced.of_source[found->source_of_chord[i]] = found->became[i];
+  if (positions == Positions::range)
+    traced.ranges_of_source.assign(found->sources, {no_candidate, no_candidate});
+  for (std::size_t i = 0; i < found->became.size(); ++i) {
+    const std::uint32_t source = found->source_of_chord[i];
+    if (found->in_range[i] == 0) {
+      traced.of_source[source] = found->became[i];
+      continue;
+    }
+    auto& ranges = traced.ranges_of_source[source];
+    ranges[ranges[0] == no_candidate ? 0 : 1] = found->became[i];
+  }
   return traced;
 }
 

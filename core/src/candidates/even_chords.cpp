@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "candidates/candidate_order.h"
+#include "candidates/common_range.h"
 #include "candidates/duplicates.h"
 #include "candidates/pair_candidate.h"
 #include "chords/opposite_vertices.h"
@@ -15,33 +16,6 @@
 
 namespace evenlift {
 namespace {
-
-// The ends of an edge in the counter-clockwise order in which C sees them.
-struct SeenEnds {
-  std::uint32_t first, last;
-};
-
-// The range of directions in which C sees edge a before it and edge b behind it, if it is open.
-// With b' the mirror image of b, the ranges of a and b' are below 180 degrees each, so the signs of
-// the turns between their ends decide everything.
-std::optional<EdgePair> common_range(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
-                                     SeenEnds of_a, std::uint32_t b, SeenEnds of_b) {
-  const Vec2 &p = polygon.vertex(of_a.first), &q = polygon.vertex(of_a.last);
-  const Vec2 &r = polygon.vertex(of_b.first), &s = polygon.vertex(of_b.last);
-  // Each is positive if the direction of the first point comes before that of the second one.
-  const double p_r = -orient(centre, p, r), p_s = -orient(centre, p, s),
-               r_q = -orient(centre, r, q), q_s = -orient(centre, q, s);
-  const bool begins_at_p = p_r <= 0 && p_s > 0, begins_at_r = p_r >= 0 && r_q > 0;
-  if (!begins_at_p && !begins_at_r) return std::nullopt;
-  EdgePair pair;
-  pair.a = a;
-  pair.b = b;
-  if (begins_at_p) pair.begin_a = of_a.first;
-  if (begins_at_r) pair.begin_b = of_b.first;
-  if (q_s >= 0) pair.end_a = of_a.last;
-  if (q_s <= 0) pair.end_b = of_b.last;
-  return pair;
-}
 
 // The same pair with a and b exchanged.
 EdgePair exchanged(const EdgePair& pair) {
@@ -125,19 +99,8 @@ class EvenChords::Search {
     return least > slack_ * (std::fabs(along.x()) + std::fabs(along.y()));
   }
 
-  // The edge as C sees it, unless it is radial.
-  std::optional<SeenEnds> ends_of(std::uint32_t edge) const {
-    const Vec2 &p = polygon_.edge_start(edge), &q = polygon_.edge_end(edge);
-    const double side = orient(centre_, p, q);
-    if (std::fabs(side) <= near_ * length(q - p)) return std::nullopt;
-    const auto next = static_cast<std::uint32_t>(polygon_.next(edge));
-    return side > 0 ? SeenEnds{edge, next} : SeenEnds{next, edge};
-  }
-
   void add_pair(std::uint32_t a, std::uint32_t b) {
-    const auto of_a = ends_of(a), of_b = ends_of(b);
-    if (!of_a || !of_b) return;
-    auto pair = common_range(polygon_, centre_, a, *of_a, b, *of_b);
+    auto pair = pair_of_edges(polygon_, centre_, a, b, near_);
     if (!pair) return;
     // The sweep that lists all pairs calls the edge a that it meets with the line's forward half.
     const bool a_is_ahead = pair->begin_a != inside_edge

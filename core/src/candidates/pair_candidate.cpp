@@ -3,38 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chords/section.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/double_double.h"
 
 namespace evenlift {
 namespace {
-
-// One end of a pair's range: the vertex-chord there.
-struct SectionEnd {
-  std::uint32_t vertex;    // the vertex at which the range ends
-  std::uint32_t opposite;  // the vertex across C if both edges end here, otherwise inside_edge
-  bool on_a;               // whether the vertex belongs to a, not b
-  Across across;           // from the vertex to the other edge
-  double g;                // |C r_b| / |C r_a|
-  int compare_to_one;      // -1, 0, 1: g is below, equal to or above 1; exact
-};
-
-SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
-                       const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
-  const bool on_a = vertex_a != inside_edge;
-  const std::uint32_t vertex = on_a ? vertex_a : vertex_b;
-  const SeenEdge& other = on_a ? b : a;
-  const Across across =
-      look_across(centre, polygon.vertex(vertex), other.first, other.last, other.doubled_area);
-  return {vertex,
-          on_a ? vertex_b : inside_edge,
-          on_a,
-          across,
-          on_a ? across.factor : 1.0 / across.factor,
-          on_a ? across.compare_to_one : -across.compare_to_one};
-}
 
 // An even vertex-chord counts as bisecting, since whether its arms are equal to the last bit
 // depends on rounding.
@@ -44,12 +18,6 @@ CandidateKind kind_of_vertex_chord(const Chord& chord) {
 
 Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& direction) {
   return {chord, kind, false, 0, rightward(direction), chord.arm1 + chord.arm2};
-}
-
-// r_a - C at a section end.
-Vec2 offset_on_a(const Polygon& polygon, const Vec2& centre, const SectionEnd& end) {
-  const Vec2 offset = polygon.vertex(end.vertex) - centre;
-  return end.on_a ? offset : Vec2(-end.across.factor * offset);
 }
 
 Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
@@ -88,6 +56,26 @@ std::optional<double> estimate_g(const Polygon& polygon, const Vec2& centre, con
 }
 
 }  // namespace
+
+SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                       const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b) {
+  const bool on_a = vertex_a != inside_edge;
+  const std::uint32_t vertex = on_a ? vertex_a : vertex_b;
+  const SeenEdge& other = on_a ? b : a;
+  const Across across =
+      look_across(centre, polygon.vertex(vertex), other.first, other.last, other.doubled_area);
+  return {vertex,
+          on_a ? vertex_b : inside_edge,
+          on_a,
+          across,
+          on_a ? across.factor : 1.0 / across.factor,
+          on_a ? across.compare_to_one : -across.compare_to_one};
+}
+
+Vec2 offset_on_a(const Polygon& polygon, const Vec2& centre, const SectionEnd& end) {
+  const Vec2 offset = polygon.vertex(end.vertex) - centre;
+  return end.on_a ? offset : Vec2(-end.across.factor * offset);
+}
 
 SeenEdge see(const Polygon& polygon, const Vec2& centre, std::uint32_t edge) {
   const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
@@ -181,7 +169,7 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
   PairVerdict verdict;
   verdict.g0 = begin.g;
   verdict.g1 = end.g;
-  verdict.parallel = std::fabs(begin.g - end.g) <= tau * std::max(begin.g, end.g);
+  verdict.parallel = are_parallel(begin.g, end.g);
   if (verdict.parallel) {
     const Candidate candidate = midpoint_candidate(polygon, centre, a, b, begin, end);
     if (reaches(candidate.chord, min_ratio)) verdict.candidate = candidate;

@@ -1,10 +1,14 @@
 // The candidate of one edge-pair (algorithm.md, Candidates): the cases and their arithmetic.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "chords/radial_view.h"
+#include "chords/section.h"
 #include "evenlift/candidates.h"
+#include "evenlift/tolerance.h"
 
 namespace evenlift {
 
@@ -21,6 +25,29 @@ SeenEdge see(const Polygon& polygon, const Vec2& centre, std::uint32_t edge);
 inline SeenEdge see(const Polygon& polygon, const RadialView& view, std::uint32_t edge) {
   return {edge, polygon.vertex(view.first(edge)), polygon.vertex(view.last(edge)),
           view.doubled_area(edge)};
+}
+
+// One end of a pair's range: the vertex-chord there.
+struct SectionEnd {
+  std::uint32_t vertex;    // the vertex at which the range ends
+  std::uint32_t opposite;  // the vertex across C if both edges end here, otherwise inside_edge
+  bool on_a;               // whether the vertex belongs to a, not b
+  Across across;           // from the vertex to the other edge
+  double g;                // |C r_b| / |C r_a|
+  int compare_to_one;      // -1, 0, 1: g is below, equal to or above 1; exact
+};
+
+// The end at which edge a ends at `vertex_a` and edge b at `vertex_b`; one of the two may be
+// inside_edge. O(1).
+SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
+                       const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b);
+
+// r_a - C at a section end. O(1).
+Vec2 offset_on_a(const Polygon& polygon, const Vec2& centre, const SectionEnd& end);
+
+// Whether the edges of a pair count as parallel, by g at both ends of its range. O(1).
+inline bool are_parallel(double g0, double g1) {
+  return std::fabs(g0 - g1) <= tau * std::max(g0, g1);
 }
 
 // Decides whether the edge-pair `pair`, of a and b, has a candidate, and which. O(1).

@@ -45,10 +45,24 @@ std::string_view name(WeightUnit unit) {
   return names[static_cast<std::size_t>(unit)];
 }
 
+std::string_view name(Positions positions) {
+  return positions == Positions::best ? "best" : "range";
+}
+
+std::optional<Positions> positions_from_name(std::string_view text) {
+  for (const Positions positions : {Positions::best, Positions::range})
+    if (text == name(positions)) return positions;
+  return std::nullopt;
+}
+
 Goal goal_of(const Settings& settings) {
   if (settings.goal) return *settings.goal;
   const bool holds = settings.method == Method::balanced && settings.robots > 3;
   return holds ? Goal::hold : Goal::cover;
+}
+
+bool exchanges_teams(const Settings& settings) {
+  return selects_candidates(settings.method) && goal_of(settings) == Goal::hold;
 }
 
 }  // namespace evenlift

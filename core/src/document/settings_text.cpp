@@ -38,6 +38,7 @@ constexpr Entry entries[] = {
      "the number of failures to survive is a whole number from 0 to 30"},
     {Setting::unit, "unit", "the unit of lengths is m, cm, mm or in, or none"},
     {Setting::weight_unit, "weight_unit", "the unit of weights is kg, t, N or lb"},
+    {Setting::positions, "positions", "the positions are best or range"},
 };
 static_assert(max_teams == 1048576);
 static_assert(least_robots == 2 && most_robots == 64 && most_survived == 30);
@@ -186,6 +187,12 @@ bool read_survive(std::string_view text, Settings& settings) {
   return true;
 }
 
+bool read_positions(std::string_view text, Settings& settings) {
+  const std::optional<Positions> positions = positions_from_name(text);
+  if (positions) settings.positions = *positions;
+  return positions.has_value();
+}
+
 bool read_capacity(std::string_view text, Settings& settings) {
   const std::optional<double> value = read_number(text);
   if (value ? !is_weight(*value) : text != "none") return false;
@@ -257,6 +264,8 @@ bool read(Setting setting, std::string_view text, Document& document) {
       return read_name(text, all_length_units, document.settings.units.length);
     case Setting::weight_unit:
       return read_name(text, all_weight_units, document.settings.units.weight);
+    case Setting::positions:
+      return read_positions(text, document.settings);
   }
   return false;
 }

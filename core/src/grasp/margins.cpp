@@ -11,10 +11,14 @@ Margins::Margins(const Polygon& polygon, const Vec2& centre)
       radius_(farthest_vertex(polygon, centre)),
       finder_(polygon, near_distance(polygon.diagonal())) {}
 
+std::vector<Wrench> Margins::wrenches_of(const std::vector<LiftingPoint>& points) const {
+  return wrenches(make_grasp(polygon_, centre_, radius_, find_contacts(polygon_, finder_, points)));
+}
+
 std::optional<double> Margins::of(const std::vector<LiftingPoint>& points) const {
-  const auto contacts = find_contacts(polygon_, finder_, points);
-  if (contacts.empty()) return std::nullopt;
-  return wrench_margin(wrenches(make_grasp(polygon_, centre_, radius_, contacts)));
+  const std::vector<Wrench> all = wrenches_of(points);
+  if (all.empty()) return std::nullopt;
+  return wrench_margin(all);
 }
 
 }  // namespace evenlift

@@ -6,6 +6,7 @@
 
 #include "evenlift/closure.h"
 #include "grasp/vertex_finder.h"
+#include "grasp/wrench_margin.h"
 
 namespace evenlift {
 
@@ -16,6 +17,10 @@ class Margins {
 
   // The same as analyse_closure(polygon, centre, points).margin. O(m log n + m^2).
   std::optional<double> of(const std::vector<LiftingPoint>& points) const;
+
+  // The wrenches of robots at the points, as the margin is found from them: of contacts on one edge
+  // the first and the last. O(m log n).
+  std::vector<Wrench> wrenches_of(const std::vector<LiftingPoint>& points) const;
 
  private:
   const Polygon& polygon_;

@@ -115,13 +115,13 @@ class NearestPoint {
  public:
   explicit NearestPoint(const std::vector<Wrench>& points) : points_(points), nearest_(points[0]) {}
 
-  // The distance of the origin from the convex hull of the points.
-  double distance_from_origin() {
+  // The point of the convex hull of the points that is nearest to the origin.
+  const Wrench& find() {
     const std::size_t most_cycles = 50 * points_.size() + 100;
     for (std::size_t cycle = 0; cycle < most_cycles; ++cycle) {
       if (!major_cycle()) break;
     }
-    return nearest_.norm();
+    return nearest_;
   }
 
  private:
@@ -210,24 +210,48 @@ class NearestPoint {
   std::vector<double> weights_{1};
 };
 
+// The vector in unit length, unless it is too short to tell its direction.
+Wrench direction_of(const Wrench& vector) {
+  const double length = vector.norm();
+  return length > tau ? Wrench(vector / length) : Wrench(Wrench::UnitX());
+}
+
+Wrench normal_of(const std::vector<Wrench>& w, const Triangle& facet) {
+  const Wrench p = w[facet[1]] - w[facet[0]], q = w[facet[2]] - w[facet[0]];
+  return p.cross(q);
+}
+
 }  // namespace
 
 double wrench_margin(const std::vector<Wrench>& wrenches) {
+  return weakest_direction(wrenches).margin;
+}
+
+WeakestDirection weakest_direction(const std::vector<Wrench>& wrenches) {
   const std::vector<Triangle> facets = hull_facets(wrenches);
   double least = facets.empty() ? 0 : std::numeric_limits<double>::infinity();
+  Triangle weakest{};
   for (Triangle facet : facets) {
     // Begins with the facet's first wrench. The order in which std::partition leaves facets, and so
     // where they began, differs between standard libraries; the rounding must not.
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-    least = std::min(least,
-                     distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]));
+    const double distance =
+        distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]);
+    if (distance < least) weakest = facet;
+    least = std::min(least, distance);
   }
-  if (least > tau) return least;
+  if (least > tau) return {least, direction_of(normal_of(wrenches, weakest))};
   // The origin is in the planes of all facets of a flat hull, on their inner side by rounding alone,
   // even where it lies beside the hull.
   constexpr double beside = 1e-7;  // more than the error of the distance
-  const double distance = NearestPoint(wrenches).distance_from_origin();
-  return least > 0 && distance <= beside ? least : 0.0 - distance;  // never -0
+  NearestPoint search(wrenches);
+  const Wrench& nearest = search.find();
+  const double distance = nearest.norm();
+  // Far from the origin the nearest point tells the direction, else the facet.
+  const Wrench direction = distance > beside || facets.empty()
+                               ? direction_of(-nearest)
+                               : direction_of(normal_of(wrenches, weakest));
+  return {least > 0 && distance <= beside ? least : 0.0 - distance, direction};  // never -0
 }
 
 }  // namespace evenlift

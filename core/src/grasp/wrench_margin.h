@@ -16,4 +16,12 @@ using Wrench = Eigen::Vector3d;  // force x, force y, torque
 // wrenches.
 double wrench_margin(const std::vector<Wrench>& wrenches);
 
+// The same, and a unit vector u that nearly attains it. Of whatever wrenches, the maximum of u . w is
+// an upper bound of their margin; this u makes it a good one for wrenches like the given ones.
+struct WeakestDirection {
+  double margin = 0;
+  Wrench direction = Wrench::UnitX();
+};
+WeakestDirection weakest_direction(const std::vector<Wrench>& wrenches);
+
 }  // namespace evenlift

@@ -35,6 +35,7 @@ class JsonShapes {
                                          Document& document) const;
   std::string value_text(Index at) const;
   std::optional<InputError> take_balanced(Document& document) const;
+  std::optional<InputError> take_beyond(Document& document) const;
   std::optional<InputError> take_doubt(Document& document) const;
   std::optional<InputError> take_settings(Document& document);
   std::optional<InputError> take_overlays(Index overlays, Settings& settings) const;
@@ -105,8 +106,23 @@ std::string JsonShapes::value_text(Index at) const {
                                           : std::string();
 }
 
-// What balanced robots were asked for. The other methods' results name their goal, too, but it is
-// the only one that they have.
+// What teams of two were asked for beyond the thesis. All their results name a goal; to cover is the
+// usual one.
+std::optional<InputError> JsonShapes::take_beyond(Document& document) const {
+  const auto take = [&](const char* member, Setting setting) {
+    const auto at = tree_.member(0, member);
+    return is(at, Kind::number) || is(at, Kind::string)
+               ? take_setting(setting, *at, value_text(*at), document)
+               : std::nullopt;
+  };
+  if (auto wrong = take("positions", Setting::positions)) return wrong;
+  if (auto wrong = take("goal", Setting::goal)) return wrong;
+  if (document.settings.goal == Goal::hold) return take("min_margin", Setting::min_margin);
+  document.settings.goal.reset();
+  return std::nullopt;
+}
+
+// What balanced robots were asked for.
 std::optional<InputError> JsonShapes::take_balanced(Document& document) const {
   const std::pair<const char*, Setting> members[] = {{"requested_robots", Setting::robots},
                                                      {"goal", Setting::goal},
@@ -138,8 +154,9 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
   for (const char* name : {"teams", "requested_teams"})
     if (const auto at = tree_.member(0, name); at && !is(at, Kind::array))
       if (auto wrong = set(Setting::teams, *at, value_text(*at))) return wrong;
-  if (document.settings.method == Method::balanced)
-    if (auto wrong = take_balanced(document)) return wrong;
+  if (auto wrong = document.settings.method == Method::balanced ? take_balanced(document)
+                                                                : take_beyond(document))
+    return wrong;
   if (const auto at = tree_.member(0, "overlays"); is(at, Kind::object))
     if (auto wrong = take_overlays(*at, document.settings)) return wrong;
   for (const auto& [name, setting] :

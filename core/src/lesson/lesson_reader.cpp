@@ -91,7 +91,7 @@ class Reader {
       if (each.name == key) known = &each;
     if (!known)
       return refuse(
-          "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, seed, robots, goal and predict");
+          "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, seed, robots, goal, positions and predict");
     bool& seen = seen_[static_cast<std::size_t>(known - keys)];
     if (seen) return refuse("the setting is there twice");
     seen = true;
@@ -143,6 +143,7 @@ class Reader {
       {"goal", &Reader::take_setting, Setting::goal},
       {"unit", &Reader::take_setting, Setting::unit},
       {"weight-unit", &Reader::take_setting, Setting::weight_unit},
+      {"positions", &Reader::take_setting, Setting::positions},
       {"predict", &Reader::take_predict, {}},
   };
 

@@ -15,6 +15,7 @@ namespace {
 constexpr double usual_min_margin = 0.05;
 constexpr std::uint32_t usual_survive = 0;
 constexpr double usual_com_radius = 0;
+constexpr Positions usual_positions = Positions::best;
 
 // The payload of an overlay that is shown.
 constexpr const char* shown = "shown";
@@ -31,6 +32,8 @@ std::optional<Setting> setting_of(Tag tag) {
       return Setting::apart;
     case Tag::survive:
       return Setting::survive;
+    case Tag::positions:
+      return Setting::positions;
     case Tag::com_radius:
       return Setting::com_radius;
     case Tag::capacity:
@@ -59,15 +62,26 @@ bool take_units(const std::string& text, Document& document) {
   return !text.empty() && units_text(document.settings.units) == text;
 }
 
+void add_min_margin(Records& records, const Settings& settings) {
+  if (!same_bits(settings.min_margin, usual_min_margin))
+    records.push_back({Tag::min_margin, shortest(settings.min_margin)});
+}
+
 // What only balanced robots have.
 void add_balanced(Records& records, const Settings& settings) {
   records.push_back({Tag::robots, std::to_string(settings.robots)});
   if (settings.goal) records.push_back({Tag::goal, std::string(name(*settings.goal))});
-  if (!same_bits(settings.min_margin, usual_min_margin))
-    records.push_back({Tag::min_margin, shortest(settings.min_margin)});
+  add_min_margin(records, settings);
   if (settings.apart) records.push_back({Tag::apart, shortest(*settings.apart)});
   if (settings.survive != usual_survive)
     records.push_back({Tag::survive, std::to_string(settings.survive)});
+}
+
+// The usual goal of teams of two is to cover.
+void add_goal_of_teams(Records& records, const Settings& settings) {
+  if (settings.goal != Goal::hold) return;
+  records.push_back({Tag::goal, std::string(name(Goal::hold))});
+  add_min_margin(records, settings);
 }
 
 }  // namespace
@@ -78,7 +92,12 @@ bool is_known(Tag tag) {
 
 Records records_of(const Settings& settings) {
   Records records;
-  if (settings.method == Method::balanced) add_balanced(records, settings);
+  if (settings.method == Method::balanced)
+    add_balanced(records, settings);
+  else
+    add_goal_of_teams(records, settings);
+  if (settings.positions != usual_positions)
+    records.push_back({Tag::positions, std::string(name(settings.positions))});
   if (!same_bits(settings.com_radius, usual_com_radius))
     records.push_back({Tag::com_radius, shortest(settings.com_radius)});
   if (settings.capacity) records.push_back({Tag::capacity, shortest(*settings.capacity)});
@@ -92,6 +111,7 @@ bool take_records(const Records& records, Document& document) {
   document.settings.survive = usual_survive;
   document.settings.com_radius = usual_com_radius;
   document.settings.units = {};
+  document.settings.positions = usual_positions;
   for (const Record& record : records) {
     if (record.tag == Tag::halo) {
       if (record.payload != shown) return false;

@@ -22,12 +22,12 @@ enum class Tag : std::uint8_t {
   min_margin = 3,
   apart = 4,
   survive = 5,
+  positions = 6,
   com_radius = 7,
   capacity = 8,
   units = 11,  // of lengths and of weights, with a comma before the latter
   halo = 18,   // an overlay, which has no setting of its own
   // Reserved.
-  positions = 6,
   robot = 9,
   no_go = 10,
   cargo = 12,

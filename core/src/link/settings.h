@@ -35,6 +35,7 @@ inline void forget_later_settings(Settings& settings) {
   settings.min_margin = usual.min_margin;
   settings.apart = usual.apart;
   settings.survive = usual.survive;
+  settings.positions = usual.positions;
   settings.com_radius = usual.com_radius;
   settings.capacity = usual.capacity;
   settings.units = usual.units;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/exchange.h"
 #include "evenlift/selection.h"
 #include "selection/equal_angles.h"
 #include "selection/greedy_selector.h"
@@ -45,10 +46,29 @@ class Growing {
 CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   Growing growing(placement.settings.weight, capacity);
   Selector selector(placement.polygon, placement.centre_of_mass, placement.candidates,
-                    placement.settings.method, most_teams_for_capacity);
+                    placement.settings.method, most_teams_for_capacity,
+                    first_team(placement.settings.positions));
   while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
     if (growing.add(placement.candidates[selector.taken().back()].chord)) break;
   return growing.plan();
+}
+
+// Teams that are exchanged until they hold are others for each number of them.
+CapacityPlan plan_by_exchange(const Placement& placement, double capacity) {
+  const double weight = placement.settings.weight;
+  const auto& candidates = placement.candidates;
+  const auto most =
+      static_cast<std::uint32_t>(std::min<std::size_t>(candidates.size(), most_exchanged_teams));
+  // Even perfectly even robots carry weight / (2 teams), so fewer teams are never enough.
+  for (std::uint32_t teams = number_of_teams(weight / (2 * capacity)); teams <= most; ++teams) {
+    if (check_exchanges(candidates.size(), teams)) break;
+    double greatest = 0;
+    for (const std::uint32_t i : choose_candidates(placement.polygon, placement.centre_of_mass,
+                                                   candidates, placement.settings, teams))
+      greatest = std::max(greatest, weight / teams * greater_share(candidates[i].chord));
+    if (greatest <= capacity) return {true, teams, greatest, teams, 2};
+  }
+  return {false, 0, 0, most, 2};
 }
 
 CapacityPlan plan_at_random(const Placement& placement, double capacity) {
@@ -116,8 +136,9 @@ std::vector<std::size_t> overloaded_robots(const std::vector<double>& loads, dou
 bool same_plan(const Placement& a, const Placement& b) {
   const Settings &s = a.settings, &t = b.settings;
   return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
-         s.seed == t.seed && s.survive == t.survive && a.centre_of_mass == b.centre_of_mass &&
-         a.vertices() == b.vertices();
+         s.seed == t.seed && s.survive == t.survive && s.positions == t.positions &&
+         goal_of(s) == goal_of(t) && s.min_margin == t.min_margin &&
+         a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices();
 }
 
 CapacityPlan plan_capacity(const Placement& placement, double capacity) {
@@ -129,7 +150,8 @@ CapacityPlan plan_capacity(const Placement& placement, double capacity) {
     case Method::random:
       return plan_at_random(placement, capacity);
     default:
-      return plan_by_candidates(placement, capacity);
+      return exchanges_teams(placement.settings) ? plan_by_exchange(placement, capacity)
+                                                 : plan_by_candidates(placement, capacity);
   }
 }
 

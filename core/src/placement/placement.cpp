@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "evenlift/balanced.h"
+#include "evenlift/exchange.h"
 #include "evenlift/hull.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
@@ -26,7 +27,7 @@ std::vector<Chord> choose_chords(Placement& placement) {
       return random_teams(polygon, centre, teams, placement.settings.seed);
     default:
       placement.team_candidates =
-          select_teams(polygon, centre, placement.candidates, placement.settings.method, teams);
+          choose_candidates(polygon, centre, placement.candidates, placement.settings, teams);
   }
   std::vector<Chord> chords;
   chords.reserve(placement.team_candidates.size());
@@ -133,8 +134,10 @@ std::optional<InputError> check_balanced(const Settings& settings) {
 std::optional<InputError> check_settings(const Settings& settings) {
   if (auto error = check_ranges(settings)) return error;
   if (settings.method == Method::balanced) return check_balanced(settings);
-  if (settings.goal == Goal::hold)
-    return refused(Setting::goal, "only balanced robots can be placed so that they hold");
+  if (settings.goal == Goal::hold && !selects_candidates(settings.method))
+    return refused(Setting::goal,
+                   "distributed and random teams choose by direction; teams by area, circle and "
+                   "distance and balanced robots can be placed so that they hold");
   if (settings.teams || selects_candidates(settings.method)) return std::nullopt;
   return refused(Setting::teams,
                  "all candidates can be placed by area, circle and distance only; give a number");
@@ -152,8 +155,11 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   if (auto error = check_settings(settings)) return *error;
   const auto centre = check_centre_of_mass(polygon, centre_of_mass);
   if (!centre) return centre.error();
-  auto candidates = find_candidates(polygon, *centre, settings.min_ratio);
+  auto candidates = find_candidates(polygon, *centre, settings.min_ratio, settings.positions);
   if (!candidates) return candidates.error();
+  if (exchanges_teams(settings))
+    if (auto error = check_exchanges(candidates->size(), settings.teams.value_or(max_teams)))
+      return *error;
 
   Placement placement(std::move(polygon));
   placement.centre_of_mass = *centre;
@@ -169,6 +175,16 @@ Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robo
                       bool search_ended) {
   placement.teams = {team_of(placement, robots)};
   placement.search_ended = search_ended;
+  describe_grasp(placement);
+  return placement;
+}
+
+Placement with_chord(Placement placement, std::size_t team, const Chord& chord) {
+  std::vector<Chord> chords;
+  for (const Team& each : placement.teams) chords.push_back(chord_of(each));
+  chords[team] = chord;
+  placement.teams = distribute_weight(chords, placement.settings.weight);
+  placement.team_candidates.clear();
   describe_grasp(placement);
   return placement;
 }

@@ -50,11 +50,13 @@ double floor_of(const Polygon& polygon, const Vec2& centre, Method metric) {
 }  // namespace
 
 Selector::Selector(const Polygon& polygon, const Vec2& centre,
-                   const std::vector<Candidate>& candidates, Method metric, std::size_t most_teams)
+                   const std::vector<Candidate>& candidates, Method metric, std::size_t most_teams,
+                   FirstTeam first)
     : candidates_(candidates),
       surroundings_(polygon, centre),
       metric_(metric),
       most_teams_(most_teams),
+      first_(first),
       near_(near_distance(polygon.diagonal())),
       floor_(floor_of(polygon, centre, metric)),
       is_taken_(candidates.size()) {
@@ -136,14 +138,14 @@ void Selector::sharpen(Index candidate) {
 Selector::Index Selector::best_first_team() const {
   const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
   const auto length_of = [&](Index i) { return candidates_[i].length; };
-  Indices even;
+  Indices allowed;
   for (Index i = 0; i < candidates_.size(); ++i) {
-    if (is_even(candidates_[i].chord)) even.push_back(i);
+    if (first_ == FirstTeam::longest || is_even(candidates_[i].chord)) allowed.push_back(i);
   }
-  if (!even.empty()) {
-    keep_best(even, length_of, lengths_tie);
-    keep_best(even, ratio, ratios_tie);
-    return even.front();
+  if (!allowed.empty()) {
+    keep_best(allowed, length_of, lengths_tie);
+    keep_best(allowed, ratio, ratios_tie);
+    return allowed.front();
   }
   Indices all(candidates_.size());
   std::iota(all.begin(), all.end(), Index{0});

@@ -7,6 +7,7 @@
 
 #include "evenlift/candidates.h"
 #include "evenlift/document.h"
+#include "evenlift/selection.h"
 #include "selection/base_edge.h"
 
 namespace evenlift {
@@ -21,7 +22,8 @@ class Selector {
  public:
   // `most_teams` is a bound on the number of teams that will be taken.
   Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-           Method metric, std::size_t most_teams = ~std::size_t{0});
+           Method metric, std::size_t most_teams = ~std::size_t{0},
+           FirstTeam first = FirstTeam::even);
 
   // Takes the best candidate as the next team. False if no candidate is left.
   bool take_next();
@@ -89,6 +91,7 @@ class Selector {
   Surroundings surroundings_;
   Method metric_;
   std::size_t most_teams_;
+  FirstTeam first_;
   double near_;   // tau L
   double floor_;  // see floor()
 

@@ -49,6 +49,7 @@ std::vector<std::uint32_t> main_steps(const Trace& trace) {
     add(kind, 0);
   const std::uint32_t pair = telling_pair(trace);
   for (const StepKind kind : {StepKind::sections, StepKind::outcome}) add(kind, pair);
+  add(StepKind::range, 0);
   if (trace.pairs.empty()) add(StepKind::opposite, 0);
   for (const StepKind kind :
        {StepKind::candidates, StepKind::directions, StepKind::lever, StepKind::three,
@@ -64,6 +65,9 @@ std::vector<std::uint32_t> main_steps(const Trace& trace) {
   add(StepKind::settled, 0);
   if (teams > teams_shown) add(StepKind::team, teams - 1);
   if (teams > 0) add(StepKind::base, teams - 1);
+  for (std::uint32_t i = 0; i < std::min(trace.count(StepKind::swap), exchanges_shown); ++i)
+    add(StepKind::swap, i);
+  add(StepKind::held, 0);
   for (const StepKind kind :
        {StepKind::fewer, StepKind::loads, StepKind::failures, StepKind::pairs, StepKind::coverage,
         StepKind::contacts, StepKind::closure, StepKind::second_order, StepKind::result})
@@ -76,7 +80,8 @@ std::uint32_t further_like(const Trace& trace, const Step& step) {
   if (step.kind == StepKind::ray || step.kind == StepKind::outcome) return all - 1;
   if (step.kind == StepKind::team && step.item + 1 == teams_shown && all > teams_shown + 1)
     return all - teams_shown - 1;
-  if (step.kind == StepKind::start) return all - 1;
+  if (step.kind == StepKind::start || step.kind == StepKind::range) return all - 1;
+  if (step.kind == StepKind::swap && step.item + 1 == exchanges_shown) return all - exchanges_shown;
   if (step.kind == StepKind::exchange && all > exchanges_shown &&
       step.item == telling_exchanges(trace).back())
     return all - exchanges_shown;

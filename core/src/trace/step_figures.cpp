@@ -115,7 +115,7 @@ void StepFigures::scores() {
 void StepFigures::team() {
   add(FigureKind::base_before, detail_.base_before);
   if (detail_.scores && item_ > 0) {
-    const std::uint32_t winner = placement_.team_candidates[item_];
+    const std::uint32_t winner = trace_.selected()[item_];
     for (Figure& figure : gain_figures(trace_, *detail_.scores, winner))
       figures_.push_back(std::move(figure));
   }
@@ -126,6 +126,45 @@ void StepFigures::base() {
   add(FigureKind::base_before, detail_.base_before);
   add(FigureKind::base, detail_.base);
   add_team(item_, false);
+}
+
+void StepFigures::range() {
+  const RangeDetail& range = *detail_.range;
+  add_edge(FigureKind::edge, range.pair.a);
+  add_edge(FigureKind::edge, range.pair.b);
+  const Vec2 &c = trace_.centre, first = range.range.a0, last = range.range.a1;
+  const auto on_a = [&](double x) { return Vec2((1 - x) * first + x * last); };
+  const double from = range.range.first, to = range.range.last;
+  add(FigureKind::range, Points{c, c + on_a(from), c + on_a(to)}, range.pair.a);
+  add(FigureKind::range,
+      Points{c, c - on_a(from) / range.range.q(from), c - on_a(to) / range.range.q(to)},
+      range.pair.b);
+  for (std::uint32_t end = 0; end < 2; ++end)
+    add(FigureKind::range_end, range.ends[end], end, range.ends[end].ratio);
+  for (const std::uint32_t i : range.candidates)
+    add(FigureKind::candidate, placement_.candidates[i].chord, i,
+        placement_.candidates[i].chord.ratio);
+}
+
+void StepFigures::swap() {
+  add(FigureKind::base_before, detail_.base_before);
+  add(FigureKind::base, detail_.base);
+  for (const std::uint32_t i : detail_.swap->from) {
+    const Chord& chord = placement_.candidates[i].chord;
+    add(FigureKind::former, chord, i, chord.ratio);
+  }
+  add_teams(trace_.stages[item_ + 1]);
+}
+
+void StepFigures::held() { add_teams(placement_.teams); }
+
+void StepFigures::add_teams(const std::vector<Team>& teams) {
+  std::uint32_t number = 0;
+  for (std::uint32_t i = 0; i < teams.size(); ++i) {
+    add(FigureKind::team, chord_of(teams[i]), i, teams[i].ratio);
+    for (const Robot& robot : teams[i].robots)
+      add(FigureKind::robot, Points{robot.point.position}, number++, 0);
+  }
 }
 
 void StepFigures::share() { add_team(item_, true); }
@@ -140,7 +179,7 @@ void StepFigures::loads() {
 }
 
 void StepFigures::add_team(std::uint32_t index, bool loaded) {
-  const Team& team = placement_.teams[index];
+  const Team& team = (loaded ? placement_.teams : trace_.selected_teams())[index];
   add(FigureKind::team, chord_of(team), index, team.ratio);
   auto number = static_cast<std::uint32_t>(index * team.robots.size());
   for (const Robot& robot : team.robots)

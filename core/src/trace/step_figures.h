@@ -49,6 +49,9 @@ class StepFigures : LookedAtStep {
   void round();
   void failure();
   void pairs();
+  void range();
+  void swap();
+  void held();
 
   // With C in front of all others.
   std::vector<Figure> take() &&;
@@ -67,6 +70,7 @@ class StepFigures : LookedAtStep {
   void add_arms();
   void add_even_chords();
   void add_completion();
+  void add_teams(const std::vector<Team>& teams);
 
   std::vector<Figure> figures_;
 };

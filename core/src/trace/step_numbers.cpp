@@ -65,8 +65,8 @@ void StepNumbers::ratio_and_candidate(double ratio, std::optional<std::uint32_t>
 void StepNumbers::duplicates() {
   const auto& candidates = trace_.candidate_of_source;
   const auto none = std::count(candidates.begin(), candidates.end(), no_index);
-  count("merged",
-        candidates.size() - static_cast<std::size_t>(none) - placement_.candidates.size());
+  count("merged", candidates.size() - static_cast<std::size_t>(none) + 2 * trace_.ranges.size() -
+                      placement_.candidates.size());
   count("candidates", placement_.candidates.size());
 }
 
@@ -97,7 +97,40 @@ void StepNumbers::scores() {
 
 void StepNumbers::team() {
   scores();
-  add("ratio", placement_.teams[item_].ratio);
+  add("ratio", trace_.selected_teams()[item_].ratio);
+}
+
+void StepNumbers::range() {
+  const RangeDetail& range = *detail_.range;
+  count("edge_a", range.pair.a + std::size_t{1});
+  count("edge_b", range.pair.b + std::size_t{1});
+  add("first_ratio", range.ends[0].ratio);
+  add("last_ratio", range.ends[1].ratio);
+  count("first_candidate", range.candidates[0] + std::size_t{1});
+  count("last_candidate", range.candidates[1] + std::size_t{1});
+}
+
+void StepNumbers::swap() {
+  const SwapDetail& swap = *detail_.swap;
+  count("exchange", item_ + std::size_t{1});
+  count("moved", swap.teams.size());
+  if (swap.teams.size() == 1) {
+    count("team", swap.teams[0] + std::size_t{1});
+    count("from", swap.from[0] + std::size_t{1});
+    count("to", swap.to[0] + std::size_t{1});
+  }
+  count("level_before", swap.before.level);
+  count("level", swap.after.level);
+  add("coverage_before", swap.before.coverage);
+  add("coverage", swap.after.coverage);
+  add("ratios_before", swap.before.ratios);
+  add("ratios", swap.after.ratios);
+}
+
+void StepNumbers::held() {
+  count("exchanges", trace_.exchanges->exchanges.size());
+  count("form_closure", placement_.closure.form_closure);
+  add("coverage", placement_.coverage);
 }
 
 void StepNumbers::base() {

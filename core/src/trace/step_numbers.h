@@ -55,6 +55,9 @@ class StepNumbers : LookedAtStep {
   void failure();
   void failures();
   void pairs();
+  void range();
+  void swap();
+  void held();
 
   std::vector<Number> take() && { return std::move(numbers_); }
 

@@ -10,8 +10,8 @@ namespace evenlift {
 namespace {
 
 constexpr std::string_view chapter_names[] = {
-    "object",        "law",   "vertex_chords", "slopes", "pairs",    "candidates", "first_team",
-    "further_teams", "start", "exchange",      "loads",  "failures", "grasp"};
+    "object",        "law",   "vertex_chords", "slopes", "pairs", "candidates", "first_team",
+    "further_teams", "start", "exchange",      "swaps",  "loads", "failures",   "grasp"};
 static_assert(std::size(chapter_names) == chapter_count);
 
 // What a kind of step is called, and which numbers and figures it has. Its words are a row of
@@ -65,6 +65,9 @@ constexpr StepRow steps[] = {
     {StepKind::failure,      "failure",      &N::failure,      &F::failure},
     {StepKind::failures,     "failures",     &N::failures,     &F::round},
     {StepKind::pairs,        "pairs",        &N::pairs,        &F::pairs},
+    {StepKind::range,        "range",        &N::range,        &F::range},
+    {StepKind::swap,         "swap",         &N::swap,         &F::swap},
+    {StepKind::held,         "held",         &N::held,         &F::held},
 };
 // clang-format on
 
@@ -82,7 +85,8 @@ constexpr std::string_view figure_names[] = {
     "contact",     "normal",        "clockwise",   "counterclockwise",
     "translation", "lever",         "side",        "arm",
     "sum",         "middle",        "stand",       "mirrored",
-    "even_chord",  "left",          "way"};
+    "even_chord",  "left",          "way",         "range",
+    "range_end",   "former"};
 
 }  // namespace
 

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "chords/radial_view.h"
+#include "evenlift/exchange.h"
 #include "evenlift/hull.h"
+#include "evenlift/selection.h"
 #include "evenlift/tolerance.h"
 #include "trace/balanced_steps.h"
 
@@ -73,6 +75,7 @@ void write_candidates(const Trace& trace, BlockWriter& blocks) {
   blocks.add(Chapter::slopes, {StepKind::slopes});
   blocks.add(Chapter::pairs, {StepKind::sections, StepKind::outcome}, trace.pairs.size());
   blocks.add(Chapter::pairs, {StepKind::opposite}, trace.opposite.size());
+  blocks.add(Chapter::pairs, {StepKind::range}, trace.ranges.size());
   blocks.add(Chapter::pairs, {StepKind::duplicates});
   blocks.add(Chapter::candidates, {StepKind::candidates});
 }
@@ -134,6 +137,9 @@ void write_blocks_of_method(const Trace& trace, BlockWriter& blocks) {
   if (!trace.by_candidates()) return write_teams(trace, blocks, {StepKind::team, StepKind::base});
   write_candidates(trace, blocks);
   write_teams(trace, blocks, {StepKind::scores, StepKind::team, StepKind::base});
+  if (!trace.exchanges || trace.placement.teams.empty()) return;
+  blocks.add(Chapter::swaps, {StepKind::swap}, trace.exchanges->exchanges.size());
+  blocks.add(Chapter::swaps, {StepKind::held});
 }
 
 std::uint64_t write_blocks(Trace& trace) {
@@ -176,12 +182,20 @@ std::optional<InputError> collect(Trace& trace) {
   if (!pairs) return pairs.error();
   auto opposite = opposite_vertices(trace.polygon, trace.centre);
   if (!opposite) return opposite.error();
-  auto traced = trace_candidates(trace.polygon, trace.centre, min_ratio);
+  auto traced =
+      trace_candidates(trace.polygon, trace.centre, min_ratio, trace.placement.settings.positions);
   if (!traced) return traced.error();
   trace.rays = make_rays(trace.polygon, trace.centre, *chords);
   trace.pairs = *std::move(pairs);
   trace.opposite = *std::move(opposite);
   trace.candidate_of_source = std::move(traced->of_source);
+
+  for (std::uint32_t source = 0; source < traced->ranges_of_source.size(); ++source) {
+    const auto& candidates = traced->ranges_of_source[source];
+    if (candidates[1] == no_candidate) continue;
+    trace.ranges.push_back(source);
+    trace.candidates_of_range.push_back(candidates);
+  }
 
   const std::vector<bool> radial = radial_edges(trace.polygon, trace.centre);
   for (std::uint32_t edge = 0; edge < radial.size(); ++edge)
@@ -198,6 +212,26 @@ std::optional<InputError> collect(Trace& trace) {
   return std::nullopt;
 }
 
+std::vector<Team> teams_on(const Placement& placement, const std::vector<std::uint32_t>& taken) {
+  std::vector<Chord> chords;
+  for (const std::uint32_t i : taken) chords.push_back(placement.candidates[i].chord);
+  return distribute_weight(chords, placement.settings.weight);
+}
+
+// The exchanges once more.
+void trace_exchanges(Trace& trace) {
+  const Placement& placement = trace.placement;
+  const Settings& settings = placement.settings;
+  trace.exchanges = exchange_teams(
+      trace.polygon, trace.centre, placement.candidates,
+      select_teams(trace.polygon, trace.centre, placement.candidates, settings.method,
+                   placement.requested_teams, first_team(settings.positions)),
+      settings.min_margin);
+  trace.stages.push_back(teams_on(placement, trace.exchanges->start));
+  for (const Exchange& exchange : trace.exchanges->exchanges)
+    trace.stages.push_back(teams_on(placement, exchange.taken));
+}
+
 }  // namespace
 
 Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
@@ -211,6 +245,10 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
               .candidate_of_source = {},
               .source_of_candidate = {},
               .first_source_of_candidate = {},
+              .ranges = {},
+              .candidates_of_range = {},
+              .exchanges = {},
+              .stages = {},
               .contacts = {},
               .problem = {},
               .history = {},
@@ -221,6 +259,7 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
     if (auto error = trace_search(trace, length)) return *error;
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
+  if (exchanges_teams(placement.settings)) trace_exchanges(trace);
   trace.contacts = contacts(trace.polygon, lifting_points(trace.placement.teams));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;
@@ -293,6 +332,7 @@ Progress progress_at(const Trace& trace, std::uint32_t k) {
   progress.merged = number(StepKind::duplicates) > 0;
   progress.teams = number(StepKind::team);
   progress.base_teams = number(StepKind::base);
+  progress.swaps = number(StepKind::swap);
   progress.shares = number(StepKind::share);
   progress.coverage = number(StepKind::coverage) > 0;
   progress.cuts = number(StepKind::cut);
@@ -300,12 +340,21 @@ Progress progress_at(const Trace& trace, std::uint32_t k) {
   return progress;
 }
 
+const std::vector<Team>& teams_at(const Trace& trace, const Progress& known) {
+  return trace.stages.empty() ? trace.placement.teams : trace.stages[known.swaps];
+}
+
 Points lifting_base(const Trace& trace, std::uint32_t teams) {
+  Progress known;
+  known.base_teams = teams;
+  return lifting_base(trace, known);
+}
+
+Points lifting_base(const Trace& trace, const Progress& known) {
+  const std::vector<Team>& teams = teams_at(trace, known);
   Points points;
-  for (std::uint32_t i = 0; i < teams && i < trace.placement.teams.size(); ++i) {
-    for (const Robot& robot : trace.placement.teams[i].robots)
-      points.push_back(robot.point.position);
-  }
+  for (std::uint32_t i = 0; i < known.base_teams && i < teams.size(); ++i)
+    for (const Robot& robot : teams[i].robots) points.push_back(robot.point.position);
   return convex_hull(std::move(points), near_distance(trace.polygon.diagonal()));
 }
 

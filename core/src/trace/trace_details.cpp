@@ -21,6 +21,16 @@ void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail)
   detail.counterclockwise_before = before.counterclockwise.exists;
 }
 
+// H before an exchange and after it.
+void look_at_bases_of_swap(const Trace& trace, StepDetail& detail) {
+  Progress known;
+  known.base_teams = static_cast<std::uint32_t>(trace.placement.teams.size());
+  known.swaps = detail.step.item;
+  detail.base_before = lifting_base(trace, known);
+  ++known.swaps;
+  detail.base = lifting_base(trace, known);
+}
+
 }  // namespace
 
 bool centre_is_outside(const Trace& trace) {
@@ -51,6 +61,13 @@ StepDetail look_at(const Trace& trace, std::uint32_t k) {
       break;
     case StepKind::opposite:
       detail.opposite = look_at_opposite(trace, item);
+      break;
+    case StepKind::range:
+      detail.range = look_at_range(trace, item);
+      break;
+    case StepKind::swap:
+      look_at_bases_of_swap(trace, detail);
+      detail.swap = look_at_swap(trace, item);
       break;
     case StepKind::scores:
     case StepKind::team:

@@ -59,6 +59,17 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
   return detail;
 }
 
+RangeDetail look_at_range(const Trace& trace, std::uint32_t index) {
+  RangeDetail detail;
+  detail.pair = trace.pairs[trace.ranges[index]];
+  detail.range =
+      *range_of(trace.polygon, trace.centre, detail.pair, trace.placement.settings.min_ratio);
+  detail.ends = {chord_at(trace.centre, detail.range, detail.range.first),
+                 chord_at(trace.centre, detail.range, detail.range.last)};
+  detail.candidates = trace.candidates_of_range[index];
+  return detail;
+}
+
 OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index) {
   const auto source = static_cast<std::uint32_t>(trace.pairs.size()) + index;
   OppositeDetail detail;

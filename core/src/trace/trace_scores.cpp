@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "evenlift/selection.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
 #include "exact/sorted_indices.h"
@@ -20,7 +21,7 @@ struct Key {
 
 // The keys of each rule, in the order of the enumeration. A first team has only two different keys;
 // its third repeats one of them and tells nothing new.
-constexpr Key keys_of_rule[3][3] = {
+constexpr Key keys_of_rule[4][3] = {
     {{Quantity::length, DecidedBy::first_key},
      {Quantity::ratio, DecidedBy::ratio},
      {Quantity::length, DecidedBy::length}},
@@ -28,6 +29,9 @@ constexpr Key keys_of_rule[3][3] = {
      {Quantity::length, DecidedBy::length},
      {Quantity::ratio, DecidedBy::length}},
     {{Quantity::score, DecidedBy::first_key},
+     {Quantity::ratio, DecidedBy::ratio},
+     {Quantity::length, DecidedBy::length}},
+    {{Quantity::length, DecidedBy::first_key},
      {Quantity::ratio, DecidedBy::ratio},
      {Quantity::length, DecidedBy::length}},
 };
@@ -119,7 +123,14 @@ class Tournament {
   std::vector<std::uint8_t> stage_;
 };
 
-void score_first_team(const std::vector<Candidate>& candidates, TeamScores& scores) {
+void score_first_team(const std::vector<Candidate>& candidates, FirstTeam first,
+                      TeamScores& scores) {
+  if (first == FirstTeam::longest) {
+    scores.rule = Rule::longest;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      scores.of_candidate[i].value = candidates[i].length;
+    return;
+  }
   const bool any_even = std::any_of(candidates.begin(), candidates.end(),
                                     [](const Candidate& c) { return is_even(c.chord); });
   scores.rule = any_even ? Rule::longest_even : Rule::most_even;
@@ -135,7 +146,7 @@ double score_further_team(const Trace& trace, TeamScores& scores) {
   const std::vector<Candidate>& candidates = placement.candidates;
   Selector selector(trace.polygon, trace.centre, candidates, placement.settings.method);
   for (std::uint32_t i = 0; i < scores.team; ++i) {
-    const std::uint32_t taken = placement.team_candidates[i];
+    const std::uint32_t taken = trace.selected()[i];
     selector.take(taken);
     scores.of_candidate[taken].taken = true;
   }
@@ -170,7 +181,7 @@ TeamScores look_at_scores(const Trace& trace, std::uint32_t team) {
   scores.of_candidate.resize(candidates.size());
   double floor = 0;
   if (team == 0) {
-    score_first_team(candidates, scores);
+    score_first_team(candidates, first_team(trace.placement.settings.positions), scores);
   } else {
     floor = score_further_team(trace, scores);
   }

@@ -40,7 +40,7 @@ WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
   answer.team = team_at(trace, k);
   if (trace.placement.teams.empty()) return answer;
 
-  const std::vector<std::uint32_t>& taken = trace.placement.team_candidates;
+  const std::vector<std::uint32_t>& taken = trace.selected();
   const auto at = std::find(taken.begin(), taken.end(), candidate);
   const auto by = static_cast<std::uint32_t>(at - taken.begin());
   if (at != taken.end() && by < answer.team) answer.team = by;

@@ -25,9 +25,9 @@ std::string formula(const Trace& trace, const StepDetail& detail);
 // What the letters of the step's formula stand for, in one sentence; empty if the formula has none that need it. O(1).
 std::string_view formula_letters(const Trace& trace, const StepDetail& detail);
 
-// The algorithm in our own words for one method. Each line is a statement, indented by two spaces
+// The algorithm in our own words, as the settings have it: by their method, positions and goal. Each line is a statement, indented by two spaces
 // for each level. O(1).
-std::vector<std::string_view> pseudo_code(Method method);
+std::vector<std::string_view> pseudo_code(const Settings& settings);
 
 // Which of these lines the step carries out, from 0. O(1).
 std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);

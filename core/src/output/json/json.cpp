@@ -101,6 +101,14 @@ std::string overlays_json(const Overlays& overlays) {
                        {"halo", json::boolean(overlays.halo)}});
 }
 
+// What teams of two were asked for beyond the thesis.
+void add_beyond(std::vector<json::Member>& members, const Settings& settings) {
+  if (settings.positions != Positions::best)
+    members.push_back({"positions", json::text(name(settings.positions))});
+  if (exchanges_teams(settings))
+    members.push_back({"min_margin", json::number(settings.min_margin)});
+}
+
 // What balanced robots were asked for.
 void add_balanced(std::vector<json::Member>& members, const Settings& settings) {
   members.push_back({"requested_robots", std::to_string(settings.robots)});
@@ -147,7 +155,10 @@ std::string placement_json(const Placement& placement, bool with_candidates,
   members.push_back({"closure", closure_json(placement.closure)});
   members.push_back({"goal", json::text(name(goal_of(settings)))});
   members.push_back({"goal_reached", json::boolean(placement.goal_reached)});
-  if (settings.method == Method::balanced) add_balanced(members, settings);
+  if (settings.method == Method::balanced)
+    add_balanced(members, settings);
+  else
+    add_beyond(members, settings);
   if (robots)
     members.push_back(
         {"robustness", json::robustness(placement, models, robustness.com_radius, 1)});

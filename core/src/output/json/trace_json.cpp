@@ -99,7 +99,7 @@ std::optional<InputError> check_printed_size(const Trace& trace) {
 }
 
 std::string trace_json(const Trace& trace) {
-  const std::vector<std::string_view> code = pseudo_code(trace.placement.settings.method);
+  const std::vector<std::string_view> code = pseudo_code(trace.placement.settings);
   std::vector<std::string> steps;
   for (std::uint32_t k = 0; k < trace.size(); ++k) steps.push_back(step_json(trace, k, code));
   return json::long_array(steps, 0) + '\n';

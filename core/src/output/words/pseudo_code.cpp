@@ -37,6 +37,12 @@ constexpr Line by_candidates[] = {
     {Statement::scores, "  for each candidate r1 r2: score := gain(r1) + gain(r2)"},
     {Statement::next_team, "  team := the candidate with the largest score"},
     {Statement::wider_base, "  H := the convex hull of H and its robots"}};
+constexpr Line in_ranges[] = {
+    {Statement::range,
+     "  likewise the chords at 1/16 from either end of where the load ratio ≥ the minimum"}};
+constexpr Line longest_first[] = {{Statement::first_team, "first team := the longest candidate"}};
+constexpr Line to_hold[] = {
+    {Statement::swap, "while an exchange of a team for a candidate is better: make the best one"}};
 constexpr Line by_angle[] = {
     {Statement::open_directions,
      "V := the directions whose line through C meets the boundary on both sides"},
@@ -73,7 +79,21 @@ constexpr Line tail[] = {
     {Statement::second_order,
      "second order := does the curvature stop every motion that is left?"}};
 
-std::vector<Line> program(Method method) {
+// What positions anywhere in the range and the goal to hold change.
+void adapt(std::vector<Line>& lines, const Settings& settings) {
+  const auto at = [&](Statement statement) {
+    return std::find_if(lines.begin(), lines.end(),
+                        [&](const Line& line) { return line.statement == statement; });
+  };
+  if (settings.positions == Positions::range) {
+    *at(Statement::first_team) = longest_first[0];
+    lines.insert(at(Statement::opposite), in_ranges[0]);
+  }
+  if (exchanges_teams(settings)) lines.insert(at(Statement::loads), to_hold[0]);
+}
+
+std::vector<Line> program(const Settings& settings) {
+  const Method method = settings.method;
   std::span<const Line> selection = by_candidates;
   if (method == Method::distributed) selection = by_angle;
   if (method == Method::random) selection = by_chance;
@@ -84,6 +104,7 @@ std::vector<Line> program(Method method) {
   lines.insert(lines.end(), selection.begin(), selection.end());
   lines.insert(lines.end(), loads.begin(), loads.end());
   lines.insert(lines.end(), std::begin(tail), std::end(tail));
+  if (selects_candidates(method)) adapt(lines, settings);
   return lines;
 }
 
@@ -136,15 +157,15 @@ Statement statement_of_base(const Trace& trace, const StepDetail& detail) {
                                                         : Statement::wider_base;
 }
 
-std::vector<std::string_view> pseudo_code(Method method) {
+std::vector<std::string_view> pseudo_code(const Settings& settings) {
   std::vector<std::string_view> texts;
-  for (const Line& line : program(method)) texts.push_back(line.text);
+  for (const Line& line : program(settings)) texts.push_back(line.text);
   return texts;
 }
 
 std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail) {
   const Statement statement = statement_of(trace, detail);
-  const std::vector<Line> lines = program(trace.placement.settings.method);
+  const std::vector<Line> lines = program(trace.placement.settings);
   const auto line = std::find_if(lines.begin(), lines.end(),
                                  [&](const Line& l) { return l.statement == statement; });
   return static_cast<std::uint32_t>(line - lines.begin());

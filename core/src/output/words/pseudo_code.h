@@ -28,6 +28,8 @@ enum class Statement : std::uint8_t {
   scores,
   next_team,
   wider_base,  // all
+  range,
+  swap,
   // distributed
   open_directions,
   direction,

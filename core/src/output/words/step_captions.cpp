@@ -254,10 +254,11 @@ std::string StepCaptions::ranking(const TeamScores& scores) const {
     if (i > 0 && !score.eligible) break;
     text += i == 0 ? "Candidate " : ", candidate ";
     text += written(counted_from_1(order[i]));
-    text += i > 0                               ? " "
-            : scores.rule == Rule::longest_even ? " has a length of "
-            : scores.rule == Rule::most_even    ? " has a load ratio of "
-                                                : " has ";
+    text += i > 0 ? " "
+            : scores.rule == Rule::longest_even || scores.rule == Rule::longest
+                ? " has a length of "
+            : scores.rule == Rule::most_even ? " has a load ratio of "
+                                             : " has ";
     if (!score.exact) text += "at most ";
     text += written(score_text(trace_, scores.rule, score.value, neighbour(scores, i)));
   }
@@ -276,6 +277,9 @@ double StepCaptions::neighbour(const TeamScores& scores, std::size_t i) {
 std::string StepCaptions::first_scores(const TeamScores& scores) const {
   if (scores.rule == Rule::longest_even)
     return "The first team takes the longest even candidate, for a wide base. " + ranking(scores);
+  if (scores.rule == Rule::longest)
+    return "Anywhere in their ranges all candidates are even enough, so the first team takes the longest, for a wide base. " +
+           ranking(scores);
   return "No candidate is perfectly even, so the first team takes the one with the largest load ratio. " +
          ranking(scores);
 }
@@ -319,8 +323,9 @@ std::string StepCaptions::team() const {
   }
   if (!scores.of_candidate[second].eligible) return text + ", the only even one.";
   return text +
-         fill(scores.rule == Rule::longest_even ? ", ## longer than candidate #."
-                                                : ", ## ahead of candidate #.",
+         fill(scores.rule == Rule::longest_even || scores.rule == Rule::longest
+                  ? ", ## longer than candidate #."
+                  : ", ## ahead of candidate #.",
               {scores.of_candidate[second].exact ? "" : "at least ",
                scores.rule == Rule::most_even ? ratio_text(best - next, 0)
                                               : score_text(trace_, scores.rule, best - next, 0),

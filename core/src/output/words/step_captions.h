@@ -53,6 +53,9 @@ class StepCaptions : LookedAtStep {
   std::string failure() const;
   std::string failures() const;
   std::string pairs() const;
+  std::string range() const;
+  std::string swap() const;
+  std::string held() const;
 
  private:
   Piece load(double value) const;
@@ -66,6 +69,8 @@ class StepCaptions : LookedAtStep {
   static double neighbour(const TeamScores& scores, std::size_t i);
   std::string first_scores(const TeamScores& scores) const;
   std::string team_without_candidates() const;
+  std::string moves_of_swap() const;
+  std::string gain_of_swap() const;
   std::string what_c_is() const;
   static std::string left(const char* sense, const FreeRegion& region, bool before);
 };

@@ -21,6 +21,7 @@ constexpr std::string_view titles[] = {"The object and its centre of mass",
                                        "Further teams",
                                        "A first set",
                                        "Three robots move at a time",
+                                       "Teams are exchanged",
                                        "What each robot bears",
                                        "If a robot fails",
                                        "What holds it"};
@@ -81,6 +82,9 @@ constexpr StepRow steps[] = {
     {StepKind::failure,      &C::failure,      &F::none,       always<S::failures>},
     {StepKind::failures,     &C::failures,     &F::none,       always<S::failures>},
     {StepKind::pairs,        &C::pairs,        &F::none,       always<S::failures>},
+    {StepKind::range,        &C::range,        &F::none,       always<S::range>},
+    {StepKind::swap,         &C::swap,         &F::none,       always<S::swap>},
+    {StepKind::held,         &C::held,         &F::none,       always<S::swap>},
 };
 // clang-format on
 

@@ -17,6 +17,7 @@ std::string edges_of(const Trace& trace, std::uint32_t pair) {
 // "the longest even candidate", and the like.
 const char* aim(const Trace& trace, Rule rule) {
   if (rule == Rule::longest_even) return "is the longest even one";
+  if (rule == Rule::longest) return "is the longest one";
   if (rule == Rule::most_even) return "is the most even one";
   switch (trace.placement.settings.method) {
     case Method::circle:
@@ -320,6 +321,13 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
       return fill("Where robot # stood before", {item});
     case FigureKind::way:
       return "Where the robot went";
+    case FigureKind::range:
+      return fill("Where a robot may stand on edge #, with its partner straight across C", {item});
+    case FigureKind::range_end:
+      return fill("End of the range, load ratio #", {ratio_text(figure.value, least)});
+    case FigureKind::former:
+      return fill("Candidate #, which a team left, load ratio #",
+                  {item, ratio_text(figure.value, least)});
   }
   return {};
 }

@@ -148,8 +148,8 @@ std::string robot_of_contact(const Trace& trace, const Contact& contact) {
 Piece score_text(const Trace& trace, Rule rule, double value, double other) {
   if (rule == Rule::most_even) return ratio_text(value, other);
   const double size = trace.polygon.diagonal();
-  const bool is_length =
-      rule == Rule::longest_even || trace.placement.settings.method == Method::distance;
+  const bool is_length = rule == Rule::longest_even || rule == Rule::longest ||
+                         trace.placement.settings.method == Method::distance;
   return number_unlike(value, other, is_length ? size : 0.1 * size * size);
 }
 

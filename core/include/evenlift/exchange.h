@@ -1,0 +1,94 @@
+// Teams of two that are exchanged until they hold the object (algorithm.md, Choosing so that it
+// holds). This is beyond the thesis, whose choice looks at the lifting base alone.
+//
+// The start are the teams that a metric selects. Of two choices of equally many teams the better one
+// is that which wins the first of these keys that decides:
+// 1. the level: how many of 0.001, 0.4 mu and mu the margin reaches, mu being the minimum margin;
+// 2. the coverage, the larger by more than 1e-9;
+// 3. the sum of the load ratios, the larger by more than tau.
+// In each round, of all exchanges (a team goes to a candidate that no team has) that make the choice
+// better, the best one is made: of those that tie by the keys, compared one after another, that to the
+// first candidate in their order, and then of the first team. Two teams among at most 100 candidates
+// first go to the best of all pairs, if it is better. The end is a round without such an exchange, or
+// the 4 t-th one; also a round before which most_exchanges had been tried. If the level is not 3 then,
+// what t - 1 teams come to with the best further candidate takes their place if it is better, and
+// exchanges go on. So no team more ever loses a level, though the teams may be others.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evenlift/candidates.h"
+#include "evenlift/document.h"
+#include "evenlift/polygon.h"
+#include "evenlift/result.h"
+
+namespace evenlift {
+
+inline constexpr std::uint32_t most_exchanged_teams = 32;
+inline constexpr std::uint64_t most_exchanges = std::uint64_t{1} << 22;
+inline constexpr std::size_t most_candidates_for_pairs = 100;
+
+// The keys of a choice of teams.
+struct HoldKeys {
+  std::uint32_t level = 0;  // 0 .. 3
+  double coverage = 0;
+  double ratios = 0;  // the sum of the load ratios
+};
+enum class HoldKey : std::uint8_t { level, coverage, ratios };
+
+// The first key in which a choice is better than another of equally many teams; nothing if it is not
+// better. O(1).
+std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
+
+// The keys of the teams on some candidates, of which there are at most most_exchanged_teams. O(n).
+HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
+                   const std::vector<Candidate>& candidates,
+                   const std::vector<std::uint32_t>& taken, double min_margin);
+
+// What was exchanged: one team, both of two at once, or all for what one team fewer came to with one
+// more.
+enum class ExchangeKind : std::uint8_t { single, pair, one_more };
+
+struct Exchange {
+  ExchangeKind kind = ExchangeKind::single;
+  std::vector<std::uint32_t> teams;  // the numbers of those that went elsewhere, increasing
+  std::vector<std::uint32_t> taken;  // the candidates of all teams afterwards
+  HoldKeys keys;                     // afterwards
+  HoldKey decided_by = HoldKey::level;
+};
+
+struct ExchangeHistory {
+  std::vector<std::uint32_t> start;  // the candidates of the teams
+  HoldKeys keys;                     // at the start
+  std::vector<Exchange> exchanges;   // in their order
+  bool settled = false;              // the last round found nothing better
+  std::uint64_t tried = 0;           // choices that were compared
+
+  const std::vector<std::uint32_t>& taken() const {
+    return exchanges.empty() ? start : exchanges.back().taken;
+  }
+};
+
+// The error if so many teams among so many candidates cannot be exchanged: more than
+// most_exchanged_teams of them, or more exchanges at a time than most_exchanges. Where all candidates
+// are taken there is nothing to exchange. O(1).
+std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams);
+
+// Exchanges the teams. The choice is never worse than its start. For t teams among K candidates at
+// most 4 t rounds of O(t K) exchanges, of which few need more than a bound; check_exchanges() must
+// allow them.
+ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
+                               const std::vector<Candidate>& candidates,
+                               std::vector<std::uint32_t> start, double min_margin);
+
+// The teams that the settings ask for, of a method that chooses among candidates: selected
+// (selection.h), and exchanged if they are to hold; then check_exchanges() must allow it. Returns
+// indices into `candidates`.
+std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
+                                             const std::vector<Candidate>& candidates,
+                                             const Settings& settings, std::size_t teams);
+
+}  // namespace evenlift

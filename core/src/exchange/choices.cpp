@@ -1,0 +1,126 @@
+#include "exchange/choices.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "balanced/small_hull.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift::exchange {
+namespace {
+
+constexpr double least_margin = 0.001, halfway = 0.4;
+// Bounds of margins are computed in plain doubles.
+constexpr double slack = 1e-9;
+// So many directions are tried of each choice.
+constexpr std::size_t most_directions = 64;
+
+std::array<double, 3> ascending(double min_margin) {
+  std::array<double, 3> bounds{least_margin, halfway * min_margin, min_margin};
+  std::sort(bounds.begin(), bounds.end());
+  return bounds;
+}
+
+void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
+  robots.push_back(chord.r1);
+  robots.push_back(chord.r2);
+}
+
+}  // namespace
+
+Choices::Choices(const Polygon& polygon, const Vec2& centre,
+                 const std::vector<Candidate>& candidates, double min_margin)
+    : polygon_(polygon),
+      candidates_(candidates),
+      centre_(centre),
+      bounds_(ascending(min_margin)),
+      coarse_cover_(polygon, centre),
+      cover_(polygon, centre),
+      margins_(polygon, centre) {
+  parts_.reserve(candidates.size());
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) parts_.push_back(part_of({i}));
+  for (const int x : {-1, 0, 1})
+    for (const int y : {-1, 0, 1})
+      for (const int z : {-1, 0, 1})
+        if (x != 0 || y != 0 || z != 0) know(Wrench(x, y, z).normalized());
+}
+
+Part Choices::part_of(const std::vector<std::uint32_t>& taken,
+                      std::optional<std::size_t> without) const {
+  Part part;
+  for (std::size_t team = 0; team < taken.size(); ++team) {
+    if (team == without) continue;
+    const Chord& chord = candidates_[taken[team]].chord;
+    append(chord, part.robots);
+    part.ratios += chord.ratio;
+  }
+  part.wrenches = margins_.wrenches_of(part.robots);
+  return part;
+}
+
+std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
+  if (!margin) return 0;
+  return static_cast<std::uint32_t>(std::upper_bound(bounds_.begin(), bounds_.end(), *margin) -
+                                    bounds_.begin());
+}
+
+HoldKeys Choices::keys_of(const Part& part) const {
+  return {level_of(margins_.of(part.robots)), cover_.of(balanced::small_hull(part.robots, centre_)),
+          part.ratios};
+}
+
+void Choices::set_parts(std::vector<Part> parts) { staying_ = std::move(parts); }
+
+const std::vector<LiftingPoint>& Choices::robots_of(const Trial& trial) const {
+  robots_ = part(trial.other).robots;
+  append(candidates_[trial.candidate].chord, robots_);
+  return robots_;
+}
+
+Trial Choices::trial(std::uint32_t candidate, std::uint32_t other) const {
+  constexpr double rounding = 1 + 1e-12;
+  Trial trial{candidate, other};
+  trial.coverage =
+      rounding * balanced::small_hull(robots_of(trial), centre_).area / polygon_.area();
+  return trial;
+}
+
+void Choices::sharpen(Trial& trial) const {
+  const balanced::SmallHull hull = balanced::small_hull(robots_of(trial), centre_);
+  trial.coverage =
+      trial.sharpness == 0 ? std::min(trial.coverage, coarse_cover_.most(hull)) : cover_.of(hull);
+  ++trial.sharpness;
+}
+
+bool Choices::surely_below(const Trial& trial, std::uint32_t level) {
+  const double bound = bounds_[level - 1] - slack;
+  const auto stays_below = [&](const Part& part, const Wrench& u) {
+    return std::all_of(part.wrenches.begin(), part.wrenches.end(),
+                       [&](const Wrench& w) { return u.dot(w) < bound; });
+  };
+  const Part &first = part(trial.candidate), &second = part(trial.other);
+  const auto telling =
+      std::find_if(directions_.begin(), directions_.end(), [&](const Wrench& u) {
+        return stays_below(first, u) && stays_below(second, u);
+      });
+  if (telling == directions_.end()) return false;
+  // What told of one choice tells of the next one, too.
+  std::rotate(directions_.begin(), telling, telling + 1);
+  return true;
+}
+
+void Choices::know(const Wrench& direction) {
+  if (directions_.size() == most_directions) directions_.pop_back();
+  directions_.insert(directions_.begin(), direction);
+}
+
+bool Choices::reaches(const Trial& trial, std::uint32_t level) {
+  const std::vector<Wrench> wrenches = margins_.wrenches_of(robots_of(trial));
+  if (wrenches.empty()) return false;
+  const WeakestDirection weakest = weakest_direction(wrenches);
+  if (level_of(weakest.margin) >= level) return true;
+  know(weakest.direction);
+  return false;
+}
+
+}  // namespace evenlift::exchange

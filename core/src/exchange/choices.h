@@ -1,0 +1,89 @@
+// Choices of teams on trial, and what tells quickly that one of them cannot be the best.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "balanced/coarse_cover.h"
+#include "balanced/cover.h"
+#include "evenlift/exchange.h"
+#include "grasp/margins.h"
+
+namespace evenlift::exchange {
+
+// Some teams of a choice: a candidate, or those that stay while one team is exchanged.
+struct Part {
+  std::vector<LiftingPoint> robots;
+  std::vector<Wrench> wrenches;
+  double ratios = 0;
+};
+
+// A choice on trial is made of two parts: a candidate, and what it is put to. They are numbered: the
+// candidates first, then the parts that stay.
+struct Trial {
+  std::uint32_t candidate = 0, other = 0;
+  double coverage = 0;          // or an upper bound
+  std::uint8_t sharpness = 0;   // 0 and 1: bounds, 2: exact
+  std::uint8_t most_level = 3;  // its level is at most that
+  std::uint8_t least_level = 0;  // and at least that
+};
+
+class Choices {
+ public:
+  // The polygon and the candidates must outlive it. O(K log n).
+  Choices(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
+          double min_margin);
+
+  // The teams on these candidates, but the one numbered `without`.
+  Part part_of(const std::vector<std::uint32_t>& taken,
+               std::optional<std::size_t> without = std::nullopt) const;
+
+  HoldKeys keys_of(const Part& part) const;
+
+  // The number of candidates, and of parts that stay.
+  std::uint32_t size() const { return static_cast<std::uint32_t>(parts_.size()); }
+  std::uint32_t parts() const { return static_cast<std::uint32_t>(staying_.size()); }
+
+  // Replaces the parts that stay.
+  void set_parts(std::vector<Part> parts);
+
+  // A trial with a first bound of its coverage. O(robots).
+  Trial trial(std::uint32_t candidate, std::uint32_t other) const;
+
+  // Makes what is known of the coverage sharper.
+  void sharpen(Trial& trial) const;
+
+  // Whether the level of the trial, above 0, is surely below `level`: in a direction that is known it
+  // reaches less far.
+  bool surely_below(const Trial& trial, std::uint32_t level);
+
+  // Whether it reaches that level. If not, the direction in which it is weakest becomes known.
+  bool reaches(const Trial& trial, std::uint32_t level);
+
+  double ratios(const Trial& trial) const {
+    return part(trial.candidate).ratios + part(trial.other).ratios;
+  }
+
+ private:
+  const Part& part(std::uint32_t number) const {
+    return number < parts_.size() ? parts_[number] : staying_[number - parts_.size()];
+  }
+  std::uint32_t level_of(const std::optional<double>& margin) const;
+  const std::vector<LiftingPoint>& robots_of(const Trial& trial) const;
+  void know(const Wrench& direction);
+
+  const Polygon& polygon_;
+  const std::vector<Candidate>& candidates_;
+  Vec2 centre_;
+  std::array<double, 3> bounds_;  // of the levels 1 to 3, ascending
+  balanced::CoarseCover coarse_cover_;
+  balanced::Cover cover_;
+  Margins margins_;
+  std::vector<Part> parts_;    // of the candidates
+  std::vector<Part> staying_;  // the others
+  std::vector<Wrench> directions_;  // in which choices are weak, what told last first
+  mutable std::vector<LiftingPoint> robots_;  // of one trial after another
+};
+
+}  // namespace evenlift::exchange

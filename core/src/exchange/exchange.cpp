@@ -1,0 +1,188 @@
+#include "evenlift/exchange.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "evenlift/selection.h"
+#include "evenlift/tolerance.h"
+#include "exchange/keys.h"
+#include "exchange/rounds.h"
+
+namespace evenlift {
+namespace {
+
+using exchange::best_level;
+using exchange::Better;
+using exchange::Choices;
+using exchange::Part;
+using exchange::Trial;
+
+// The candidates in such an order that a team which keeps its candidate keeps its number.
+std::vector<std::uint32_t> arranged(const std::vector<std::uint32_t>& before,
+                                    std::vector<std::uint32_t> after) {
+  for (std::size_t team = 0; team < before.size(); ++team) {
+    const auto same = std::find(after.begin(), after.end(), before[team]);
+    if (same != after.end()) std::swap(*same, after[team]);
+  }
+  return after;
+}
+
+class Exchanger {
+ public:
+  Exchanger(Choices& choices, std::vector<std::uint32_t> start) : choices_(choices) {
+    history_.keys = keys_ = choices_.keys_of(choices_.part_of(start));
+    history_.start = taken_ = std::move(start);
+  }
+
+  ExchangeHistory run() {
+    if (taken_.size() == 2 && choices_.size() <= most_candidates_for_pairs) try_pairs();
+    make_exchanges();
+    // One team fewer may hold where these do not.
+    if (keys_.level < best_level && taken_.size() >= 2 && try_one_more()) make_exchanges();
+    return std::move(history_);
+  }
+
+ private:
+  // Exchanges until no exchange makes the choice better.
+  void make_exchanges() {
+    const std::size_t most_rounds = 4 * taken_.size();
+    history_.settled = false;
+    while (!history_.settled && rounds_ < most_rounds && history_.tried <= most_exchanges) {
+      history_.settled = !try_exchanges();
+      ++rounds_;
+    }
+  }
+
+  // Two teams go to the best pair of candidates, if it is better.
+  void try_pairs() {
+    choices_.set_parts({});
+    std::vector<Trial> trials;
+    for (std::uint32_t a = 0; a < choices_.size(); ++a)
+      for (std::uint32_t b = a + 1; b < choices_.size(); ++b)
+        trials.push_back(choices_.trial(a, b));
+    if (const auto best = find(std::move(trials)))
+      take(*best, arranged(taken_, {best->trial.candidate, best->trial.other}), ExchangeKind::pair);
+  }
+
+  // Makes the best exchange. Returns whether there was one.
+  bool try_exchanges() {
+    std::vector<Part> parts;
+    for (std::size_t team = 0; team < taken_.size(); ++team)
+      parts.push_back(choices_.part_of(taken_, team));
+    choices_.set_parts(std::move(parts));
+    const auto best = find(with_others(taken_));
+    if (!best) return false;
+    std::vector<std::uint32_t> taken = taken_;
+    taken[best->trial.other - choices_.size()] = best->trial.candidate;
+    take(*best, std::move(taken), ExchangeKind::single);
+    return true;
+  }
+
+  // All teams go to the best of what one team fewer comes to, with one more. Returns whether that is
+  // better.
+  bool try_one_more() {
+    Exchanger fewer(choices_, {history_.start.begin(), history_.start.end() - 1});
+    const ExchangeHistory history = fewer.run();
+    history_.tried += history.tried;
+    std::vector<std::uint32_t> taken = history.taken();
+    std::vector<Part> parts;
+    parts.push_back(choices_.part_of(taken));
+    choices_.set_parts(std::move(parts));
+    const auto best = find(with_others(taken));
+    if (!best) return false;
+    taken.push_back(best->trial.candidate);
+    take(*best, arranged(taken_, std::move(taken)), ExchangeKind::one_more);
+    return true;
+  }
+
+  // Each candidate that is not taken, with each of the parts that stay.
+  std::vector<Trial> with_others(const std::vector<std::uint32_t>& taken) const {
+    std::vector<char> is_taken(choices_.size());
+    for (const std::uint32_t candidate : taken) is_taken[candidate] = 1;
+    std::vector<Trial> trials;
+    for (std::uint32_t candidate = 0; candidate < choices_.size(); ++candidate)
+      for (std::uint32_t part = 0; is_taken[candidate] == 0 && part < choices_.parts(); ++part)
+        trials.push_back(choices_.trial(candidate, choices_.size() + part));
+    return trials;
+  }
+
+  std::optional<Better> find(std::vector<Trial> trials) {
+    history_.tried += trials.size();
+    return exchange::best_trial(choices_, std::move(trials), keys_);
+  }
+
+  void take(const Better& best, std::vector<std::uint32_t> taken, ExchangeKind kind) {
+    std::vector<std::uint32_t> teams;
+    for (std::uint32_t team = 0; team < taken.size(); ++team)
+      if (taken[team] != taken_[team]) teams.push_back(team);
+    taken_ = taken;
+    keys_ = best.keys;
+    history_.exchanges.push_back(
+        {kind, std::move(teams), std::move(taken), best.keys, best.decided_by});
+  }
+
+  Choices& choices_;
+  std::vector<std::uint32_t> taken_;
+  HoldKeys keys_;
+  std::size_t rounds_ = 0;
+  ExchangeHistory history_;
+};
+
+}  // namespace
+
+std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b) {
+  if (a.level != b.level) return a.level > b.level ? std::optional(HoldKey::level) : std::nullopt;
+  if (a.coverage > b.coverage + exchange::coverage_tie) return HoldKey::coverage;
+  if (b.coverage > a.coverage + exchange::coverage_tie) return std::nullopt;
+  return a.ratios > b.ratios + tau ? std::optional(HoldKey::ratios) : std::nullopt;
+}
+
+HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
+                   const std::vector<Candidate>& candidates,
+                   const std::vector<std::uint32_t>& taken, double min_margin) {
+  const Choices choices(polygon, centre, candidates, min_margin);
+  return choices.keys_of(choices.part_of(taken));
+}
+
+std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams) {
+  const std::size_t placed = teams < candidates ? teams : candidates;
+  if (placed == candidates) return std::nullopt;
+  const auto refused = [](std::string why) {
+    return InputError{ErrorCode::bad_setting, std::move(why), {Place::Kind::option, 0, 0, "goal"}};
+  };
+  if (placed > most_exchanged_teams)
+    return refused("at most " + std::to_string(most_exchanged_teams) +
+                   " teams can be exchanged so that they hold, not " + std::to_string(placed));
+  if (static_cast<std::uint64_t>(placed) * candidates > most_exchanges)
+    return refused("the object has " + std::to_string(candidates) +
+                   " candidates, too many to exchange " + std::to_string(placed) +
+                   " teams among them so that they hold; raise the minimum load ratio");
+  return std::nullopt;
+}
+
+ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
+                               const std::vector<Candidate>& candidates,
+                               std::vector<std::uint32_t> start, double min_margin) {
+  if (start.size() == candidates.size() || start.empty()) {
+    ExchangeHistory history;
+    if (!start.empty() && start.size() <= most_exchanged_teams)
+      history.keys = hold_keys(polygon, centre, candidates, start, min_margin);
+    history.start = std::move(start);
+    history.settled = true;
+    return history;
+  }
+  Choices choices(polygon, centre, candidates, min_margin);
+  return Exchanger(choices, std::move(start)).run();
+}
+
+std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
+                                             const std::vector<Candidate>& candidates,
+                                             const Settings& settings, std::size_t teams) {
+  std::vector<std::uint32_t> taken = select_teams(polygon, centre, candidates, settings.method,
+                                                  teams, first_team(settings.positions));
+  if (!exchanges_teams(settings)) return taken;
+  return exchange_teams(polygon, centre, candidates, std::move(taken), settings.min_margin).taken();
+}
+
+}  // namespace evenlift

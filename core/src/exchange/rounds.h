@@ -1,0 +1,21 @@
+// One round: the best of all choices on trial.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "exchange/choices.h"
+
+namespace evenlift::exchange {
+
+struct Better {
+  Trial trial;
+  HoldKeys keys;
+  HoldKey decided_by = HoldKey::level;
+};
+
+// The best of the trials that are better than what is there, or nothing if none is. Trials are in their
+// order of preference.
+std::optional<Better> best_trial(Choices& choices, std::vector<Trial> trials, const HoldKeys& now);
+
+}  // namespace evenlift::exchange

@@ -1,0 +1,173 @@
+#include "evenlift/optimum.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "evenlift/hull.h"
+#include "evenlift/stability.h"
+#include "evenlift/tolerance.h"
+#include "exchange/rounds.h"
+#include "optimum/rings.h"
+
+namespace evenlift {
+namespace {
+
+using optimum::Ring;
+using optimum::Triangles;
+
+constexpr double rounding = 1e-12;  // of sums of shares
+
+double coverage_of(const Polygon& polygon, const std::vector<Candidate>& candidates,
+                   const std::vector<std::uint32_t>& taken) {
+  Points ends;
+  for (const std::uint32_t i : taken)
+    for (const LiftingPoint& end : {candidates[i].chord.r1, candidates[i].chord.r2})
+      ends.push_back(end.position);
+  return coverage(polygon, convex_hull(std::move(ends), near_distance(polygon.diagonal())));
+}
+
+// The chords of the ends, filled up with those of the start and then with any, to so many.
+std::vector<std::uint32_t> chords_of(const Triangles& triangles, const Ring& ring,
+                                     const std::vector<std::uint32_t>& start, std::size_t teams) {
+  std::vector<std::uint32_t> chords;
+  const auto add = [&](std::uint32_t chord) {
+    if (std::find(chords.begin(), chords.end(), chord) == chords.end()) chords.push_back(chord);
+  };
+  for (const std::uint32_t end : ring.ends) add(triangles.chord_of(end));
+  for (const std::uint32_t chord : start)
+    if (chords.size() < teams) add(chord);
+  for (std::uint32_t chord = 0; chord < triangles.chords() && chords.size() < teams; ++chord)
+    add(chord);
+  std::sort(chords.begin(), chords.end());
+  return chords;
+}
+
+class Widest {
+ public:
+  Widest(const Polygon& polygon, const std::vector<Candidate>& candidates, std::size_t teams,
+         std::vector<std::uint32_t> start)
+      : polygon_(polygon), candidates_(candidates), teams_(teams), start_(std::move(start)) {
+    take(start_);
+    bound_by_all();
+  }
+
+  void search(const Vec2& centre, const Stop& stop) {
+    if (teams_ >= candidates_.size() || teams_ == 0) {
+      best_.bound = best_.coverage;
+    } else if (candidates_.size() <= most_candidates_bounded) {
+      bound_by_rings(Triangles(polygon_, centre, candidates_), stop);
+    }
+    best_.proved = best_.coverage >= best_.bound - coverage_slack;
+  }
+
+  Optimum result() && { return std::move(best_); }
+
+ private:
+  static constexpr double coverage_slack = 1e-9;
+
+  void take(std::vector<std::uint32_t> chords) {
+    const double covers = coverage_of(polygon_, candidates_, chords);
+    if (!best_.taken.empty() && covers <= best_.coverage) return;
+    std::sort(chords.begin(), chords.end());
+    best_.taken = std::move(chords);
+    best_.coverage = covers;
+  }
+
+  // No choice covers more than all candidates do.
+  void bound_by_all() {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);
+    best_.bound = coverage_of(polygon_, candidates_, all) + rounding;
+  }
+
+  void bound_by_rings(const Triangles& triangles, const Stop& stop) {
+    const auto teams = static_cast<std::uint32_t>(teams_);
+    const bool exact = candidates_.size() <= most_candidates_proved;
+    const auto one = optimum::best_ring(triangles, teams, stop);
+    const auto both = !one    ? std::nullopt
+                      : exact ? optimum::best_ring_of_chords(triangles, teams, stop)
+                              : optimum::best_ring_by_sides(triangles, teams, stop);
+    for (const auto& ring : {one, both}) {
+      if (!ring) continue;
+      const std::vector<std::uint32_t> chords = chords_of(triangles, *ring, start_, teams_);
+      if (chords.size() == teams_) take(chords);
+    }
+    if (!both) return;
+    best_.bound = std::min(best_.bound, std::max(one->share, both->share) + rounding);
+    best_.bound = std::max(best_.bound, best_.coverage);
+  }
+
+  const Polygon& polygon_;
+  const std::vector<Candidate>& candidates_;
+  std::size_t teams_;
+  std::vector<std::uint32_t> start_;
+  Optimum best_;
+};
+
+// Calls visit(subset) for each subset of `size` of the numbers below `all`, in lexicographic order.
+template <class Visit>
+void for_each_subset(std::uint32_t all, std::size_t size, Visit visit) {
+  std::vector<std::uint32_t> subset(size);
+  for (std::uint32_t i = 0; i < size; ++i) subset[i] = i;
+  while (true) {
+    visit(subset);
+    std::size_t i = size;
+    while (i > 0 && subset[i - 1] == all - static_cast<std::uint32_t>(size - (i - 1))) --i;
+    if (i == 0) return;
+    ++subset[i - 1];
+    for (; i < size; ++i) subset[i] = subset[i - 1] + 1;
+  }
+}
+
+// The number of choices, but no more than a limit and one.
+std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t limit) {
+  double number = 1;
+  for (std::size_t i = 0; i < size; ++i)
+    number = number * static_cast<double>(all - i) / static_cast<double>(i + 1);
+  return number > static_cast<double>(limit) ? limit + 1 : static_cast<std::uint64_t>(number + 0.5);
+}
+
+}  // namespace
+
+Optimum widest_choice(const Polygon& polygon, const Vec2& centre,
+                      const std::vector<Candidate>& candidates, std::size_t teams,
+                      const std::vector<std::uint32_t>& start, const Stop& stop) {
+  Widest widest(polygon, candidates, std::min(teams, candidates.size()), start);
+  widest.search(centre, stop);
+  return std::move(widest).result();
+}
+
+std::optional<FirmestChoice> firmest_choice(const Polygon& polygon, const Vec2& centre,
+                                            const std::vector<Candidate>& candidates,
+                                            std::size_t teams,
+                                            const std::vector<std::uint32_t>& start,
+                                            double min_margin) {
+  if (start.empty() || start.size() > most_exchanged_teams) return std::nullopt;
+  exchange::Choices choices(polygon, centre, candidates, min_margin);
+  FirmestChoice best{start, choices.keys_of(choices.part_of(start))};
+  if (teams >= candidates.size()) return best;
+  if (count_choices(candidates.size(), teams, most_choices) > most_choices) return std::nullopt;
+  // All teams but the last make a part that stays.
+  std::vector<exchange::Part> parts;
+  std::vector<std::vector<std::uint32_t>> of_part;
+  for_each_subset(choices.size(), teams - 1, [&](const std::vector<std::uint32_t>& subset) {
+    if (!subset.empty() && subset.back() + 1 == choices.size()) return;
+    parts.push_back(choices.part_of(subset));
+    of_part.push_back(subset);
+  });
+  choices.set_parts(std::move(parts));
+  std::vector<exchange::Trial> trials;
+  for (std::uint32_t part = 0; part < of_part.size(); ++part)
+    for (std::uint32_t last = of_part[part].empty() ? 0 : of_part[part].back() + 1;
+         last < choices.size(); ++last)
+      trials.push_back(choices.trial(last, choices.size() + part));
+  if (const auto found = exchange::best_trial(choices, std::move(trials), best.keys)) {
+    best.taken = of_part[found->trial.other - choices.size()];
+    best.taken.push_back(found->trial.candidate);
+    best.keys = found->keys;
+  }
+  std::sort(best.taken.begin(), best.taken.end());
+  return best;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,35 @@
+#include "optimum/triangles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polygon/clip.h"
+
+namespace evenlift::optimum {
+namespace {
+
+// Of a ring about C at the origin, the area within the triangle of C, a and b.
+double area_within(const Points& ring, const Vec2& a, const Vec2& b) {
+  if (!(cross(a, b) > 0)) return 0;
+  return std::fabs(area_left_of_both(clip_left(ring, a, b), b, Vec2::Zero(), a));
+}
+
+}  // namespace
+
+Triangles::Triangles(const Polygon& polygon, const Vec2& centre,
+                     const std::vector<Candidate>& candidates)
+    : chords_(static_cast<std::uint32_t>(candidates.size())) {
+  Points ring, ends(2 * candidates.size());
+  for (const Vec2& v : polygon.vertices()) ring.push_back(v - centre);
+  for (std::uint32_t i = 0; i < chords_; ++i) {
+    ends[i] = candidates[i].chord.r2.position - centre;
+    ends[chords_ + i] = candidates[i].chord.r1.position - centre;
+  }
+  shares_.assign(ends.size() * (chords_ + std::size_t{1}), 0);
+  for (std::uint32_t from = 0; from < ends.size(); ++from)
+    for (std::uint32_t steps = 1; steps < chords_; ++steps)
+      shares_[from * (chords_ + std::size_t{1}) + steps] =
+          area_within(ring, ends[from], ends[(from + steps) % ends.size()]) / polygon.area();
+}
+
+}  // namespace evenlift::optimum

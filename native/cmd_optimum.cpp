@@ -1,0 +1,158 @@
+#include <chrono>
+#include <cmath>
+
+#include "commands.h"
+#include "evenlift/numbers.h"
+#include "evenlift/optimum.h"
+#include "evenlift/output/words.h"
+#include "evenlift/placement.h"
+#include "options.h"
+#include "shapes.h"
+
+namespace evenlift::native {
+namespace {
+
+constexpr double usual_time_limit_s = 10, longest_time_limit_s = 86400;
+
+double time_limit_option(const std::optional<std::string>& text) {
+  if (!text) return usual_time_limit_s;
+  const std::optional<double> seconds = read_number(*text);
+  if (!seconds || !(*seconds > 0 && *seconds <= longest_time_limit_s))
+    throw Failure{
+        bad_input_status, "--time-limit",
+        "the time limit is a number of seconds above 0 and up to 86400, not \"" + *text + "\""};
+  return *seconds;
+}
+
+// What is compared.
+struct Compared {
+  Placement greedy;
+  Optimum widest;
+  std::optional<FirmestChoice> firmest;  // with the goal to hold
+};
+
+Placement greedy_placement(const Input& input, const SettingOptions& options) {
+  Document document = input.document;
+  document.settings.goal.reset();
+  if (!selects_candidates(document.settings.method))
+    throw Failure{
+        bad_input_status, "--metric",
+        "the optimum is of area, circle and distance, which choose among candidates, not of " +
+            std::string(name(document.settings.method))};
+  const Result<Placement> placement = place(document);
+  if (!placement) throw options.failure(input.source, placement.error());
+  return *placement;
+}
+
+Compared compare(const Placement& greedy, bool holds, double seconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  const Stop stop = [&] { return std::chrono::steady_clock::now() >= end; };
+  Compared compared{greedy,
+                    widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
+                                  greedy.requested_teams, greedy.team_candidates, stop),
+                    {}};
+  if (holds)
+    compared.firmest =
+        firmest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
+                       greedy.requested_teams, greedy.team_candidates, greedy.settings.min_margin);
+  return compared;
+}
+
+// The placement with these candidates in place of its own.
+std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
+  std::string text;
+  for (const std::uint32_t i : taken) text += (text.empty() ? "" : ", ") + std::to_string(i + 1);
+  return text.empty() ? "none" : text;
+}
+
+std::string gap_in_words(double best, double greedy) {
+  const double points = 100 * std::max(0.0, best - greedy);
+  return plain(std::round(points * 100) / 100) + " points";
+}
+
+std::string for_people(const Compared& compared) {
+  const Placement& greedy = compared.greedy;
+  const Optimum& widest = compared.widest;
+  std::string text = count_of(greedy.teams.size(), "team", "teams") + " among " +
+                     count_of(greedy.candidates.size(), "candidate", "candidates") + ".\n\n";
+  text += "  Greedy, by " + std::string(name(greedy.settings.method)) + "   covers " +
+          percentage(greedy.coverage, 2) + "   candidates " +
+          candidates_in_words(greedy.team_candidates) + "\n";
+  text += std::string("  ") + (widest.proved ? "The optimum" : "The best found") + "   covers " +
+          percentage(widest.coverage, 2) + "   candidates " + candidates_in_words(widest.taken) +
+          "\n";
+  text += widest.proved ? "  It is proved: no choice of so many teams covers more.\n"
+                        : "  It is not proved: no choice covers more than " +
+                              percentage(widest.bound, 2) + ".\n";
+  text +=
+      "  The greedy choice is " + gap_in_words(widest.coverage, greedy.coverage) + " behind it.\n";
+  if (const auto& firmest = compared.firmest)
+    text +=
+        "\n  To hold           covers " + percentage(firmest->keys.coverage, 2) + "   candidates " +
+        candidates_in_words(firmest->taken) + "\n  " +
+        (firmest->keys.level > 0
+             ? "It holds the object, and of all choices it is the best one by hold, coverage and load ratios.\n"
+             : "No choice of so many teams holds the object.\n");
+  return text;
+}
+
+std::string numbers_from_0(const std::vector<std::uint32_t>& taken) {
+  std::string text;
+  for (const std::uint32_t i : taken) text += (text.empty() ? "" : ", ") + std::to_string(i);
+  return "[" + text + "]";
+}
+
+std::string as_json(const Compared& compared) {
+  const Placement& greedy = compared.greedy;
+  const Optimum& widest = compared.widest;
+  std::string text = "{\n  \"teams\": " + std::to_string(greedy.teams.size()) +
+                     ",\n  \"candidates\": " + std::to_string(greedy.candidates.size()) +
+                     ",\n  \"greedy\": {\"taken\": " + numbers_from_0(greedy.team_candidates) +
+                     ", \"coverage\": " + shortest(greedy.coverage) +
+                     "},\n  \"optimum\": {\"taken\": " + numbers_from_0(widest.taken) +
+                     ", \"coverage\": " + shortest(widest.coverage) +
+                     ", \"bound\": " + shortest(widest.bound) +
+                     ", \"proved\": " + (widest.proved ? "true" : "false") + "}";
+  if (const auto& firmest = compared.firmest)
+    text += ",\n  \"hold\": {\"taken\": " + numbers_from_0(firmest->taken) +
+            ", \"level\": " + std::to_string(firmest->keys.level) +
+            ", \"coverage\": " + shortest(firmest->keys.coverage) + "}";
+  return text + "\n}\n";
+}
+
+}  // namespace
+
+void cmd_optimum(const Arguments& arguments) {
+  CommandLine line(
+      "evenlift optimum", "How far the greedy choice of teams is from the best one that there is.",
+      "Among up to 160 candidates the widest base is proved to be the best; with more there is a\n"
+      "bound. With --goal hold all choices are compared, up to 4,194,304 of them.\n\n"
+      "Example:\n  evenlift optimum table.txt --teams 2\n");
+  std::string file;
+  SettingOptions options;
+  ShapeOptions shapes;
+  std::optional<std::string> time_limit;
+  bool json = false;
+  line.positional(file, "FILE", "the polygon");
+  options.declare(line);
+  shapes.declare(line);
+  line.value(time_limit, "--time-limit", "S",
+             "seconds after which the bound is left as it is (default 10)");
+  line.flag(json, "--json", "one JSON object instead of sentences");
+  if (!line.parse(arguments)) return;
+  const double seconds = time_limit_option(time_limit);
+  Input input = read_input(file, shapes);
+  options.apply(input.document);
+  const bool holds = goal_of(input.document.settings) == Goal::hold;
+  const Placement greedy = greedy_placement(input, options);
+  const Compared compared = compare(greedy, holds, seconds);
+  if (holds && !compared.firmest && !greedy.teams.empty())
+    throw Failure{bad_input_status, "--goal",
+                  "there are more than 4194304 choices of " +
+                      count_of(greedy.teams.size(), "team", "teams") + " among " +
+                      count_of(greedy.candidates.size(), "candidate", "candidates") +
+                      ": too many to compare"};
+  write_output(json ? as_json(compared) : for_people(compared));
+}
+
+}  // namespace evenlift::native

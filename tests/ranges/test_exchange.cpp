@@ -1,0 +1,228 @@
+// Teams that are exchanged until they hold: what holds of every result, and brute force.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "evenlift/closure.h"
+#include "evenlift/exchange.h"
+#include "evenlift/hull.h"
+#include "evenlift/placement.h"
+#include "evenlift/selection.h"
+#include "evenlift/settings_text.h"
+#include "evenlift/tolerance.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/metrics.h"
+#include "kit/placed.h"
+#include "shapes/problem_document.h"
+#include "shapes/small_polygons.h"
+
+using namespace evenlift;
+using evenlift::testing::placed;
+
+namespace {
+
+constexpr double usual_margin = 0.05;
+
+Document to_hold(Document document, std::uint32_t teams, Positions positions) {
+  document.settings.teams = teams;
+  document.settings.goal = Goal::hold;
+  document.settings.positions = positions;
+  return document;
+}
+
+// The keys of a choice by the functions that every placement is described with, not by the search's.
+HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::uint32_t>& taken,
+                            double min_margin) {
+  std::vector<LiftingPoint> points;
+  Points positions;
+  HoldKeys keys;
+  for (const std::uint32_t i : taken) {
+    const Chord& chord = placement.candidates[i].chord;
+    for (const LiftingPoint& point : {chord.r1, chord.r2}) {
+      points.push_back(point);
+      positions.push_back(point.position);
+    }
+    keys.ratios += chord.ratio;
+  }
+  const Closure closure = analyse_closure(placement.polygon, placement.centre_of_mass, points);
+  for (const double bound : {0.001, 0.4 * min_margin, min_margin})
+    if (closure.margin && *closure.margin >= bound) ++keys.level;
+  keys.coverage = coverage(placement.polygon,
+                           convex_hull(positions, near_distance(placement.polygon.diagonal())));
+  return keys;
+}
+
+// Whether a is better than b, by more than the two ways to compute keys differ by.
+bool clearly_better(const HoldKeys& a, const HoldKeys& b) {
+  if (a.level != b.level) return a.level > b.level;
+  if (std::fabs(a.coverage - b.coverage) > 2e-9) return a.coverage > b.coverage;
+  if (std::fabs(a.coverage - b.coverage) > 0.5e-9) return false;  // perhaps a tie
+  return a.ratios > b.ratios + 2 * tau;
+}
+
+// A margin so near to a bound that rounding could tip the level.
+bool is_doubtful(const Placement& placement, const std::vector<std::uint32_t>& taken) {
+  std::vector<LiftingPoint> points;
+  for (const std::uint32_t i : taken) {
+    points.push_back(placement.candidates[i].chord.r1);
+    points.push_back(placement.candidates[i].chord.r2);
+  }
+  const auto margin = analyse_closure(placement.polygon, placement.centre_of_mass, points).margin;
+  const auto near = [&](double bound) { return margin && std::fabs(*margin - bound) < 1e-9; };
+  return near(0.001) || near(0.4 * usual_margin) || near(usual_margin);
+}
+
+template <class Visit>
+void for_each_exchange(const Placement& placement, Visit visit) {
+  const std::vector<std::uint32_t>& taken = placement.team_candidates;
+  for (std::uint32_t c = 0; c < placement.candidates.size(); ++c) {
+    if (std::find(taken.begin(), taken.end(), c) != taken.end()) continue;
+    for (std::size_t team = 0; team < taken.size(); ++team) {
+      std::vector<std::uint32_t> exchanged = taken;
+      exchanged[team] = c;
+      visit(exchanged);
+    }
+  }
+}
+
+// What holds of any teams that are to hold.
+void check_result(const Placement& placement) {
+  const HoldKeys keys = keys_by_definition(placement, placement.team_candidates, usual_margin);
+  CHECK(keys.coverage == Approx(placement.coverage).margin(1e-9));
+  CHECK(placement.goal_reached == placement.closure.form_closure);
+  std::vector<std::uint32_t> sorted = placement.team_candidates;
+  std::sort(sorted.begin(), sorted.end());
+  CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
+
+  const auto start = select_teams(placement.polygon, placement.centre_of_mass, placement.candidates,
+                                  placement.settings.method, placement.requested_teams,
+                                  first_team(placement.settings.positions));
+  REQUIRE(start.size() == placement.team_candidates.size());
+  CHECK_FALSE(clearly_better(keys_by_definition(placement, start, usual_margin), keys));
+  for_each_exchange(placement, [&](const std::vector<std::uint32_t>& exchanged) {
+    if (clearly_better(keys_by_definition(placement, exchanged, usual_margin), keys))
+      CHECK(is_doubtful(placement, exchanged));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("teams that are exchanged are never worse than their start, and no exchange is left",
+          "[exchange]") {
+  int closed = 0, placed_at_all = 0;
+  const auto metrics = testing::metrics();
+  for (std::uint64_t number = 0; number < 2500; ++number) {
+    Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
+    document.settings.min_ratio = 0.8;
+    document.settings.method = metrics[number % metrics.size()];
+    const auto positions = number % 2 == 0 ? Positions::best : Positions::range;
+    const auto placement =
+        place(to_hold(document, static_cast<std::uint32_t>(2 + number % 3), positions));
+    if (!placement || placement->teams.empty()) continue;
+    INFO("case " << number);
+    if (placement->candidates.size() <= 60) check_result(*placement);
+    ++placed_at_all;
+    if (placement->goal_reached) ++closed;
+  }
+  CHECK(placed_at_all > 2000);
+  CHECK(closed > placed_at_all / 2);
+}
+
+TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchange]") {
+  int compared = 0;
+  for (std::uint64_t number = 0; number < 4000; ++number) {
+    Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
+    document.settings.min_ratio = 0.8;
+    const auto placement = place(to_hold(document, 2, Positions::best));
+    if (!placement || placement->teams.size() < 2 || placement->candidates.size() > 12) continue;
+    INFO("case " << number);
+    ++compared;
+    const HoldKeys keys = keys_by_definition(*placement, placement->team_candidates, usual_margin);
+    for (std::uint32_t a = 0; a < placement->candidates.size(); ++a)
+      for (std::uint32_t b = a + 1; b < placement->candidates.size(); ++b)
+        if (clearly_better(keys_by_definition(*placement, {a, b}, usual_margin), keys))
+          CHECK(is_doubtful(*placement, {a, b}));
+  }
+  CHECK(compared > 1000);
+}
+
+TEST_CASE("one team more never loses the hold of the samples", "[exchange]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    for (const Positions positions : {Positions::best, Positions::range}) {
+      bool closed = false;
+      std::uint32_t level = 0;
+      for (std::uint32_t teams = 1; teams <= 5; ++teams) {
+        const Placement placement = placed(to_hold(corpus::polygon(name), teams, positions));
+        const std::uint32_t now =
+            keys_by_definition(placement, placement.team_candidates, usual_margin).level;
+        CHECK(now >= level);
+        CHECK(placement.closure.form_closure >= closed);
+        closed = placement.closure.form_closure;
+        level = now;
+      }
+    }
+  }
+}
+
+TEST_CASE("a square in ranges is held by two teams, and by its four best places never",
+          "[exchange]") {
+  Document square;
+  square.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  CHECK_FALSE(placed(to_hold(square, 2, Positions::best)).goal_reached);
+  const Placement placement = placed(to_hold(square, 4, Positions::range));
+  CHECK(placement.goal_reached);
+  CHECK(*placement.closure.margin > 0.05);
+}
+
+TEST_CASE("the story of the exchanges leads from the start to the result", "[exchange]") {
+  int exchanges = 0, jumps = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    const Placement placement = placed(to_hold(corpus::polygon(name), 3, Positions::range));
+    if (placement.teams.size() < 3) continue;
+    const auto start = select_teams(placement.polygon, placement.centre_of_mass,
+                                    placement.candidates, Method::area, 3, FirstTeam::longest);
+    const ExchangeHistory history = exchange_teams(placement.polygon, placement.centre_of_mass,
+                                                   placement.candidates, start, usual_margin);
+    CHECK(history.start == start);
+    CHECK(history.taken() == placement.team_candidates);
+    CHECK(history.settled);
+    HoldKeys keys = history.keys;
+    std::vector<std::uint32_t> taken = start;
+    for (const Exchange& exchange : history.exchanges) {
+      ++exchanges;
+      CHECK(better_by(exchange.keys, keys) == exchange.decided_by);
+      for (std::uint32_t team = 0; team < taken.size(); ++team) {
+        const bool moved =
+            std::find(exchange.teams.begin(), exchange.teams.end(), team) != exchange.teams.end();
+        CHECK(moved == (exchange.taken[team] != taken[team]));
+      }
+      if (exchange.kind == ExchangeKind::single) CHECK(exchange.teams.size() == 1);
+      if (exchange.kind == ExchangeKind::one_more) ++jumps;
+      taken = exchange.taken;
+      keys = exchange.keys;
+    }
+  }
+  CHECK(exchanges > 100);
+  CHECK(jumps > 0);
+}
+
+TEST_CASE("what cannot be exchanged is refused, with the reason", "[exchange]") {
+  Settings settings;
+  settings.goal = Goal::hold;
+  CHECK_FALSE(check_settings(settings));
+  for (const Method method : {Method::distributed, Method::random}) {
+    settings.method = method;
+    REQUIRE(check_settings(settings));
+    CHECK(check_settings(settings)->place.option == "goal");
+  }
+  CHECK_FALSE(check_exchanges(100, most_exchanged_teams));
+  CHECK(check_exchanges(100, most_exchanged_teams + 1)->place.option == "goal");
+  CHECK_FALSE(check_exchanges(100, 100));
+  CHECK(check_exchanges(most_exchanges, 2)->place.option == "goal");
+  // All candidates are placed where more teams are asked for than there are.
+  const Placement all = placed(to_hold(corpus::polygon("labyrinth"), 1'000'000, Positions::best));
+  CHECK(all.teams.size() == all.candidates.size());
+}

@@ -1,0 +1,139 @@
+// The best choice of teams, against brute force over all of them.
+#include <algorithm>
+#include <string>
+
+#include "evenlift/hull.h"
+#include "evenlift/optimum.h"
+#include "evenlift/placement.h"
+#include "evenlift/tolerance.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/placed.h"
+#include "shapes/problem_document.h"
+#include "shapes/small_polygons.h"
+
+using namespace evenlift;
+using evenlift::testing::placed;
+
+namespace {
+
+double coverage_of(const Placement& placement, const std::vector<std::uint32_t>& taken) {
+  Points ends;
+  for (const std::uint32_t i : taken)
+    for (const LiftingPoint& end :
+         {placement.candidates[i].chord.r1, placement.candidates[i].chord.r2})
+      ends.push_back(end.position);
+  return coverage(placement.polygon,
+                  convex_hull(ends, near_distance(placement.polygon.diagonal())));
+}
+
+// Every choice of so many candidates.
+template <class Visit>
+void for_each_choice(std::uint32_t all, std::size_t size, std::vector<std::uint32_t>& taken,
+                     Visit visit) {
+  if (taken.size() == size) return visit(taken);
+  for (std::uint32_t i = taken.empty() ? 0 : taken.back() + 1; i < all; ++i) {
+    taken.push_back(i);
+    for_each_choice(all, size, taken, visit);
+    taken.pop_back();
+  }
+}
+
+std::uint64_t choices(std::size_t all, std::size_t size) {
+  std::uint64_t number = 1;
+  for (std::size_t i = 0; i < size; ++i) number = number * (all - i) / (i + 1);
+  return number;
+}
+
+double widest_by_force(const Placement& placement, std::size_t teams) {
+  double widest = 0;
+  std::vector<std::uint32_t> taken;
+  for_each_choice(
+      static_cast<std::uint32_t>(placement.candidates.size()), teams, taken,
+      [&](const auto& each) { widest = std::max(widest, coverage_of(placement, each)); });
+  return widest;
+}
+
+Optimum optimum_of(const Placement& placement) {
+  return widest_choice(placement.polygon, placement.centre_of_mass, placement.candidates,
+                       placement.requested_teams, placement.team_candidates);
+}
+
+// Compares with brute force where there are few enough choices. Returns whether there were.
+bool compare(const Placement& placement) {
+  const std::size_t teams = placement.teams.size();
+  if (teams == 0 || teams < placement.requested_teams) return false;
+  if (choices(placement.candidates.size(), teams) > 2000) return false;
+  const Optimum optimum = optimum_of(placement);
+  CHECK(optimum.proved);
+  CHECK(optimum.taken.size() == teams);
+  CHECK(optimum.coverage == Approx(coverage_of(placement, optimum.taken)).margin(1e-12));
+  CHECK(optimum.coverage == Approx(widest_by_force(placement, teams)).margin(1e-9));
+  CHECK(optimum.coverage >= placement.coverage - 1e-12);
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("the widest choice of teams is that of brute force", "[optimum]") {
+  int compared = 0;
+  for (std::uint64_t number = 0; number < 900; ++number) {
+    Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
+    document.settings.min_ratio = 0.7;
+    document.settings.teams = static_cast<std::uint32_t>(1 + number % 4);
+    if (number % 3 == 0) document.settings.positions = Positions::range;
+    const auto placement = place(document);
+    if (!placement) continue;
+    INFO("case " << number);
+    if (compare(*placement)) ++compared;
+  }
+  CHECK(compared > 300);
+}
+
+TEST_CASE("with many candidates there is a bound, and a choice below it", "[optimum]") {
+  Document document = corpus::polygon("labyrinth");
+  document.settings.teams = 3;
+  document.settings.min_ratio = 0.6;
+  const Placement placement = placed(document);
+  REQUIRE(placement.candidates.size() > most_candidates_proved);
+  const Optimum optimum = optimum_of(placement);
+  CHECK(optimum.coverage >= placement.coverage);
+  CHECK(optimum.coverage <= optimum.bound);
+  CHECK(optimum.bound <= 1 + 1e-9);
+}
+
+TEST_CASE("bounds of many candidates are true of few, too", "[optimum]") {
+  // The two ways to bound a choice, side by side: the one is exact and the other never below it.
+  const Placement placement = placed(corpus::polygon("guitar"));
+  const Optimum optimum = optimum_of(placement);
+  CHECK(optimum.proved);
+  int asked = 0;
+  const Optimum stopped =
+      widest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
+                    placement.team_candidates, [&] { return ++asked > 3; });
+  CHECK(stopped.bound >= optimum.coverage - 1e-12);
+  CHECK(stopped.coverage <= optimum.coverage + 1e-12);
+}
+
+TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum]") {
+  int equal = 0, compared = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    Document document = corpus::polygon(name);
+    document.settings.goal = Goal::hold;
+    const Placement placement = placed(document);
+    if (placement.teams.size() < 3 || placement.candidates.size() > 40) continue;
+    const auto firmest =
+        firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
+                       placement.team_candidates, placement.settings.min_margin);
+    REQUIRE(firmest);
+    const HoldKeys keys =
+        hold_keys(placement.polygon, placement.centre_of_mass, placement.candidates,
+                  placement.team_candidates, placement.settings.min_margin);
+    CHECK_FALSE(better_by(keys, firmest->keys));
+    ++compared;
+    if (!better_by(firmest->keys, keys)) ++equal;
+  }
+  CHECK(compared > 60);
+  CHECK(equal > compared / 2);
+}

@@ -1,0 +1,124 @@
+// The steps of ranges and of exchanges of teams.
+#include <algorithm>
+#include <string>
+
+#include "evenlift/output/json.h"
+#include "evenlift/output/trace_words.h"
+#include "evenlift/placement.h"
+#include "evenlift/stability.h"
+#include "evenlift/trace.h"
+#include "evenlift/why_not.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/placed.h"
+
+using namespace evenlift;
+using evenlift::testing::placed;
+
+namespace {
+
+Trace trace_of(const std::string& name, std::uint32_t teams, Positions positions,
+               std::optional<Goal> goal) {
+  Document document = corpus::polygon(name);
+  document.settings.teams = teams;
+  document.settings.positions = positions;
+  document.settings.goal = goal;
+  Result<Trace> trace = make_trace(placed(document));
+  REQUIRE(trace.ok());
+  return *std::move(trace);
+}
+
+double number_of(const Trace& trace, const StepDetail& detail, std::string_view name) {
+  for (const Number& number : numbers(trace, detail))
+    if (number.name == name) return number.value;
+  FAIL("the step has no " << name);
+  return 0;
+}
+
+// Every step has words, figures and numbers, whatever the sample.
+void check_words(const Trace& trace) {
+  for (std::uint32_t k = 0; k < trace.size(); ++k) {
+    const StepDetail detail = look_at(trace, k);
+    INFO("step " << k << ", " << name(detail.step.kind));
+    const std::string text = caption(trace, detail);
+    CHECK_FALSE(text.empty());
+    CHECK(text.find('#') == std::string::npos);
+    CHECK(pseudo_line(trace, detail) < pseudo_code(trace.placement.settings).size());
+    for (const Figure& figure : figures(trace, detail)) {
+      CHECK_FALSE(figure.points.empty());
+      CHECK_FALSE(figure_text(trace, detail, figure).empty());
+    }
+    if (const auto asked = question(trace, detail))
+      CHECK_FALSE(question_text(trace, detail, *asked).empty());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("each range of the trace has the two candidates that it added", "[ranges][trace]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    const Trace trace = trace_of(name, 3, Positions::range, {});
+    const auto of_kind = std::count_if(
+        trace.placement.candidates.begin(), trace.placement.candidates.end(),
+        [](const Candidate& candidate) { return candidate.kind == CandidateKind::range; });
+    CHECK(static_cast<std::size_t>(of_kind) <= 2 * trace.ranges.size());
+    CHECK(trace.count(StepKind::range) == trace.ranges.size());
+    for (std::uint32_t i = 0; i < trace.ranges.size(); ++i) {
+      const RangeDetail detail = look_at_range(trace, i);
+      for (const std::uint32_t candidate : detail.candidates)
+        CHECK(candidate < trace.placement.candidates.size());
+      for (const Chord& end : detail.ends) CHECK(end.ratio >= 0.8 - 1e-9);
+    }
+    for (std::uint32_t i = 0; i < trace.placement.candidates.size(); ++i)
+      CHECK_FALSE(why_not_text(trace, why_not(trace, trace.size() - 1, i)).empty());
+  }
+}
+
+TEST_CASE("the exchanges of the trace lead from the metric's teams to the result",
+          "[exchange][trace]") {
+  std::uint32_t swaps = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    const Trace trace = trace_of(name, 3, Positions::range, Goal::hold);
+    if (trace.placement.teams.empty()) continue;
+    CHECK(trace.count(StepKind::held) == 1);
+    REQUIRE(trace.stages.size() == trace.count(StepKind::swap) + 1);
+    const std::vector<Team>& last = trace.stages.back();
+    REQUIRE(last.size() == trace.placement.teams.size());
+    for (std::size_t i = 0; i < last.size(); ++i)
+      CHECK(chord_of(last[i]).r1.position == chord_of(trace.placement.teams[i]).r1.position);
+    for (std::uint32_t i = 0; i < trace.count(StepKind::swap); ++i, ++swaps) {
+      const StepDetail detail = look_at(trace, *trace.find(StepKind::swap, i));
+      CHECK(number_of(trace, detail, "coverage") ==
+            Approx(coverage(trace.polygon, detail.base)).margin(1e-9));
+      CHECK(number_of(trace, detail, "level") >= number_of(trace, detail, "level_before"));
+      CHECK(better_by(detail.swap->after, detail.swap->before) == detail.swap->decided_by);
+    }
+    const Progress end = progress_at(trace, trace.size() - 1);
+    CHECK(end.swaps == trace.count(StepKind::swap));
+    CHECK(coverage(trace.polygon, lifting_base(trace, end)) ==
+          Approx(trace.placement.coverage).margin(1e-12));
+  }
+  CHECK(swaps > 100);
+}
+
+TEST_CASE("every step of ranges and exchanges has its words, figures and line", "[ranges][trace]") {
+  for (const char* name :
+       {"thesis-sample-centroid", "guitar", "octagon", "square", "thesis-sample"})
+    for (const std::uint32_t teams : {1u, 2u, 3u, 5u}) {
+      INFO(name << ", " << teams);
+      check_words(trace_of(name, teams, Positions::range, Goal::hold));
+      check_words(trace_of(name, teams, Positions::best, Goal::hold));
+      check_words(trace_of(name, teams, Positions::range, {}));
+    }
+}
+
+TEST_CASE("the choice of the longest candidate is told as it is made", "[ranges][trace]") {
+  const Trace trace = trace_of("guitar", 3, Positions::range, {});
+  const TeamScores scores = look_at_scores(trace, 0);
+  CHECK(scores.rule == Rule::longest);
+  CHECK(scores.ranking.front() == trace.placement.team_candidates[0]);
+  for (std::uint32_t team = 1; team < 3; ++team)
+    CHECK(look_at_scores(trace, team).ranking.front() == trace.placement.team_candidates[team]);
+}

@@ -1,0 +1,112 @@
+// Teams in their ranges, and teams that are to hold, in the view.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/update.h"
+#include "evenlift/output/words.h"
+#include "kit/catch.h"
+#include "panels/summary.h"
+#include "tools/pick.h"
+#include "view/view_page.h"
+#include "walkthrough/explain.h"
+#include "walkthrough/walkthrough.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+namespace {
+
+AppState state_in_ranges(std::optional<Goal> goal = {}) {
+  AppState state;
+  Document opened_first = document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"));
+  opened_first.settings.positions = Positions::range;
+  opened_first.settings.goal = goal;
+  start_with(state, placed(opened_first), std::nullopt);
+  return state;
+}
+
+void give(AppState& state, Command command) {
+  Commands commands;
+  commands.push_back(std::move(command));
+  apply(state, commands);
+}
+
+Vec2 place_of(const AppState& state, std::size_t team, std::size_t robot) {
+  return state.placement->teams[team].robots[robot].point.position;
+}
+
+}  // namespace
+
+TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[view][ranges]") {
+  AppState state = state_in_ranges();
+  const Pick pick{Pick::Kind::robot, 1, 0, place_of(state, 1, 0)};
+  REQUIRE(can_take_robot(state, pick));
+  const std::string before = summary(state);
+  const auto range = range_of(state.placement->polygon, state.placement->centre_of_mass,
+                              chord_of(state.placement->teams[1]), 0.8);
+  REQUIRE(range);
+  const Vec2 other = place_of(state, 0, 0), was = place_of(state, 1, 0);
+  for (const double s : {0.1, 0.5, 0.9}) {
+    const Chord wanted = chord_at(state.placement->centre_of_mass, *range, place_at(*range, s));
+    give(state, MoveRobot{2, wanted.r1.edge == state.placement->teams[1].robots[0].point.edge
+                                 ? wanted.r1.position
+                                 : wanted.r2.position});
+    REQUIRE(state.by_hand);
+    const Team& team = state.placement->teams[1];
+    CHECK(team.ratio == Approx(wanted.ratio).epsilon(1e-9));
+    CHECK(team.ratio >= 0.8 - 1e-9);
+    CHECK(team.robots[0].load + team.robots[1].load ==
+          Approx(state.placement->settings.weight / 3).epsilon(1e-12));
+    CHECK(place_of(state, 0, 0) == other);
+  }
+  CHECK_FALSE(state.history.can_undo());
+  CHECK(link_lacks_in_words(state) == "It does not hold where robots were moved by hand.");
+  CHECK(explain(state, pick).reason.empty());
+  // Far beyond an end of its range it stops there.
+  give(state, MoveRobot{2, state.placement->centre_of_mass + Vec2(1e-3, 1e6)});
+  CHECK(state.placement->teams[1].ratio >= 0.8 - 1e-9);
+  give(state, ResetRobots{});
+  CHECK_FALSE(state.by_hand);
+  CHECK(place_of(state, 1, 0) == was);
+  CHECK(summary(state) == before);
+}
+
+TEST_CASE("steps are those of teams where they were found", "[view][ranges]") {
+  AppState state = state_in_ranges();
+  const Vec2 was = place_of(state, 1, 0);
+  give(state, MoveRobot{2, was + 0.01 * (state.placement->centre_of_mass - was) + Vec2(3, 3)});
+  REQUIRE(state.by_hand);
+  give(state, OpenWalkthrough{});
+  CHECK_FALSE(state.by_hand);
+  CHECK(place_of(state, 1, 0) == was);
+  CHECK(state.walkthrough.trace->count(StepKind::range) > 3);
+}
+
+TEST_CASE("teams at their best places stay where they are", "[view][ranges]") {
+  AppState state;
+  start_with(state, placed(document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"))),
+             std::nullopt);
+  CHECK_FALSE(can_take_robot(state, {Pick::Kind::robot, 1, 0, place_of(state, 1, 0)}));
+  give(state, MoveRobot{2, state.placement->centre_of_mass});
+  CHECK_FALSE(state.by_hand);
+}
+
+TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "[view][ranges]") {
+  AppState state = state_in_ranges(Goal::hold);
+  CHECK(state.placement->goal_reached);
+  give(state, OpenWalkthrough{});
+  const Trace& trace = *state.walkthrough.trace;
+  REQUIRE(trace.count(StepKind::swap) > 0);
+  for (std::uint32_t i = 0; i < trace.count(StepKind::swap); ++i) {
+    give(state, GoToStep{*trace.find(StepKind::swap, i)});
+    CHECK(state.walkthrough.known.swaps == i + 1);
+    CHECK_FALSE(state.walkthrough.caption.empty());
+    CHECK(state.walkthrough.base.size() >= 3);
+  }
+  const std::uint32_t moved = trace.exchanges->exchanges.back().teams[0];
+  const Explanation card = explain(state, {Pick::Kind::robot, moved, 0, place_of(state, moved, 0)});
+  CHECK(card.reason.find("leaves candidate") != std::string::npos);
+}
