@@ -182,6 +182,7 @@ Document unusual() {
   document.settings.survive = 1;
   document.settings.capacity = 20;
   document.settings.com_radius = 3;
+  document.settings.units = {LengthUnit::in, WeightUnit::N};
   return document;
 }
 
