@@ -333,7 +333,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   CHECK(doubted.settings.capacity == 20.0);
   CHECK(doubted.settings.overlays.halo);
   for (const auto& records : std::vector<std::vector<std::pair<unsigned, std::string>>>{
-           {},             // version 1 holds it
+           {},              // version 1 holds it
            {{2, "cover"}},  // the usual goal of teams of two
            {{3, "0.1"}},    // of teams that are to cover
            {{6, "best"}},

@@ -158,21 +158,21 @@ std::string placement_json(const Placement& placement, bool with_candidates,
 
 std::string document_json(const Document& document) {
   const Settings& settings = document.settings;
-  return json::long_object(
-             {{"polygon", json::points(document.vertices, 1)},
-              {"centre_of_mass",
-               document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"},
-              {"teams", settings.teams ? std::to_string(*settings.teams) : json::text("max")},
-              {"metric", json::text(name(settings.method))},
-              {"min_ratio", json::number(settings.min_ratio)},
-              {"weight", json::number(settings.weight)},
-              {"seed", std::to_string(settings.seed)},
-              {"overlays", overlays_json(settings.overlays)},
-              {"step", settings.step ? std::to_string(*settings.step) : "null"},
-              {"com_radius", json::number(settings.com_radius)},
-              {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"}},
-             0) +
-         "\n";
+  std::vector<json::Member> members = {
+      {"polygon", json::points(document.vertices, 1)},
+      {"centre_of_mass", document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"},
+      {"teams", settings.teams ? std::to_string(*settings.teams) : json::text("max")},
+      {"metric", json::text(name(settings.method))},
+      {"min_ratio", json::number(settings.min_ratio)},
+      {"weight", json::number(settings.weight)},
+      {"seed", std::to_string(settings.seed)},
+      {"overlays", overlays_json(settings.overlays)},
+      {"step", settings.step ? std::to_string(*settings.step) : "null"},
+      {"com_radius", json::number(settings.com_radius)},
+      {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"}};
+  if (exchanges_teams(settings)) members.push_back({"goal", json::text(name(Goal::hold))});
+  if (settings.method != Method::balanced) add_beyond(members, settings);
+  return json::long_object(members, 0) + "\n";
 }
 
 }  // namespace evenlift
