@@ -390,6 +390,7 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
     CHECK(settings.overlays.halo ==
           (std::find(overlays.begin(), overlays.end(), "halo") != overlays.end()));
     CHECK(settings.survive == held.value("survive", 0u));
+    CHECK(name(settings.positions) == held.value("positions", "best"));
     CHECK(settings.min_margin == held.value("min_margin", 0.05));
     CHECK(settings.weight == held["weight"].get<double>());
     REQUIRE(settings.goal.has_value() == held.contains("goal"));
