@@ -348,7 +348,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   CHECK(doubted.settings.capacity == 20.0);
   CHECK(doubted.settings.overlays.halo);
   for (const auto& records : std::vector<std::vector<std::pair<unsigned, std::string>>>{
-           {},             // version 1 holds it
+           {},              // version 1 holds it
            {{2, "cover"}},  // the usual goal of teams of two
            {{3, "0.1"}},    // of teams that are to cover
            {{6, "best"}},
@@ -419,6 +419,7 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
     CHECK(settings.overlays.halo ==
           (std::find(overlays.begin(), overlays.end(), "halo") != overlays.end()));
     CHECK(settings.survive == held.value("survive", 0u));
+    CHECK(name(settings.positions) == held.value("positions", "best"));
     CHECK(settings.min_margin == held.value("min_margin", 0.05));
     CHECK(settings.weight == held["weight"].get<double>());
     REQUIRE(settings.goal.has_value() == held.contains("goal"));

@@ -99,10 +99,9 @@ bool Choices::surely_below(const Trial& trial, std::uint32_t level) {
                        [&](const Wrench& w) { return u.dot(w) < bound; });
   };
   const Part &first = part(trial.candidate), &second = part(trial.other);
-  const auto telling =
-      std::find_if(directions_.begin(), directions_.end(), [&](const Wrench& u) {
-        return stays_below(first, u) && stays_below(second, u);
-      });
+  const auto telling = std::find_if(directions_.begin(), directions_.end(), [&](const Wrench& u) {
+    return stays_below(first, u) && stays_below(second, u);
+  });
   if (telling == directions_.end()) return false;
   // What told of one choice tells of the next one, too.
   std::rotate(directions_.begin(), telling, telling + 1);

@@ -23,9 +23,9 @@ struct Part {
 // candidates first, then the parts that stay.
 struct Trial {
   std::uint32_t candidate = 0, other = 0;
-  double coverage = 0;          // or an upper bound
-  std::uint8_t sharpness = 0;   // 0 and 1: bounds, 2: exact
-  std::uint8_t most_level = 3;  // its level is at most that
+  double coverage = 0;           // or an upper bound
+  std::uint8_t sharpness = 0;    // 0 and 1: bounds, 2: exact
+  std::uint8_t most_level = 3;   // its level is at most that
   std::uint8_t least_level = 0;  // and at least that
 };
 
@@ -80,9 +80,9 @@ class Choices {
   balanced::CoarseCover coarse_cover_;
   balanced::Cover cover_;
   Margins margins_;
-  std::vector<Part> parts_;    // of the candidates
-  std::vector<Part> staying_;  // the others
-  std::vector<Wrench> directions_;  // in which choices are weak, what told last first
+  std::vector<Part> parts_;                   // of the candidates
+  std::vector<Part> staying_;                 // the others
+  std::vector<Wrench> directions_;            // in which choices are weak, what told last first
   mutable std::vector<LiftingPoint> robots_;  // of one trial after another
 };
 

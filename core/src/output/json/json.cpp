@@ -183,6 +183,8 @@ std::string document_json(const Document& document) {
       {"com_radius", json::number(settings.com_radius)},
       {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"}};
   add_units(members, settings.units);
+  if (exchanges_teams(settings)) members.push_back({"goal", json::text(name(Goal::hold))});
+  if (settings.method != Method::balanced) add_beyond(members, settings);
   return json::long_object(members, 0) + "\n";
 }
 
