@@ -10,9 +10,10 @@
 
 namespace evenlift {
 
-enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex };
+// `range` is a place of a range that is none of these.
+enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex, range };
 
-// "bisecting", "midpoint" or "vertex". O(1).
+// "bisecting", "midpoint", "vertex" or "range". O(1).
 std::string_view name(CandidateKind kind);
 
 struct Candidate {
@@ -61,5 +62,15 @@ struct TracedCandidates {
 };
 Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
                                           double min_ratio);
+
+// The candidates of robots with a size: the chords on which a team's two robots can stand, and lift
+// beneath the object. Of each two edges that face each other, moved inward by the hand's depth, the one
+// with the best load ratio, and those at which both edges' stretches end (docs/stands.md). Each is wholly
+// usable, its robots do not collide, and its ends are lifting points. A source whose edges do not face
+// each other on the outline itself is no_candidate. The cost is that of find_candidates(), and
+// O(stretches) for each pair.
+class Stands;
+Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
+                                             double min_ratio, const Stands& stands);
 
 }  // namespace evenlift

@@ -14,11 +14,14 @@
 namespace evenlift {
 
 struct PlacedRobot {
-  Vec2 at = Vec2::Zero();  // where it lifts
+  Vec2 at = Vec2::Zero();       // where it lifts
+  Vec2 contact = Vec2::Zero();  // where it touches the boundary
+  Vec2 stand = Vec2::Zero();    // the middle of its body
   std::uint32_t team = 0;
-  double load = 0;         // by plan
-  double heading_deg = 0;  // the direction of the inward normal there, in (-180, 180]; at a vertex
-                           // the middle between those of its two edges
+  double load = 0;  // by plan
+  double heading_deg =
+      0;  // the direction of the inward normal there, in (-180, 180]; of a point at
+          // a vertex the middle between those of its two edges
 };
 
 // The robots, team after team. A robot is at a vertex if it is within tolerance (tau L) of an end of

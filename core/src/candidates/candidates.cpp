@@ -50,6 +50,8 @@ std::string_view name(CandidateKind kind) {
       return "midpoint";
     case CandidateKind::vertex:
       return "vertex";
+    case CandidateKind::range:
+      return "range";
   }
   return {};
 }

@@ -45,7 +45,7 @@ class Growing {
 CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   Growing growing(placement.settings.weight, capacity);
   Selector selector(placement.polygon, placement.centre_of_mass, placement.candidates,
-                    placement.settings.method, most_teams_for_capacity);
+                    placement.settings.method, most_teams_for_capacity, placement.stands.get());
   while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
     if (growing.add(placement.candidates[selector.taken().back()].chord)) break;
   return growing.plan();
@@ -116,8 +116,8 @@ std::vector<std::size_t> overloaded_robots(const std::vector<double>& loads, dou
 bool same_plan(const Placement& a, const Placement& b) {
   const Settings &s = a.settings, &t = b.settings;
   return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
-         s.seed == t.seed && s.survive == t.survive && a.centre_of_mass == b.centre_of_mass &&
-         a.vertices() == b.vertices();
+         s.seed == t.seed && s.survive == t.survive && s.robot == t.robot && s.no_go == t.no_go &&
+         a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices();
 }
 
 CapacityPlan plan_capacity(const Placement& placement, double capacity) {

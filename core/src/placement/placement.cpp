@@ -26,13 +26,21 @@ std::vector<Chord> choose_chords(Placement& placement) {
       return random_teams(polygon, centre, teams, placement.settings.seed);
     default:
       placement.team_candidates =
-          select_teams(polygon, centre, placement.candidates, placement.settings.method, teams);
+          select_teams(polygon, centre, placement.candidates, placement.settings.method, teams,
+                       placement.stands.get());
   }
   std::vector<Chord> chords;
   chords.reserve(placement.team_candidates.size());
   for (const std::uint32_t i : placement.team_candidates)
     chords.push_back(placement.candidates[i].chord);
   return chords;
+}
+
+// Where robots that lift at these points touch the boundary.
+std::vector<LiftingPoint> touched(const Placement& placement, std::vector<LiftingPoint> points) {
+  if (placement.stands)
+    for (LiftingPoint& point : points) point.position = placement.stands->contact(point);
+  return points;
 }
 
 // Whether the placement is what its goal asks for.
@@ -50,7 +58,8 @@ void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& point
 
   placement.lifting_base = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
   placement.coverage = coverage(polygon, placement.lifting_base);
-  placement.closure = analyse_closure(polygon, placement.centre_of_mass, points);
+  placement.closure =
+      analyse_closure(polygon, placement.centre_of_mass, touched(placement, points));
   placement.goal_reached = reaches_goal(placement);
 }
 
@@ -112,6 +121,14 @@ void choose_teams(Placement& placement, Effort effort) {
   placement.teams = distribute_weight(choose_chords(placement), placement.settings.weight);
 }
 
+Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
+                                             const Settings& settings, const Stands* stands) {
+  if (!stands) return find_candidates(polygon, centre, settings.min_ratio);
+  auto found = standing_candidates(polygon, centre, settings.min_ratio, *stands);
+  if (!found) return found.error();
+  return std::move(found->candidates);
+}
+
 InputError refused(Setting setting, std::string why) {
   return {ErrorCode::bad_setting,
           std::move(why),
@@ -130,9 +147,16 @@ std::optional<InputError> check_balanced(const Settings& settings) {
 
 }  // namespace
 
+std::vector<LiftingPoint> contact_points(const Placement& placement) {
+  return touched(placement, lifting_points(placement.teams));
+}
+
 std::optional<InputError> check_settings(const Settings& settings) {
   if (auto error = check_ranges(settings)) return error;
   if (settings.method == Method::balanced) return check_balanced(settings);
+  if (!stands_anywhere(settings) && !selects_candidates(settings.method))
+    return refused(settings.no_go.empty() ? Setting::robot : Setting::no_go,
+                   "the metrics distributed and random take robots as points that stand anywhere");
   if (settings.goal == Goal::hold)
     return refused(Setting::goal, "only balanced robots can be placed so that they hold");
   if (settings.teams || selects_candidates(settings.method)) return std::nullopt;
@@ -152,10 +176,13 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   if (auto error = check_settings(settings)) return *error;
   const auto centre = check_centre_of_mass(polygon, centre_of_mass);
   if (!centre) return centre.error();
-  auto candidates = find_candidates(polygon, *centre, settings.min_ratio);
+  auto stands = make_stands(polygon, settings);
+  if (!stands) return stands.error();
+  auto candidates = candidates_of(polygon, *centre, settings, stands->get());
   if (!candidates) return candidates.error();
 
   Placement placement(std::move(polygon));
+  placement.stands = *std::move(stands);
   placement.centre_of_mass = *centre;
   placement.settings = settings;
   placement.candidates = std::move(*candidates);

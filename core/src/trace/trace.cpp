@@ -5,6 +5,7 @@
 
 #include "chords/radial_view.h"
 #include "evenlift/hull.h"
+#include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "trace/balanced_steps.h"
 
@@ -176,7 +177,9 @@ std::optional<InputError> collect(Trace& trace) {
   if (!pairs) return pairs.error();
   auto opposite = opposite_vertices(trace.polygon, trace.centre);
   if (!opposite) return opposite.error();
-  auto traced = trace_candidates(trace.polygon, trace.centre, min_ratio);
+  const Stands* stands = trace.placement.stands.get();
+  auto traced = stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands)
+                       : trace_candidates(trace.polygon, trace.centre, min_ratio);
   if (!traced) return traced.error();
   trace.rays = make_rays(trace.polygon, trace.centre, *chords);
   trace.pairs = *std::move(pairs);
@@ -221,7 +224,7 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
     if (auto error = trace_search(trace, length)) return *error;
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
-  trace.contacts = contacts(trace.polygon, lifting_points(trace.placement.teams));
+  trace.contacts = contacts(trace.polygon, contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;
 }

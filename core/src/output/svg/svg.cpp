@@ -6,6 +6,7 @@
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "output/svg/label_places.h"
+#include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_paper.h"
@@ -39,6 +40,7 @@ class Drawing {
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
       drawing += drawn(shape);
+    drawing += unusable_boundary(placement_, paper_) + bodies(placement_, paper_);
     drawing += robots();
     drawing += loads();
     const Caption caption = make_caption(placement_, shown_, paper_.height, paper_.width);
