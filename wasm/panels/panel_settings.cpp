@@ -184,6 +184,7 @@ void draw_settings(const Ui& ui) {
   draw_goal(ui);
   draw_centre(ui);
   draw_more(ui);
+  draw_robot_size(ui);
   if (!walkthrough_is_open(ui.state)) draw_compare(ui);
 }
 

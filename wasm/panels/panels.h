@@ -21,6 +21,7 @@ void draw_failures(const Ui& ui);  // below the verdict, always as high
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);
+void draw_robot_size(const Ui& ui);
 void draw_more(const Ui& ui);  // settings that are seldom needed
 void draw_compare(const Ui& ui);
 void draw_comparison(const Ui& ui);  // with a second method

@@ -27,7 +27,9 @@ constexpr const char* words[] = {"opened a polygon",
                                  "left a lesson",
                                  "changed the number of robots",
                                  "changed what balanced robots are for",
-                                 "changed how well the centre of mass is known"};
+                                 "changed how well the centre of mass is known",
+                                 "changed the size of the robots",
+                                 "changed what robots may not touch"};
 static_assert(std::size(words) == edit_count);
 
 }  // namespace

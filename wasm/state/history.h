@@ -34,9 +34,11 @@ enum class Edit : std::uint8_t {
   lesson_left,
   robots,
   goal,
-  com_radius
+  com_radius,
+  robot_size,
+  marks
 };
-inline constexpr std::size_t edit_count = 20;
+inline constexpr std::size_t edit_count = 22;
 
 // "moved a vertex". O(1).
 const char* in_words(Edit edit);

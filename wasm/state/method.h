@@ -16,11 +16,15 @@ inline std::uint32_t placed_teams(const AppState& state) {
 }
 
 // The settings with another method. What it cannot have is as usual again: "max", in whose place come
-// `teams`, and the goal to hold.
+// `teams`, the goal to hold, the robots' size, and what they may not touch.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;
   if (!balanced) settings.goal.reset();
+  if (!balanced && !selects_candidates(method)) {
+    settings.robot = {};
+    settings.no_go.clear();
+  }
   settings.method = method;
   return settings;
 }
