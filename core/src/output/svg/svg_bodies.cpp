@@ -41,6 +41,17 @@ std::string body(const PlacedRobot& robot, const RobotSize& size, const Paper& p
 
 }  // namespace
 
+Points extent(const Placement& placement) {
+  Points points = placement.vertices();
+  if (!placement.stands || !placement.stands->has_body()) return points;
+  const double radius = placement.stands->robot().radius;
+  for (const PlacedRobot& robot : placed_robots(placement)) {
+    points.emplace_back(robot.stand - Vec2(radius, radius));
+    points.emplace_back(robot.stand + Vec2(radius, radius));
+  }
+  return points;
+}
+
 std::string unusable_boundary(const Placement& placement, const Paper& paper) {
   if (!placement.stands) return "";
   std::string out;
