@@ -7,9 +7,9 @@
 #include <string>
 
 #include "bench/bench.h"
+#include "bench/coast.h"
 #include "evenlift/balanced.h"
 #include "evenlift/formats.h"
-#include "evenlift/random.h"
 
 namespace evenlift::bench {
 namespace {
@@ -29,26 +29,6 @@ void run(benchmark::State& state, Document document, Part part) {
     benchmark::DoNotOptimize(coverage);
   }
   state.counters["coverage"] = coverage;
-}
-
-// A coast of 20,480 vertices: each side of a pentagon is bent in its middle, by up to a sixth of its
-// length, and so on.
-Document coast() {
-  Rng rng(seed);
-  Document document;
-  document.vertices = {{1000, 0}, {309, 951}, {-809, 588}, {-809, -588}, {309, -951}};
-  for (int level = 0; level < 12; ++level) {
-    Points finer;
-    for (std::size_t i = 0; i < document.vertices.size(); ++i) {
-      const Vec2 &a = document.vertices[i],
-                 &b = document.vertices[(i + 1) % document.vertices.size()];
-      finer.push_back(a);
-      const double bend = (rng.uniform() - 0.5) / 3;
-      finer.push_back(0.5 * (a + b) + bend * left_normal(b - a));
-    }
-    document.vertices = std::move(finer);
-  }
-  return document;
 }
 
 void balanced(benchmark::State& state, Family family, std::int64_t n, Part part) {

@@ -556,6 +556,8 @@ TEST_CASE("a result opens again with all its settings", "[import][json]") {
     with_picture.settings.capacity = 17.5;
     with_picture.settings.com_radius = 0.25;
     with_picture.settings.step = 12;
+    with_picture.settings.robot = {1, 0, 2.5, 1e-3, 0};
+    with_picture.settings.no_go = {{0, 0.25, 0.5}, {1, 0, 1}};
     with_picture.settings.method = Method::area;
     with_picture.settings.teams.reset();
     const Import decoded = read(document_json(with_picture));

@@ -6,6 +6,7 @@
 
 #include "evenlift/link.h"
 #include "evenlift/random.h"
+#include "evenlift/settings_text.h"
 #include "kit/catch.h"
 #include "kit/data_table.h"
 #include "kit/link_checksum.h"
@@ -296,6 +297,29 @@ TEST_CASE("positions and the goal to hold of teams of two read back in every bit
   CHECK(encode(document) == link);
 }
 
+TEST_CASE("the size of robots and marked edges read back in every bit", "[link]") {
+  Rng rng(4);
+  for (int i = 0; i < 1000; ++i) {
+    Document document = random_document(rng, 14);
+    for (double RobotSize::*value : {&RobotSize::radius, &RobotSize::reach, &RobotSize::depth,
+                                     &RobotSize::width, &RobotSize::gap}) {
+      const bool there = rng.below(2) == 0;
+      const double size = rng.uniform();
+      if (there) document.settings.robot.*value = 1e300 * size;
+    }
+    const std::uint64_t parts = i == 0 ? most_no_go : rng.below(5);
+    for (std::uint64_t k = 0; k < parts; ++k) {
+      const auto edge = static_cast<std::uint32_t>(rng.below(max_vertices));
+      const double from = rng.uniform() / 2, more = rng.uniform() / 2 + 1e-9;
+      document.settings.no_go.push_back({edge, from, from + more});
+    }
+    const std::string link = encode(document);
+    const Document back = decode(link);
+    REQUIRE(back.settings == document.settings);
+    REQUIRE(encode(back) == link);
+  }
+}
+
 TEST_CASE("what version 1 holds is written as version 1", "[link]") {
   Rng rng(3);
   for (int i = 0; i < 500; ++i) CHECK(encode(random_document(rng, 14)).starts_with("1."));
@@ -381,13 +405,22 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{11, "lb"}},
            {{11, "mm,lb,t"}},
            {{11, " mm"}},
+           {{9, "none"}},  // the default
+           {{9, "r=0"}},
+           {{9, "depth=2,r=1"}},  // not in their order
+           {{9, "r=-1"}},
+           {{9, "r=1" + std::string(160, '0')}},
+           {{10, "none"}},
+           {{10, "0"}},
+           {{10, "3:0-1"}},  // the whole edge
+           {{10, "3:0.5"}},
            {{18, ""}},
            {{18, "yes"}},
            {{1, "6"}, {4, std::string(33, '1')}},
            {{1, std::string(40000, '6')}}}) {
     CHECK(refusal(link_with(records, true)).code == ErrorCode::bad_link);
   }
-  for (const unsigned later : {9u, 17u, 19u, 255u}) {
+  for (const unsigned later : {17u, 19u, 255u}) {
     for (const bool ends : {true, false}) {
       const InputError error = refusal(link_with({{1, "6"}, {later, "anything"}}, ends));
       CHECK(error.code == ErrorCode::unknown_version);
@@ -420,6 +453,8 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
           (std::find(overlays.begin(), overlays.end(), "halo") != overlays.end()));
     CHECK(settings.survive == held.value("survive", 0u));
     CHECK(name(settings.positions) == held.value("positions", "best"));
+    CHECK(robot_text(settings.robot) == held.value("robot", "none"));
+    CHECK(no_go_text(settings.no_go) == held.value("no_go", "none"));
     CHECK(settings.min_margin == held.value("min_margin", 0.05));
     CHECK(settings.weight == held["weight"].get<double>());
     REQUIRE(settings.goal.has_value() == held.contains("goal"));

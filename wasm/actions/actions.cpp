@@ -237,7 +237,8 @@ void take_all_teams(const AppState& s, Commands& out) {
 
 // Opens the panel if it is closed, and then the field of a value (see the panels' names of their controls).
 constexpr char typed_ratio[] = "min ratio", typed_weight[] = "weight", typed_seed[] = "seed",
-               typed_centre[] = "com", typed_capacity[] = "capacity", typed_doubt[] = "com radius";
+               typed_centre[] = "com", typed_capacity[] = "capacity", typed_doubt[] = "com radius",
+               typed_radius[] = "robot radius";
 template <const char* control>
 void type_value(const AppState& s, Commands& out) {
   if (!s.panel_open) out.push_back(SetPanelOpen{true});
@@ -328,6 +329,7 @@ const std::vector<Action> table = {
     {ActionId::copy_link, Icon::link, "Copy link", "Ctrl+C", {{"c", true}}, always, ask<CopyLink>},
     {ActionId::table, Icon::table, "Coordinates", "E", {{"e"}}, editing, show<browser::Dialog::table>},
     {ActionId::transform, Icon::transform, "Move, turn or scale the whole", "W", {{"w"}}, editing, take<Tool::transform>},
+    {ActionId::mark, Icon::draw, "Mark what no robot may touch", "Shift+N", {{"N"}}, editing, take<Tool::mark>},
     {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, can_finish, finish},
     {ActionId::place, Icon::none, "Place a vertex where the cursor is", "Space", {{" "}}, can_place, place},
     {ActionId::take_back, Icon::none, "Take the last vertex back", "Backspace", {{"Backspace"}}, can_take_back, ask<TakePointBack>},
@@ -364,6 +366,8 @@ const std::vector<Action> table = {
     {ActionId::fail, Icon::none, "Let the next robot fail; after the last one, none", "Shift+F", {{"F"}}, can_fail, fail_next},
     {ActionId::type_ratio, Icon::none, "Type the minimum load ratio", "Shift+R", {{"R"}}, editing, type_value<typed_ratio>},
     {ActionId::type_weight, Icon::none, "Type the weight", "Y", {{"y"}}, editing, type_value<typed_weight>},
+    {ActionId::type_robot, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, editing,
+     [](const AppState& s, Commands& out) { out.push_back(SetRobotOpen{true}); type_value<typed_radius>(s, out); }},
     {ActionId::type_capacity, Icon::none, "Type what a robot carries", "Shift+Y", {{"Y"}}, editing, type_capacity},
     {ActionId::type_doubt, Icon::none, "Type within which distance the centre of mass is known", "Shift+E", {{"E"}}, editing, type_doubt},
     {ActionId::type_seed, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, is_random, type_value<typed_seed>},

@@ -18,6 +18,7 @@ Group group_of(ActionId id) {
       return files;
     case ActionId::draw:
     case ActionId::transform:
+    case ActionId::mark:
     case ActionId::table:
     case ActionId::undo:
     case ActionId::redo:
@@ -56,6 +57,7 @@ Group group_of(ActionId id) {
     case ActionId::type_weight:
     case ActionId::type_capacity:
     case ActionId::type_doubt:
+    case ActionId::type_robot:
     case ActionId::type_seed:
     case ActionId::type_centre:
     case ActionId::free_centre:

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "evenlift/stands.h"
+#include "tools/brush.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
@@ -51,6 +53,22 @@ void press(const AppState& state, const Pointer& pointer, Commands& commands) {
       commands.push_back(GripPolygon{});
     }
   }
+  if (state.tool == Tool::mark) {
+    if (const auto place = brushed_place(state, pointer.at, pointer.touch)) {
+      held.kind = Pick::Kind::edge;
+      held.index = place->edge;
+      commands.push_back(SetErases{is_marked(settings(state).no_go, place->edge, place->at)});
+    }
+  }
+  commands.push_back(SetHeld{held});
+}
+
+// The brush was last at held.at, in CSS pixels. Off the boundary it marks nothing.
+void drag_brush(const AppState& state, const Pointer& pointer, Commands& commands) {
+  Pick held = state.held;
+  const Settings changed = brushed(state, held.at, pointer.at, pointer.touch);
+  if (!(changed == settings(state))) commands.push_back(SetSettings{changed, true});
+  held.at = pointer.at;
   commands.push_back(SetHeld{held});
 }
 
@@ -80,6 +98,7 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (held.kind == Pick::Kind::ground) return drag_ground(state, pointer, commands);
   if (pointer.moved < still && !state.edit_open) return;
   if (state.tool == Tool::draw) return drag_placed(state, pointer, commands);
+  if (state.tool == Tool::mark) return drag_brush(state, pointer, commands);
   if (held.kind == Pick::Kind::frame) {
     commands.push_back(
         dragged_polygon(state, static_cast<FrameGrip>(held.index), held.at, pointer.at));
@@ -142,7 +161,9 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
     const bool on_placed = still_there && state.held.kind == Pick::Kind::vertex;
     if (clicked || (on_placed && closes(state, pointer.at)))
       click_drawing(state, pointer, commands);
-  }
+  } else if (state.tool == Tool::mark && state.held.kind == Pick::Kind::edge && still_there)
+    commands.push_back(
+        SetSettings{with_whole_edge(state, static_cast<std::uint32_t>(state.held.index))});
   // A click on the ground lets go of the selection; a pan does not.
   else if (clicked && walkthrough_is_open(state))
     click_walkthrough(state, pointer, commands);

@@ -36,6 +36,8 @@ std::string settings_text(const Settings& settings) {
                      line(Setting::goal, std::string(name(goal_of(settings)))) +
                      line(Setting::min_margin, shortest(settings.min_margin)) +
                      line(Setting::survive, std::to_string(settings.survive));
+  text += line(Setting::robot, robot_text(settings.robot)) +
+          line(Setting::no_go, no_go_text(settings.no_go));
   if (settings.apart) text += line(Setting::apart, shortest(*settings.apart));
   return text;
 }

@@ -63,11 +63,20 @@ void adopt(AppState& state, Result<Placement> placement) {
   browser::document_changed();
 }
 
+// The candidates if any load ratio were good enough.
+Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
+  const Polygon& polygon = placement.polygon;
+  if (!placement.stands) return find_candidates(polygon, placement.centre_of_mass, 0);
+  auto found = standing_candidates(polygon, placement.centre_of_mass, 0, *placement.stands);
+  if (!found) return found.error();
+  return std::move(found->candidates);
+}
+
 // If no chord is even enough, the best load ratio that there is.
 std::optional<double> best_ratio_if_none(const Placement& placement) {
   if (!placement.teams.empty() || !selects_candidates(placement.settings.method))
     return std::nullopt;
-  const auto any = find_candidates(placement.polygon, placement.centre_of_mass, 0);
+  const auto any = all_candidates(placement);
   if (!any || any->empty()) return std::nullopt;
   double best = 0;
   for (const Candidate& c : *any) best = std::max(best, c.chord.ratio);
@@ -170,6 +179,8 @@ Edit edit_between(const Settings& before, const Settings& after) {
   compare(before.positions == after.positions, Edit::positions);
   compare(before.capacity == after.capacity, Edit::capacity);
   compare(before.com_radius == after.com_radius, Edit::com_radius);
+  compare(before.robot == after.robot, Edit::robot_size);
+  compare(before.no_go == after.no_go, Edit::marks);
   return differing == 1 ? edit : Edit::settings;
 }
 
@@ -277,6 +288,7 @@ void finish_drawing(AppState& state) {
   drawn.settings = state.document.settings;
   drawn.settings.step.reset();
   drawn.settings.com_radius = 0;  // a length of the former polygon
+  drawn.settings.no_go.clear();   // and its edges
   Result<Opened> polygon = opened(std::move(drawn));
   if (!polygon) {
     state.drawing.checked = true;
@@ -395,6 +407,10 @@ struct Applier {
     Points& vertices = state.document.vertices;
     if (c.edge >= vertices.size()) return;
     begin_edit(state, false, Edit::vertex_added);
+    const Vec2 &a = vertices[c.edge], &b = vertices[(c.edge + 1) % vertices.size()];
+    const double part = std::clamp(dot(c.at - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+    state.document.settings.no_go =
+        after_split(settings(state).no_go, static_cast<std::uint32_t>(c.edge), part);
     vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(c.edge) + 1, c.at);
     state.selected = c.edge + 1;
     recompute(state);
@@ -407,6 +423,8 @@ struct Applier {
       return;
     }
     begin_edit(state, false, Edit::vertex_removed);
+    state.document.settings.no_go =
+        after_removal(settings(state).no_go, vertices, static_cast<std::uint32_t>(c.vertex));
     vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(c.vertex));
     state.selected.reset();
     state.hover = state.held = {};
@@ -606,6 +624,8 @@ struct Applier {
   }
   void operator()(const SetPanelOpen& c) const { state.panel_open = c.open; }
   void operator()(const SetMoreOpen& c) const { state.more_open = c.open; }
+  void operator()(const SetRobotOpen& c) const { state.robot_open = c.open; }
+  void operator()(const SetErases& c) const { state.erases = c.erases; }
   void operator()(const ListIsOpen& c) const {
     state.list_open = c.open;
     state.close_list = state.close_list && c.open;

@@ -560,7 +560,10 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_centre(painter, view);
     return;
   }
-  if (view.current()) draw_coverage(painter, view);
+  if (view.current()) {
+    draw_stands(painter, view);
+    draw_coverage(painter, view);
+  }
   if (state.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
@@ -571,6 +574,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   }
   draw_centre(painter, view);
   if (view.current()) draw_push(painter, view);
+  if (view.current()) draw_why_unusable(painter, view);
   if (state.refusal) draw_reason(painter, view);
   if (state.second_method) draw_caption(painter, view);
 }

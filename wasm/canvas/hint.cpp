@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "canvas/canvas_marks.h"
 #include "evenlift/output/words.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
@@ -113,6 +114,9 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
     case Pick::Kind::doubt:
       return hint_of_doubt(state);
     case Pick::Kind::edge:
+      if (const auto why = why_unusable(state, at))
+        return "Edge " + std::to_string(at.index + 1) +
+               " cannot be used here: " + unusable_in_words(*why, settings(state).robot);
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
       return hint_of_robot(state, at);
@@ -142,6 +146,8 @@ std::string hint(const AppState& state) {
   if (state.tool == Tool::draw) return hint_of_drawing(state);
   if (state.tool == Tool::transform)
     return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do the same";
+  if (state.tool == Tool::mark)
+    return "Drag along the boundary to mark what no robot may touch, over a mark to erase it · click an edge for all of it";
   const bool holds = state.held.kind != Pick::Kind::none && state.held.kind != Pick::Kind::ground;
   const Pick& at = holds ? state.held : state.hover;
   const bool on_grip = at.kind == Pick::Kind::vertex || at.kind == Pick::Kind::centre;

@@ -34,6 +34,7 @@ std::string open_with_these_settings(std::string_view text) {
   document.settings = settings(app().state);
   document.settings.step.reset();  // it belongs to the former polygon, as does a length
   document.settings.com_radius = 0;
+  document.settings.no_go.clear();
   Result<Opened> polygon = opened(std::move(document));
   if (!polygon) return sentence(polygon.error());
   Commands commands;

@@ -14,6 +14,7 @@ namespace {
 std::optional<bool> is_on(ActionId id, const AppState& state) {
   if (id == ActionId::draw) return state.tool == Tool::draw;
   if (id == ActionId::transform) return state.tool == Tool::transform;
+  if (id == ActionId::mark) return state.tool == Tool::mark;
   return std::nullopt;
 }
 

@@ -54,6 +54,16 @@ void draw_whole_bar(const Ui& ui) {
   if (word_button(ui, "Smaller", true)) run(ui, ActionId::smaller);
 }
 
+void draw_marking_bar(const Ui& ui) {
+  if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
+  ImGui::SameLine(0, 6);
+  Settings changed = settings(ui.state);
+  if (!word_button(ui, ui.layout.wide ? "Remove all marks" : "Remove all", !changed.no_go.empty()))
+    return;
+  changed.no_go.clear();
+  ui.push(SetSettings{changed});
+}
+
 void draw_vertex_bar(const Ui& ui) {
   const bool can_remove = ui.state.document.vertices.size() > 3;
   if (word_button(ui, "Remove vertex", can_remove)) run(ui, ActionId::remove_vertex);
@@ -91,6 +101,8 @@ void draw_tool_bar(const Ui& ui) {
     draw_drawing_bar(ui);
   else if (state.tool == Tool::transform)
     draw_whole_bar(ui);
+  else if (state.tool == Tool::mark)
+    return draw_marking_bar(ui), end_card(ui);
   else
     draw_vertex_bar(ui);
   const bool fields = state.tool == Tool::draw && !state.drawing.points.empty() && ui.layout.wide;

@@ -183,6 +183,13 @@ struct SetPanelOpen {
 struct SetMoreOpen {
   bool open;
 };
+struct SetRobotOpen {
+  bool open;
+};
+// The brush begins on a marked place, which it then erases, or on one that it marks.
+struct SetErases {
+  bool erases;
+};
 // The panels report whether a list of choices is open.
 struct ListIsOpen {
   bool open;
@@ -215,7 +222,7 @@ using Command =
                  GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
                  PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript,
                  ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-                 ZoomView, SetPanelOpen, SetMoreOpen, ListIsOpen, CloseList, SetSheet, MeasureSheet,
+                 ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
                  CopyLink, TypeValue, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 

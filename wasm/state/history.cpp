@@ -28,7 +28,9 @@ constexpr const char* words[] = {"opened a polygon",
                                  "changed the number of robots",
                                  "changed what the robots are for",
                                  "changed how well the centre of mass is known",
-                                 "changed where teams may stand"};
+                                 "changed where teams may stand",
+                                 "changed the size of the robots",
+                                 "changed what robots may not touch"};
 static_assert(std::size(words) == edit_count);
 
 }  // namespace

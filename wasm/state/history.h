@@ -35,9 +35,11 @@ enum class Edit : std::uint8_t {
   robots,
   goal,
   com_radius,
-  positions
+  positions,
+  robot_size,
+  marks
 };
-inline constexpr std::size_t edit_count = 21;
+inline constexpr std::size_t edit_count = 23;
 
 // "moved a vertex". O(1).
 const char* in_words(Edit edit);

@@ -16,12 +16,17 @@ inline std::uint32_t placed_teams(const AppState& state) {
 }
 
 // The settings with another method. What it cannot have is as usual again: "max", in whose place come
-// `teams`, and the goal to hold. The goal of balanced robots is none of teams.
+// `teams`, the goal to hold, the robots' size, and what they may not touch. The goal of balanced
+// robots is none of teams.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;
   const bool from_balanced = settings.method == Method::balanced;
   if (!balanced && (from_balanced || !selects_candidates(method))) settings.goal.reset();
+  if (!balanced && !selects_candidates(method)) {
+    settings.robot = {};
+    settings.no_go.clear();
+  }
   settings.method = method;
   return settings;
 }

@@ -59,8 +59,8 @@ struct Screen {
 enum class Sheet : std::uint8_t { closed, half, full };
 
 // What a press on the drawing does: it takes hold of a vertex or the centre of mass, places a
-// vertex, or takes hold of the whole polygon.
-enum class Tool : std::uint8_t { parts, draw, transform };
+// vertex, takes hold of the whole polygon, or marks what no robot may touch.
+enum class Tool : std::uint8_t { parts, draw, transform, mark };
 
 // The polygon being drawn, vertex by vertex.
 struct Drawing {
@@ -148,6 +148,8 @@ struct AppState {
   bool presenting = false;  // the walkthrough is shown to a room
   bool panel_open = true;
   bool more_open = false;   // the part of the settings that is seldom needed
+  bool robot_open = false;  // the part of the settings about the robots' size
+  bool erases = false;      // what the brush does to marks while it is held
   bool list_open = false;   // whether the last frame showed a list of choices
   bool close_list = false;  // the next frame closes it
   Sheet sheet = Sheet::closed;

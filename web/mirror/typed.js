@@ -16,8 +16,9 @@ const point = (text) => text.replace(",", ".");
 
 // A number may have its unit and a decimal comma; two are parted by a comma, a semicolon or a space. What is neither the
 // program refuses with a sentence.
-export function settingValue(typed) {
+export function settingValue(typed, setting = "") {
   const text = typed.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
+  if (setting === "no_go") return text.replaceAll(" ", "").toLowerCase() || "none";  // edges: "3,5" is no number
   const single = one.exec(text);
   if (single) return point(single[1]);
   const pair = two.exec(text);

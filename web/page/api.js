@@ -6,6 +6,7 @@ import { idle } from "./work.js";
 // Writes the changes for set() as text for the program, which checks them (settings_text.h). A value that is neither a
 // number nor a word is written as JSON, which no setting accepts.
 const lists = ["com", "overlays"];
+const texts = ["robot", "no_go"];  // what the program itself reads: "r=30,reach=5", "3,5:0.25-0.75"
 
 function word(value) {
   const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
@@ -15,6 +16,7 @@ function word(value) {
 function written(name, value) {
   if (value === null) return name === "com" ? "centroid" : "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
+  if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+-]+$/.test(value)) return value;
   // A whole number this large may have been rounded by JavaScript.
   if (name === "seed" && typeof value === "number" && !Number.isSafeInteger(value)) return "rounded";
   return word(value);

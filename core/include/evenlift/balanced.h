@@ -40,8 +40,8 @@ namespace balanced {
 class Rules;
 }
 
-// The object, C and the settings robots, goal, min_margin, apart and survive, with all that is
-// computed of them once. It is immutable, and copies share it.
+// The object, C and the settings robots, goal, min_margin, apart and survive, robot and no_go, with all
+// that is computed of them once. With the last two every set that is ever looked at can stand. It is immutable, and copies share it.
 class BalancedProblem {
  public:
   // The settings must be in their ranges. O(n log n).
@@ -117,7 +117,8 @@ BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch sear
 // The robots, at least three, when somebody moves one of them along the outline: its two neighbours in
 // the list follow, so that C stays the centroid. Of the even candidates that allow it theirs are the
 // ends that are nearest to them, by the sum of the squares of the ways. Nothing if there is none: the
-// robot cannot go there. O(n) at worst (even_chords.h).
+// robot cannot go there. Where robots have a size `to` is its contact, and it cannot go where it would
+// not fit or collide. O(n) at worst (even_chords.h).
 std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& problem,
                                                     std::vector<LiftingPoint> robots,
                                                     std::size_t moved, const LiftingPoint& to);

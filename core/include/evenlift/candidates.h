@@ -13,6 +13,7 @@
 
 namespace evenlift {
 
+// `range` is a place of a range that is none of the others.
 enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex, range };
 
 // "bisecting", "midpoint", "vertex" or "range". O(1).
@@ -104,5 +105,15 @@ struct TracedCandidates {
 };
 Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
                                           double min_ratio, Positions positions = Positions::best);
+
+// The candidates of robots with a size: the chords on which a team's two robots can stand, and lift
+// beneath the object. Of each two edges that face each other, moved inward by the hand's depth, the one
+// with the best load ratio, and those at which both edges' stretches end (docs/stands.md). Each is wholly
+// usable, its robots do not collide, and its ends are lifting points. A source whose edges do not face
+// each other on the outline itself is no_candidate. The cost is that of find_candidates(), and
+// O(stretches) for each pair.
+class Stands;
+Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
+                                             double min_ratio, const Stands& stands);
 
 }  // namespace evenlift

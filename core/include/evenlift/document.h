@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "evenlift/vec.h"
 
@@ -23,6 +24,7 @@ inline constexpr std::uint32_t max_teams = 1u << 20;      // asked for by number
 inline constexpr std::uint32_t least_robots = 2;          // balanced
 inline constexpr std::uint32_t most_robots = 64;          // balanced
 inline constexpr std::uint32_t most_survived = 30;        // 2 F + 3 robots survive F failures
+inline constexpr std::size_t most_no_go = 1000;           // parts of edges that must not be touched
 
 // How teams are chosen (algorithm.md, Selection; thesis 3.3 and 5.2).
 enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced };
@@ -81,6 +83,24 @@ struct Overlays {
   bool operator==(const Overlays&) const = default;
 };
 
+// What a robot takes up, in units of length, each finite and >= 0 (stands.h). All at 0, a robot is the
+// point at which it lifts.
+struct RobotSize {
+  double radius = 0;  // of the round body
+  double reach = 0;   // of the arm, from the body's rim to the contact
+  double depth = 0;   // of the hand beneath the object, from the contact to the lifting point
+  double width = 0;   // of the hand
+  double gap = 0;     // that stays free between two bodies
+  bool operator==(const RobotSize&) const = default;
+};
+
+// A part of an edge, as parts of its length from its first vertex: 0 <= from < to <= 1.
+struct EdgePart {
+  std::uint32_t edge = 0;  // from 0
+  double from = 0, to = 1;
+  bool operator==(const EdgePart&) const = default;
+};
+
 struct Settings {
   std::optional<std::uint32_t> teams =
       3;  // 1 .. max_teams; none means every candidate ("max"), for
@@ -104,6 +124,8 @@ struct Settings {
                                    // weight; none means no limit; nor is anything for it
   Units units;
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
+  RobotSize robot;
+  std::vector<EdgePart> no_go;  // what no robot may touch, at most most_no_go, in any order
   bool operator==(const Settings&) const = default;
 };
 

@@ -85,10 +85,11 @@ ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
                                std::vector<std::uint32_t> start, double min_margin);
 
 // The teams that the settings ask for, of a method that chooses among candidates: selected
-// (selection.h), and exchanged if they are to hold; then check_exchanges() must allow it. Returns
-// indices into `candidates`.
+// (selection.h), and exchanged if they are to hold; then check_exchanges() must allow it, and there
+// must be no `stands`. Returns indices into `candidates`.
 std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
-                                             const Settings& settings, std::size_t teams);
+                                             const Settings& settings, std::size_t teams,
+                                             const Stands* stands = nullptr);
 
 }  // namespace evenlift

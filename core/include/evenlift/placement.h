@@ -13,6 +13,7 @@
 #include "evenlift/polygon.h"
 #include "evenlift/result.h"
 #include "evenlift/stability.h"
+#include "evenlift/stands.h"
 
 namespace evenlift {
 
@@ -21,12 +22,13 @@ struct Placement {
   const Points& vertices() const { return polygon.vertices(); }  // as given
 
   Polygon polygon;
-  Vec2 centre_of_mass = Vec2::Zero();  // as given, or the centroid
-  Settings settings;                   // as given
-  std::vector<Candidate> candidates;   // in candidate order; found with every method
-  std::uint32_t requested_teams = 0;   // as given; for "max" the number of candidates
-  std::vector<Team> teams;             // in the order of choice; perhaps fewer than requested.
-                                       // Balanced robots are one team
+  Vec2 centre_of_mass = Vec2::Zero();    // as given, or the centroid
+  Settings settings;                     // as given
+  std::shared_ptr<const Stands> stands;  // none if robots are points that may stand anywhere
+  std::vector<Candidate> candidates;     // in candidate order; found with every method
+  std::uint32_t requested_teams = 0;     // as given; for "max" the number of candidates
+  std::vector<Team> teams;               // in the order of choice; perhaps fewer than requested.
+                                         // Balanced robots are one team
   std::vector<std::uint32_t> team_candidates;  // the index of each team's candidate; empty if the
                                                // method does not choose among candidates
   Points lifting_base;               // corners of H, counter-clockwise; none without teams
@@ -43,9 +45,15 @@ struct Placement {
 enum class Effort : std::uint8_t { whole, start };
 
 // Checks that settings are in their ranges (settings_text.h) and go together: "max" needs a method
-// that chooses among candidates, the goal to hold such a method or balanced robots, and these are enough for the
-// failures that they are to survive. The error's place names the setting. O(1).
+// that chooses among candidates, the goal to hold such a method or balanced robots, and these are
+// enough for the failures that they are to survive; robots with a size, and edges that must not be
+// touched, need a method that looks for places, and teams of them stand at the best places and are to
+// cover. The error's place names the setting. O(1).
 std::optional<InputError> check_settings(const Settings& settings);
+
+// The points of the boundary that the robots of all teams touch, in their row: where robots have hands,
+// beside the lifting points. O(robots).
+std::vector<LiftingPoint> contact_points(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. O(n log n + K log K) for K edge-pairs, besides the cost of the

@@ -7,6 +7,7 @@
 
 #include "evenlift/candidates.h"
 #include "evenlift/document.h"
+#include "evenlift/stands.h"
 
 namespace evenlift {
 
@@ -23,10 +24,12 @@ constexpr FirstTeam first_team(Positions positions) {
 // them, or all if there are fewer. `metric` is area, circle or distance. Geometry decides every
 // tie, so the same shape gets the same teams. O(K) for each team that widens H, and O(n) for each
 // end that is evaluated: that is done only if its edge of H has changed and its upper bound could
-// still win. Once no candidate widens H, all further teams together cost O(K log K).
+// still win. Once no candidate widens H, all further teams together cost O(K log K). With `stands`
+// candidates that collide with a team placed before are passed over.
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Method metric,
-                                        std::size_t teams, FirstTeam first = FirstTeam::even);
+                                        std::size_t teams, FirstTeam first = FirstTeam::even,
+                                        const Stands* stands = nullptr);
 
 // The score of every candidate against the lifting base of the teams selected so far, of which
 // there is at least one: what select_teams maximizes. area and circle are in squared units of

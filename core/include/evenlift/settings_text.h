@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "evenlift/document.h"
 #include "evenlift/result.h"
@@ -30,7 +32,14 @@ enum class Setting : std::uint8_t {
   survive,
   unit,
   weight_unit,
-  positions
+  positions,
+  robot,
+  no_go,
+  robot_radius,
+  robot_reach,
+  robot_depth,
+  robot_width,
+  robot_gap
 };
 
 // The setting's name in JSON and scripts, such as "min_ratio"; and the setting of a name, or
@@ -64,11 +73,19 @@ InputError setting_error(Setting setting);
 //   unit       "m", "cm", "mm" or "in", or "none"
 //   weight_unit "kg", "t", "N" or "lb"
 //   positions  "best" or "range"
+//   robot      some of "r", "reach", "depth", "width" and "gap", each at most once and with a number of at
+//              least 0, such as "r=30,reach=5"; what is not named is 0. Or "none"
+//   robot_radius, robot_reach, robot_depth, robot_width, robot_gap   one of these numbers
+//   no_go      edges from 1, or parts of them from 0 to 1, such as "3,5:0.25-0.75"; or "none"
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
 // hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text and any
 // value out of range is an error and changes nothing. loads and failed are no settings of a document
 // and always an error. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
+
+// The texts of two settings as read_setting() takes them. O(bytes).
+std::string robot_text(const RobotSize& robot);
+std::string no_go_text(const std::vector<EdgePart>& no_go);
 
 // The number of the robot that fails, from 1, from text: a whole number, or "none", which is 0. O(bytes).
 std::optional<std::uint64_t> read_failed(std::string_view text);
@@ -80,6 +97,7 @@ std::optional<InputError> check_ranges(const Settings& settings);
 // The rules themselves. O(1).
 bool is_min_ratio(double value);  // 0 <= value <= 1
 bool is_weight(double value);     // 0 < value, finite; also the rule of a capacity
-bool is_length(double value);     // 0 <= value, finite; the rule of apart and com_radius
+bool is_length(
+    double value);  // 0 <= value, finite; the rule of apart, com_radius and a robot's sizes
 
 }  // namespace evenlift

@@ -258,6 +258,9 @@ enum class Outcome : std::uint8_t {
 };
 std::string_view name(Outcome outcome);
 
+// Whether robots with a size can stand on a pair's best chord, on another one of the pair, or on none.
+enum class Standing : std::uint8_t { there, elsewhere, nowhere };
+
 struct PairDetail {
   EdgePair pair;
   PairVerdict verdict;
@@ -273,7 +276,8 @@ struct PairDetail {
   std::uint32_t nearer = 0;  // the end of larger ratio: 0 or 1
   Chord chosen;              // the candidate, or what was tried and had too low a ratio
   std::optional<std::uint32_t> candidate;  // into placement.candidates
-  bool stands = false;  // the candidate's chord is this pair's, not a duplicate's
+  bool stands = false;               // the candidate's chord is this pair's, not a duplicate's
+  std::optional<Standing> standing;  // of robots with a size; `chosen` is then what they came to
 };
 // O(1).
 PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
@@ -324,6 +328,7 @@ struct Score {
   double value = 0;    // of a further team; of a first one its length (or ratio, with `most_even`)
   bool exact = true;   // else an upper bound, found to be too low to win
   bool taken = false;  // by an earlier team
+  bool collides = false;                     // one of its robots with one of an earlier team
   bool eligible = true;                      // first team, with even candidates: only these
   DecidedBy lost_by = DecidedBy::first_key;  // unless it won
   std::array<EndGain, 2> ends;               // of r1 and r2; of a first team empty

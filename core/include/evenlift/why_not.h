@@ -21,6 +21,8 @@ enum class Why : std::uint8_t {
   not_even,             // a candidate; the first team is chosen among the even ones only
   behind,               // a candidate; another one won (see decided_by)
   taken,                // a team has taken it
+  cannot_stand,         // robots of the given size cannot stand at both of its ends
+  collides,             // a candidate; its robots would collide with those of an earlier team
 };
 
 struct WhyNot {

@@ -19,8 +19,10 @@ std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& probl
                                                     std::size_t moved, const LiftingPoint& to) {
   const std::size_t m = robots.size();
   if (m < 3 || moved >= m) return std::nullopt;
+  const Stands* room = problem.rules().room();
+  if (room && !room->can_lift(room->lifting_point(to))) return std::nullopt;
   const std::array<std::size_t, 2> followers{(moved + m - 1) % m, (moved + 1) % m};
-  robots[moved] = to;
+  robots[moved] = room ? room->lifting_point(to) : to;
   std::vector<LiftingPoint> others;
   for (std::size_t i = 0; i < m; ++i)
     if (i != followers[0] && i != followers[1]) others.push_back(robots[i]);
@@ -34,11 +36,14 @@ std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& probl
       const double way =
           square(ends[0], robots[followers[0]]) + square(ends[1], robots[followers[1]]);
       if (nearest && !(way < least)) continue;
+      if (problem.rules().collides(others, others.size(), r1) ||
+          problem.rules().collides(others, others.size(), r2))
+        continue;
       nearest = ends;
       least = way;
     }
   }
-  if (!nearest) return std::nullopt;
+  if (!nearest || (room && room->any_collide(others))) return std::nullopt;
   for (std::size_t i = 0; i < followers.size(); ++i) robots[followers[i]] = (*nearest)[i];
   return robots;
 }

@@ -38,6 +38,7 @@ void Best::offer_three_more(const std::vector<LiftingPoint>& robots) {
   all.emplace_back();
   for (const LiftingPoint& stand : rules_.stands()) {
     all.back() = stand;
+    if (rules_.collides(robots, robots.size(), stand)) continue;
     complete(all, 1, near_pairs + rules_.near_pairs(robots, robots.size(), stand));
   }
 }
@@ -45,6 +46,7 @@ void Best::offer_three_more(const std::vector<LiftingPoint>& robots) {
 void Best::offer_three_more(const std::vector<LiftingPoint>& robots, const LiftingPoint& place) {
   std::vector<LiftingPoint> all = robots;
   all.push_back(place);
+  if (rules_.collides(robots, robots.size(), place)) return;
   complete(all, 1, rules_.near_pairs(all));
 }
 
@@ -54,6 +56,9 @@ void Best::complete(const std::vector<LiftingPoint>& robots, std::size_t added,
   if (set_ && near_pairs > set_->near_pairs) return;
   for (const Candidate& candidate : pairs_to_complete(rules_, robots)) {
     const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
+    // The two do not collide with each other.
+    if (rules_.collides(robots, robots.size(), r1) || rules_.collides(robots, robots.size(), r2))
+      continue;
     offered_.robots = robots;
     offered_.robots.push_back(r1);
     const std::uint32_t pairs = near_pairs + rules_.near_pairs(robots, robots.size(), r1) +

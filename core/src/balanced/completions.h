@@ -35,7 +35,7 @@ class Best {
   std::size_t kept() const { return kept_; }
 
  private:
-  // The last `added` of the robots are on trial, too.
+  // The last `added` of the robots are on trial, too. Those that collide are left out.
   void complete(const std::vector<LiftingPoint>& robots, std::size_t added,
                 std::uint32_t near_pairs);
 

@@ -40,6 +40,13 @@ Outline::Outline(const Polygon& polygon, const Vec2& centre)
   }
 }
 
+// The step goes along the edge that begins at its vertex, or against the one that ends there.
+std::uint32_t Outline::edge_of_step(std::size_t step) const {
+  const std::uint32_t vertex = vertices_[step];
+  return polygon_.counter_clockwise() ? vertex
+                                      : static_cast<std::uint32_t>(polygon_.previous(vertex));
+}
+
 double Outline::place(const LiftingPoint& point) const {
   const std::uint32_t step = steps_[point.edge];
   const double place =
@@ -72,9 +79,37 @@ std::vector<LiftingPoint> Outline::reflex_stands(std::uint32_t most) const {
   return stands;
 }
 
-std::vector<LiftingPoint> Outline::stands() const {
+// Evenly along the stretches that can be used, one after another.
+std::vector<LiftingPoint> Outline::usable_stands(std::uint32_t number, const Stands& room) const {
+  double total = 0;
+  for (std::uint32_t edge = 0; edge < vertices_.size(); ++edge)
+    for (const Stretch& stretch : room.usable(edge)) total += stretch.to - stretch.from;
+  std::vector<LiftingPoint> stands;
+  double before = 0;
+  for (std::size_t step = 0; step < vertices_.size(); ++step) {
+    const std::uint32_t edge = edge_of_step(step);
+    const Vec2 &p = polygon_.edge_start(edge), &q = polygon_.edge_end(edge);
+    const double size = evenlift::length(q - p);
+    std::vector<Stretch> stretches(room.usable(edge).begin(), room.usable(edge).end());
+    if (!polygon_.counter_clockwise()) std::reverse(stretches.begin(), stretches.end());
+    for (const Stretch& stretch : stretches) {
+      const double part = stretch.to - stretch.from;
+      while (stands.size() < number) {
+        const double way = (static_cast<double>(stands.size()) + 0.5) * total / number - before;
+        if (way > part) break;
+        const double t = polygon_.counter_clockwise() ? stretch.from + way : stretch.to - way;
+        stands.push_back(room.lifting_point({p + (t / size) * (q - p), edge}));
+      }
+      before += part;
+    }
+  }
+  return stands;
+}
+
+std::vector<LiftingPoint> Outline::stands(const Stands* room) const {
   const std::uint32_t number =
       vertices_.size() > many_vertices ? stands_of_many_vertices : usual_stands;
+  if (room) return usable_stands(number, *room);
   std::vector<LiftingPoint> stands = even_stands(number);
   const std::vector<LiftingPoint> reflex = reflex_stands(number);
   stands.insert(stands.end(), reflex.begin(), reflex.end());

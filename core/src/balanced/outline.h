@@ -7,6 +7,7 @@
 
 #include "evenlift/chords.h"
 #include "evenlift/polygon.h"
+#include "evenlift/stands.h"
 
 namespace evenlift::balanced {
 
@@ -22,10 +23,13 @@ class Outline {
   // tau Lambda of the end of the walk is at its beginning. O(1).
   double place(const LiftingPoint& point) const;
 
-  // The stands, in their order. O(n).
-  std::vector<LiftingPoint> stands() const;
+  // The stands, in their order. Where robots have a size they are spread over what these can use, and are
+  // lifting points. O(n).
+  std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
 
  private:
+  std::vector<LiftingPoint> usable_stands(std::uint32_t number, const Stands& room) const;
+  std::uint32_t edge_of_step(std::size_t step) const;
   std::vector<LiftingPoint> even_stands(std::uint32_t number) const;
   std::vector<LiftingPoint> reflex_stands(std::uint32_t most) const;
 

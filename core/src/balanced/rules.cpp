@@ -34,6 +34,13 @@ int compare_places(const std::vector<double>& a, const std::vector<double>& b, d
   return 0;
 }
 
+// The stands of the settings. Where there is no room for any robot, or an edge does not exist, place()
+// has said so before.
+std::shared_ptr<const Stands> room_of(const Polygon& polygon, const Settings& settings) {
+  auto room = make_stands(polygon, settings);
+  return room ? *std::move(room) : nullptr;
+}
+
 }  // namespace
 
 void RatedSet::begin(std::uint32_t pairs) {
@@ -53,10 +60,11 @@ Rules::Rules(Polygon polygon, const Vec2& centre, const Settings& settings)
       holds_(goal_of(settings) == Goal::hold),
       min_margin_(settings.min_margin),
       survive_(static_cast<int>(settings.survive)),
+      room_(room_of(polygon_, settings)),
       outline_(polygon_, centre),
-      stands_(outline_.stands()),
+      stands_(outline_.stands(room_.get())),
       triples_(triples_of(settings.robots)),
-      chords_(polygon_),
+      chords_(polygon_, room_.get()),
       coarse_cover_(polygon_, centre),
       cover_(polygon_, centre),
       margins_(polygon_, centre) {
@@ -73,6 +81,13 @@ std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots, std::si
     pairs += dot(between, between) < near_square_ ? 1u : 0u;
   }
   return pairs;
+}
+
+bool Rules::collides(const std::vector<LiftingPoint>& robots, std::size_t number,
+                     const LiftingPoint& other) const {
+  for (std::size_t i = 0; room_ && i < number; ++i)
+    if (room_->collide(robots[i], other)) return true;
+  return false;
 }
 
 std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots) const {
@@ -127,10 +142,15 @@ double Rules::spread(RatedSet& set) const {
   return *set.spread;
 }
 
+// Of its contact, where hands lift beneath the object.
+double Rules::place(const LiftingPoint& robot) const {
+  return outline_.place(room_ ? LiftingPoint{room_->contact(robot), robot.edge} : robot);
+}
+
 const std::vector<double>& Rules::places(RatedSet& set) const {
   if (!set.places) {
     std::vector<double> places;
-    for (const LiftingPoint& robot : set.robots) places.push_back(outline_.place(robot));
+    for (const LiftingPoint& robot : set.robots) places.push_back(place(robot));
     std::sort(places.begin(), places.end());
     set.places = std::move(places);
   }
@@ -185,8 +205,7 @@ BalancedKeys Rules::keys(RatedSet& set) const {
 
 RatedSet Rules::in_order(const RatedSet& set) const {
   std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < set.robots.size(); ++i)
-    order.emplace_back(outline_.place(set.robots[i]), i);
+  for (std::size_t i = 0; i < set.robots.size(); ++i) order.emplace_back(place(set.robots[i]), i);
   std::sort(order.begin(), order.end());
   RatedSet ordered = set;
   for (std::size_t i = 0; i < order.size(); ++i) ordered.robots[i] = set.robots[order[i].second];

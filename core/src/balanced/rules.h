@@ -14,6 +14,7 @@
 #include "candidates/even_chords.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"
+#include "evenlift/stands.h"
 #include "grasp/margins.h"
 
 namespace evenlift::balanced {
@@ -45,6 +46,13 @@ class Rules {
   const std::vector<LiftingPoint>& stands() const { return stands_; }
   const std::vector<Triple>& triples() const { return triples_; }
 
+  // Where robots with a size can stand; none if they are points that may stand anywhere.
+  const Stands* room() const { return room_.get(); }
+  // Whether another robot would collide with one of `robots`, of which the first `number` count.
+  // O(number).
+  bool collides(const std::vector<LiftingPoint>& robots, std::size_t number,
+                const LiftingPoint& other) const;
+
   // The number of pairs of a robot among `robots`, of which the first `number` count, and `other`
   // that are nearer to each other than they should be. O(number).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,
@@ -75,6 +83,7 @@ class Rules {
   bool covers_less(RatedSet& set, double bound) const;
   double coverage(RatedSet& set) const;
   double spread(RatedSet& set) const;
+  double place(const LiftingPoint& robot) const;
   const std::vector<double>& places(RatedSet& set) const;
   bool surely_loses_by_coverage(RatedSet& a, RatedSet& b) const;
 
@@ -93,6 +102,7 @@ class Rules {
   double min_margin_;
   double near_square_;  // robots whose squared distance is below are too near to each other
   int survive_;
+  std::shared_ptr<const Stands> room_;
   Outline outline_;
   std::vector<LiftingPoint> stands_;
   std::vector<Triple> triples_;

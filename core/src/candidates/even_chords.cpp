@@ -9,6 +9,7 @@
 #include "candidates/common_range.h"
 #include "candidates/duplicates.h"
 #include "candidates/pair_candidate.h"
+#include "candidates/stand_lines.h"
 #include "chords/opposite_vertices.h"
 #include "chords/radial_view.h"
 #include "evenlift/predicates.h"
@@ -16,6 +17,22 @@
 
 namespace evenlift {
 namespace {
+
+// The lines on which the hands of robots lift, from the first to the last place on each; without depth
+// the edges themselves.
+std::vector<LineEnds> lines_of(const Polygon& polygon, const Stands* stands,
+                               std::vector<std::uint32_t>& edges) {
+  std::vector<LineEnds> lines;
+  const bool moved = stands != nullptr && stands->robot().depth > 0;
+  for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
+    const auto line = moved ? stand_line(polygon, Vec2::Zero(), *stands, edge) : std::nullopt;
+    if (moved && !line) continue;
+    edges.push_back(edge);
+    lines.push_back(moved ? LineEnds{line->at(line->low), line->at(line->high)}
+                          : LineEnds{polygon.edge_start(edge), polygon.edge_end(edge)});
+  }
+  return lines;
+}
 
 // The same pair with a and b exchanged.
 EdgePair exchanged(const EdgePair& pair) {
@@ -30,6 +47,9 @@ class EvenChords::Search {
   // Stops as soon as `most` chords are found.
   Search(const EvenChords& chords, const Vec2& centre, std::size_t most)
       : tree_(chords.tree_),
+        lines_(chords.lines_),
+        edges_(chords.edges_),
+        stands_(chords.stands_),
         polygon_(chords.polygon_),
         centre_(centre),
         twice_(2 * centre),
@@ -77,16 +97,13 @@ class EvenChords::Search {
   void compare_edges(const EdgeTree::Node& a, const EdgeTree::Node& b) {
     for (std::uint32_t i = a.begin; i < a.end; ++i)
       for (std::uint32_t j = &a == &b ? i + 1 : b.begin; j < b.end; ++j)
-        if (may_meet(i, j)) {
-          add_pair(i, j);
-          add_opposite(i, j);
-        }
+        if (may_meet(i, j)) add(i, j);
   }
 
   // Whether an edge and the mirror image of another may come within `slack_` of each other.
   bool may_meet(std::uint32_t a, std::uint32_t b) const {
-    const Vec2 p = polygon_.edge_start(a) - centre_, q = polygon_.edge_end(a) - centre_;
-    const Vec2 r = centre_ - polygon_.edge_start(b), s = centre_ - polygon_.edge_end(b);
+    const Vec2 p = lines_[a].start - centre_, q = lines_[a].end - centre_;
+    const Vec2 r = centre_ - lines_[b].start, s = centre_ - lines_[b].end;
     return !apart(p, q, r, s) && !apart(r, s, p, q);
   }
 
@@ -99,6 +116,19 @@ class EvenChords::Search {
     return least > slack_ * (std::fabs(along.x()) + std::fabs(along.y()));
   }
 
+  void add(std::uint32_t i, std::uint32_t j) {
+    if (stands_ && stands_->robot().depth > 0) return add_moved(edges_[i], edges_[j]);
+    add_pair(i, j);
+    add_opposite(i, j);
+  }
+
+  void add_moved(std::uint32_t edge_a, std::uint32_t edge_b) {
+    const auto a = stand_line(polygon_, centre_, *stands_, edge_a);
+    const auto b = stand_line(polygon_, centre_, *stands_, edge_b);
+    for (const Candidate& candidate : standing_chords(*stands_, centre_, *a, *b, 1, near_))
+      found_.push_back(candidate);
+  }
+
   void add_pair(std::uint32_t a, std::uint32_t b) {
     auto pair = pair_of_edges(polygon_, centre_, a, b, near_);
     if (!pair) return;
@@ -107,6 +137,11 @@ class EvenChords::Search {
                                 ? is_forward(centre_, polygon_.vertex(pair->begin_a))
                                 : !is_forward(centre_, polygon_.vertex(pair->begin_b));
     if (!a_is_ahead) pair = exchanged(*pair);
+    if (stands_) {
+      for (const Candidate& candidate : standing_chords(polygon_, *stands_, centre_, *pair, 1))
+        found_.push_back(candidate);
+      return;
+    }
     const auto verdict = examine_pair(polygon_, centre_, *pair, 1);
     if (verdict.candidate) found_.push_back(*verdict.candidate);
   }
@@ -115,10 +150,14 @@ class EvenChords::Search {
   void add_opposite(std::uint32_t v, std::uint32_t w) {
     if (!are_opposite(polygon_.vertex(v) - centre_, polygon_.vertex(w) - centre_, near_)) return;
     const Candidate candidate = opposite_chord(polygon_, centre_, {std::min(v, w), std::max(v, w)});
+    if (stands_ && (stands_->has_body() || !can_stand(*stands_, candidate))) return;
     if (reaches(candidate.chord, 1)) found_.push_back(candidate);
   }
 
   const EdgeTree& tree_;
+  const std::vector<LineEnds>& lines_;
+  const std::vector<std::uint32_t>& edges_;
+  const Stands* stands_;
   const Polygon& polygon_;
   Vec2 centre_, twice_;
   std::size_t most_;
@@ -126,7 +165,8 @@ class EvenChords::Search {
   std::vector<Candidate> found_;
 };
 
-EvenChords::EvenChords(const Polygon& polygon) : polygon_(polygon), tree_(polygon) {
+EvenChords::EvenChords(const Polygon& polygon, const Stands* stands)
+    : polygon_(polygon), stands_(stands), lines_(lines_of(polygon, stands, edges_)), tree_(lines_) {
   for (const Vec2& v : polygon.vertices()) size_ = std::max(size_, v.cwiseAbs().maxCoeff());
 }
 

@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "evenlift/candidates.h"
+#include "evenlift/stands.h"
 #include "polygon/edge_tree.h"
 
 namespace evenlift {
 
 class EvenChords {
  public:
-  // The polygon must outlive it. O(n).
-  explicit EvenChords(const Polygon& polygon);
+  // The polygon must outlive it, and so must the stands of robots with a size, if there are any: then
+  // the candidates are those of standing_candidates(). O(n).
+  explicit EvenChords(const Polygon& polygon, const Stands* stands = nullptr);
 
   // The very same as find_candidates(polygon, centre, 1), except that there is no limit of their
   // number, and that of equal chords between two vertices another may be the one that stays: its
@@ -31,6 +33,9 @@ class EvenChords {
   class Search;
 
   const Polygon& polygon_;
+  const Stands* stands_;
+  std::vector<std::uint32_t> edges_;  // of the lines
+  std::vector<LineEnds> lines_;       // the edges, or with a hand's depth where it lifts
   EdgeTree tree_;
   double size_ = 0;  // the largest coordinate
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "document/stand_settings.h"
 #include "evenlift/numbers.h"
 
 namespace evenlift {
@@ -39,7 +40,17 @@ constexpr Entry entries[] = {
     {Setting::unit, "unit", "the unit of lengths is m, cm, mm or in, or none"},
     {Setting::weight_unit, "weight_unit", "the unit of weights is kg, t, N or lb"},
     {Setting::positions, "positions", "the positions are best or range"},
+    {Setting::robot, "robot",
+     "the size of a robot is none, or some of r, reach, depth, width and gap with numbers of at least 0, such as r=30,reach=5"},
+    {Setting::no_go, "no_go",
+     "the edges that must not be touched are none, or at most 1000 edges from 1 or parts of them from 0 to 1, such as 3,5:0.25-0.75"},
+    {Setting::robot_radius, "robot_radius", "the radius of a robot is a number of at least 0"},
+    {Setting::robot_reach, "robot_reach", "the reach of a robot's arm is a number of at least 0"},
+    {Setting::robot_depth, "robot_depth", "the depth of a robot's hand is a number of at least 0"},
+    {Setting::robot_width, "robot_width", "the width of a robot's hand is a number of at least 0"},
+    {Setting::robot_gap, "robot_gap", "the gap between robots is a number of at least 0"},
 };
+static_assert(most_no_go == 1000);
 static_assert(max_teams == 1048576);
 static_assert(least_robots == 2 && most_robots == 64 && most_survived == 30);
 
@@ -266,6 +277,20 @@ bool read(Setting setting, std::string_view text, Document& document) {
       return read_name(text, all_weight_units, document.settings.units.weight);
     case Setting::positions:
       return read_positions(text, document.settings);
+    case Setting::robot:
+      return read_robot(text, document.settings.robot);
+    case Setting::no_go:
+      return read_no_go(text, document.settings.no_go);
+    case Setting::robot_radius:
+      return read_size(text, document.settings.robot.radius);
+    case Setting::robot_reach:
+      return read_size(text, document.settings.robot.reach);
+    case Setting::robot_depth:
+      return read_size(text, document.settings.robot.depth);
+    case Setting::robot_width:
+      return read_size(text, document.settings.robot.width);
+    case Setting::robot_gap:
+      return read_size(text, document.settings.robot.gap);
   }
   return false;
 }
@@ -309,6 +334,8 @@ std::optional<InputError> check_ranges(const Settings& settings) {
   if (settings.apart && !is_length(*settings.apart)) return setting_error(Setting::apart);
   if (settings.survive > most_survived) return setting_error(Setting::survive);
   if (!is_length(settings.com_radius)) return setting_error(Setting::com_radius);
+  if (!is_robot_size(settings.robot)) return setting_error(Setting::robot);
+  if (!is_no_go(settings.no_go)) return setting_error(Setting::no_go);
   if (settings.capacity && !is_weight(*settings.capacity)) return setting_error(Setting::capacity);
   if (settings.units.length > LengthUnit::in) return setting_error(Setting::unit);
   if (settings.units.weight > WeightUnit::lb) return setting_error(Setting::weight_unit);

@@ -178,9 +178,10 @@ ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
 
 std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
-                                             const Settings& settings, std::size_t teams) {
+                                             const Settings& settings, std::size_t teams,
+                                             const Stands* stands) {
   std::vector<std::uint32_t> taken = select_teams(polygon, centre, candidates, settings.method,
-                                                  teams, first_team(settings.positions));
+                                                  teams, first_team(settings.positions), stands);
   if (!exchanges_teams(settings)) return taken;
   return exchange_teams(polygon, centre, candidates, std::move(taken), settings.min_margin).taken();
 }

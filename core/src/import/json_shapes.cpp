@@ -36,6 +36,7 @@ class JsonShapes {
   std::string value_text(Index at) const;
   std::optional<InputError> take_balanced(Document& document) const;
   std::optional<InputError> take_beyond(Document& document) const;
+  std::optional<InputError> take_stands(Document& document) const;
   std::optional<InputError> take_doubt(Document& document) const;
   std::optional<InputError> take_settings(Document& document);
   std::optional<InputError> take_overlays(Index overlays, Settings& settings) const;
@@ -163,7 +164,27 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
        {std::pair("unit", Setting::unit), std::pair("weight_unit", Setting::weight_unit)})
     if (const auto at = tree_.member(0, name); is(at, Kind::string))
       if (auto wrong = set(setting, *at, tree_.text(*at))) return wrong;
+  if (auto wrong = take_stands(document)) return wrong;
   return take_doubt(document);
+}
+
+// The robots' size and the marked edges.
+std::optional<InputError> JsonShapes::take_stands(Document& document) const {
+  const std::pair<const char*, Setting> sizes[] = {{"radius", Setting::robot_radius},
+                                                   {"reach", Setting::robot_reach},
+                                                   {"depth", Setting::robot_depth},
+                                                   {"width", Setting::robot_width},
+                                                   {"gap", Setting::robot_gap}};
+  const auto robot = tree_.member(0, "robot");
+  for (const auto& [name, setting] : sizes) {
+    const auto at = is(robot, Kind::object) ? tree_.member(*robot, name) : std::nullopt;
+    if (!is(at, Kind::number)) continue;
+    if (auto wrong = take_setting(setting, *at, shortest(tree_.number(*at)), document))
+      return wrong;
+  }
+  const auto no_go = tree_.member(0, "no_go");
+  if (!is(no_go, Kind::string)) return std::nullopt;
+  return take_setting(Setting::no_go, *no_go, tree_.text(*no_go), document);
 }
 
 // What one robot carries and how well the centre of mass is known: of a link by themselves, of a result within what was

@@ -38,6 +38,10 @@ std::optional<Setting> setting_of(Tag tag) {
       return Setting::com_radius;
     case Tag::capacity:
       return Setting::capacity;
+    case Tag::robot:
+      return Setting::robot;
+    case Tag::no_go:
+      return Setting::no_go;
     default:
       return std::nullopt;
   }
@@ -101,6 +105,8 @@ Records records_of(const Settings& settings) {
   if (!same_bits(settings.com_radius, usual_com_radius))
     records.push_back({Tag::com_radius, shortest(settings.com_radius)});
   if (settings.capacity) records.push_back({Tag::capacity, shortest(*settings.capacity)});
+  if (settings.robot != RobotSize{}) records.push_back({Tag::robot, robot_text(settings.robot)});
+  if (!settings.no_go.empty()) records.push_back({Tag::no_go, no_go_text(settings.no_go)});
   if (!(settings.units == Units{})) records.push_back({Tag::units, units_text(settings.units)});
   if (settings.overlays.halo) records.push_back({Tag::halo, shown});
   return records;

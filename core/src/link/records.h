@@ -25,11 +25,11 @@ enum class Tag : std::uint8_t {
   positions = 6,
   com_radius = 7,
   capacity = 8,
+  robot = 9,
+  no_go = 10,
   units = 11,  // of lengths and of weights, with a comma before the latter
   halo = 18,   // an overlay, which has no setting of its own
   // Reserved.
-  robot = 9,
-  no_go = 10,
   cargo = 12,
   holes = 13,
   regions = 14,
@@ -54,8 +54,13 @@ bool take_records(const Records& records, Document& document);
 // Codes the records. A decoder replaces them; it fails at a payload that is longer than any known
 // setting, and stops at an unknown tag, which it leaves as the last record. O(bytes).
 inline constexpr int widest_tag = 8, widest_length = 20;
-inline constexpr std::size_t longest_value = 32;  // bytes; a number has at most 24
 bool is_known(Tag tag);
+
+// The longest payload that a writer makes, in bytes: a number has at most 24. O(1).
+constexpr std::size_t longest_value(Tag tag) {
+  if (tag == Tag::robot) return 5 * 32;
+  return tag == Tag::no_go ? 64 * most_no_go : 32;
+}
 
 template <class Coder>
 void code_records(Coder& coder, Records& records) {
@@ -68,7 +73,7 @@ void code_records(Coder& coder, Records& records) {
     if (!is_known(tag)) return;
     std::string& payload = records[i].payload;
     const std::uint64_t length = code_integer(coder, payload.size(), widest_length);
-    if (length > longest_value) return coder.fail();
+    if (length > longest_value(tag)) return coder.fail();
     payload.resize(static_cast<std::size_t>(length));
     for (char& byte : payload)
       byte = static_cast<char>(coder.code_uniform(static_cast<unsigned char>(byte), 256));

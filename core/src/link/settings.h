@@ -39,6 +39,8 @@ inline void forget_later_settings(Settings& settings) {
   settings.com_radius = usual.com_radius;
   settings.capacity = usual.capacity;
   settings.units = usual.units;
+  settings.robot = usual.robot;
+  settings.no_go = usual.no_go;
   settings.overlays.halo = usual.overlays.halo;
 }
 

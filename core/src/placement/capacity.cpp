@@ -47,7 +47,7 @@ CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   Growing growing(placement.settings.weight, capacity);
   Selector selector(placement.polygon, placement.centre_of_mass, placement.candidates,
                     placement.settings.method, most_teams_for_capacity,
-                    first_team(placement.settings.positions));
+                    first_team(placement.settings.positions), placement.stands.get());
   while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
     if (growing.add(placement.candidates[selector.taken().back()].chord)) break;
   return growing.plan();
@@ -137,7 +137,8 @@ bool same_plan(const Placement& a, const Placement& b) {
   const Settings &s = a.settings, &t = b.settings;
   return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
          s.seed == t.seed && s.survive == t.survive && s.positions == t.positions &&
-         goal_of(s) == goal_of(t) && s.min_margin == t.min_margin &&
+         goal_of(s) == goal_of(t) && s.min_margin == t.min_margin && s.robot == t.robot &&
+         s.no_go == t.no_go &&
          a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices();
 }
 

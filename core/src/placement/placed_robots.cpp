@@ -24,8 +24,9 @@ class Outline {
         counter_clockwise_(is_counter_clockwise(vertices)),
         near_(near_distance(bounding_box(vertices).diagonal())) {}
 
-  // Towards the object; of any length.
-  Vec2 inward_at(const LiftingPoint& point) const {
+  // Towards the object; of any length. Only a robot without a body can be at a vertex.
+  Vec2 inward_at(const LiftingPoint& point, bool has_body) const {
+    if (has_body) return normal(point.edge);
     const std::size_t n = vertices_.size(), edge = point.edge, next = (edge + 1) % n;
     if (length(point.position - vertices_[edge]) <= near_)
       return inward_between((edge + n - 1) % n, edge);
@@ -73,12 +74,16 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
   const Outline outline(placement.vertices());
   std::vector<PlacedRobot> robots;
   robots.reserve(count_robots(placement.teams));
+  const Stands* stands = placement.stands.get();
   for (std::size_t t = 0; t < placement.teams.size(); ++t) {
     for (const Robot& robot : placement.teams[t].robots) {
-      const Vec2 inward = outline.inward_at(robot.point);
+      const LiftingPoint& point = robot.point;
+      const Vec2 inward = outline.inward_at(point, stands && stands->has_body());
       const double heading_deg = arctangent2(inward.y() + 0.0, inward.x()) * (180 / pi);
-      robots.push_back({robot.point.position, static_cast<std::uint32_t>(t), robot.load,
-                        heading_deg, inward / length(inward)});
+      robots.push_back({point.position, stands ? stands->contact(point) : point.position,
+                        stands ? stands->stand(point) : point.position,
+                        static_cast<std::uint32_t>(t), robot.load, heading_deg,
+                        inward / length(inward)});
     }
   }
   return robots;

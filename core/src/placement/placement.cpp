@@ -27,13 +27,21 @@ std::vector<Chord> choose_chords(Placement& placement) {
       return random_teams(polygon, centre, teams, placement.settings.seed);
     default:
       placement.team_candidates =
-          choose_candidates(polygon, centre, placement.candidates, placement.settings, teams);
+          choose_candidates(polygon, centre, placement.candidates, placement.settings, teams,
+                            placement.stands.get());
   }
   std::vector<Chord> chords;
   chords.reserve(placement.team_candidates.size());
   for (const std::uint32_t i : placement.team_candidates)
     chords.push_back(placement.candidates[i].chord);
   return chords;
+}
+
+// Where robots that lift at these points touch the boundary.
+std::vector<LiftingPoint> touched(const Placement& placement, std::vector<LiftingPoint> points) {
+  if (placement.stands)
+    for (LiftingPoint& point : points) point.position = placement.stands->contact(point);
+  return points;
 }
 
 // Whether the placement is what its goal asks for.
@@ -51,7 +59,8 @@ void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& point
 
   placement.lifting_base = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
   placement.coverage = coverage(polygon, placement.lifting_base);
-  placement.closure = analyse_closure(polygon, placement.centre_of_mass, points);
+  placement.closure =
+      analyse_closure(polygon, placement.centre_of_mass, touched(placement, points));
   placement.goal_reached = reaches_goal(placement);
 }
 
@@ -113,6 +122,14 @@ void choose_teams(Placement& placement, Effort effort) {
   placement.teams = distribute_weight(choose_chords(placement), placement.settings.weight);
 }
 
+Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
+                                             const Settings& settings, const Stands* stands) {
+  if (!stands) return find_candidates(polygon, centre, settings.min_ratio);
+  auto found = standing_candidates(polygon, centre, settings.min_ratio, *stands);
+  if (!found) return found.error();
+  return std::move(found->candidates);
+}
+
 InputError refused(Setting setting, std::string why) {
   return {ErrorCode::bad_setting,
           std::move(why),
@@ -131,9 +148,27 @@ std::optional<InputError> check_balanced(const Settings& settings) {
 
 }  // namespace
 
+std::vector<LiftingPoint> contact_points(const Placement& placement) {
+  return touched(placement, lifting_points(placement.teams));
+}
+
 std::optional<InputError> check_settings(const Settings& settings) {
   if (auto error = check_ranges(settings)) return error;
   if (settings.method == Method::balanced) return check_balanced(settings);
+  if (!stands_anywhere(settings)) {
+    const Setting sized = settings.no_go.empty() ? Setting::robot : Setting::no_go;
+    if (!selects_candidates(settings.method))
+      return refused(
+          sized, "the metrics distributed and random take robots as points that stand anywhere");
+    if (settings.goal == Goal::hold)
+      return refused(Setting::goal,
+                     "teams of robots with a size, or with edges that they must not touch, can only be "
+                     "placed to cover; balanced robots can be placed so that they hold");
+    if (settings.positions == Positions::range)
+      return refused(Setting::positions,
+                     "robots with a size, or with edges that they must not touch, stand at the best "
+                     "places and at the ends of what they can use; leave the positions at best");
+  }
   if (settings.goal == Goal::hold && !selects_candidates(settings.method))
     return refused(Setting::goal,
                    "distributed and random teams choose by direction; teams by area, circle and "
@@ -155,13 +190,16 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   if (auto error = check_settings(settings)) return *error;
   const auto centre = check_centre_of_mass(polygon, centre_of_mass);
   if (!centre) return centre.error();
-  auto candidates = find_candidates(polygon, *centre, settings.min_ratio, settings.positions);
+  auto stands = make_stands(polygon, settings);
+  if (!stands) return stands.error();
+  auto candidates = candidates_of(polygon, *centre, settings, stands->get());
   if (!candidates) return candidates.error();
   if (exchanges_teams(settings))
     if (auto error = check_exchanges(candidates->size(), settings.teams.value_or(max_teams)))
       return *error;
 
   Placement placement(std::move(polygon));
+  placement.stands = *std::move(stands);
   placement.centre_of_mass = *centre;
   placement.settings = settings;
   placement.candidates = std::move(*candidates);

@@ -8,6 +8,11 @@
 
 namespace evenlift {
 
+// The two ends of an edge, or of any other segment.
+struct LineEnds {
+  Vec2 start = Vec2::Zero(), end = Vec2::Zero();
+};
+
 class EdgeTree {
  public:
   struct Node {
@@ -20,14 +25,20 @@ class EdgeTree {
 
   // O(n).
   explicit EdgeTree(const Polygon& polygon);
+  // Over any segments, of which neighbours should be near each other. Without any there is one leaf, with
+  // no edges. O(n).
+  explicit EdgeTree(const std::vector<LineEnds>& lines);
 
   // The root is node 0.
   const Node& node(std::uint32_t i) const { return nodes_[i]; }
 
  private:
-  std::uint32_t build(const Polygon& polygon, std::uint32_t begin, std::uint32_t end);
+  std::uint32_t build(const std::vector<LineEnds>& lines, std::uint32_t begin, std::uint32_t end);
 
   std::vector<Node> nodes_;
 };
+
+// The edges of a polygon, in their order. O(n).
+std::vector<LineEnds> edges_of(const Polygon& polygon);
 
 }  // namespace evenlift

@@ -51,7 +51,7 @@ double floor_of(const Polygon& polygon, const Vec2& centre, Method metric) {
 
 Selector::Selector(const Polygon& polygon, const Vec2& centre,
                    const std::vector<Candidate>& candidates, Method metric, std::size_t most_teams,
-                   FirstTeam first)
+                   FirstTeam first, const Stands* stands)
     : candidates_(candidates),
       surroundings_(polygon, centre),
       metric_(metric),
@@ -59,6 +59,7 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
       first_(first),
       near_(near_distance(polygon.diagonal())),
       floor_(floor_of(polygon, centre, metric)),
+      stands_(stands),
       is_taken_(candidates.size()) {
   ends_.reserve(2 * candidates.size());
   for (const Candidate& candidate : candidates) {
@@ -77,7 +78,7 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
 }
 
 bool Selector::take_next() {
-  if (taken_.size() == candidates_.size()) return false;
+  if (out_ == candidates_.size()) return false;
   if (taken_.empty()) {
     take(best_first_team());
     return true;
@@ -102,9 +103,26 @@ bool Selector::take_next() {
 void Selector::take(std::uint32_t candidate) {
   taken_.push_back(candidate);
   is_taken_[candidate] = 1;
+  ++out_;
   const bool was_best = !line_.empty() && bound(candidate) == best_score_;
   if (!line_.empty()) line_.pop_back();
   if (widen_base(candidate) || (was_best && --best_in_line_ == 0)) line_.clear();
+  if (stands_) drop_colliding(candidate);
+}
+
+// Whoever waits in line waits again: of those that tie others may now be the first.
+void Selector::drop_colliding(Index taken) {
+  const Chord& team = candidates_[taken].chord;
+  const auto collides = [&](const LiftingPoint& point) {
+    return stands_->collide(point, team.r1) || stands_->collide(point, team.r2);
+  };
+  for (Index i = 0; i < candidates_.size(); ++i) {
+    if (is_taken_[i]) continue;
+    if (!collides(candidates_[i].chord.r1) && !collides(candidates_[i].chord.r2)) continue;
+    is_taken_[i] = dropped;
+    ++out_;
+  }
+  line_.clear();
 }
 
 double Selector::score(std::uint32_t candidate) {

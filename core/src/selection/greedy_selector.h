@@ -8,6 +8,7 @@
 #include "evenlift/candidates.h"
 #include "evenlift/document.h"
 #include "evenlift/selection.h"
+#include "evenlift/stands.h"
 #include "selection/base_edge.h"
 
 namespace evenlift {
@@ -20,10 +21,11 @@ namespace evenlift {
 // best wait in line.
 class Selector {
  public:
-  // `most_teams` is a bound on the number of teams that will be taken.
+  // `most_teams` is a bound on the number of teams that will be taken. With `stands`, which must outlive
+  // it, candidates that collide with a team that is taken drop out.
   Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
            Method metric, std::size_t most_teams = ~std::size_t{0},
-           FirstTeam first = FirstTeam::even);
+           FirstTeam first = FirstTeam::even, const Stands* stands = nullptr);
 
   // Takes the best candidate as the next team. False if no candidate is left.
   bool take_next();
@@ -32,6 +34,9 @@ class Selector {
   void take(std::uint32_t candidate);
 
   const std::vector<std::uint32_t>& taken() const { return taken_; }
+
+  // Whether a candidate that is not taken collides with a team.
+  bool dropped_out(std::uint32_t candidate) const { return is_taken_[candidate] == dropped; }
 
   // The score of a candidate against the teams taken so far, of which there is at least one.
   double score(std::uint32_t candidate);
@@ -86,6 +91,7 @@ class Selector {
   Gain estimate(const End& end) const;
   bool gains(const Wedge& wedge, const Vec2& p) const;
   void line_up(Indices leaders);
+  void drop_colliding(Index taken);
 
   const std::vector<Candidate>& candidates_;
   Surroundings surroundings_;
@@ -101,7 +107,10 @@ class Selector {
   Indices edges_;              // the wedge of each edge of H, from corner i to i + 1
   std::vector<Wedge> wedges_;  // past ones, too, so that indices stay valid
 
-  std::vector<char> is_taken_;
+  static constexpr char dropped = 2;
+  const Stands* stands_;
+  std::size_t out_ = 0;         // candidates that are taken or dropped
+  std::vector<char> is_taken_;  // 1: taken, 2: dropped
   std::vector<std::uint32_t> taken_;
   Indices line_;                  // the next candidates while H does not change, last first
   std::size_t best_in_line_ = 0;  // how many of them have the best score itself

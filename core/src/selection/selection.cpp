@@ -19,8 +19,8 @@ Chord make_chord(const RayCaster::Hit& ahead, const RayCaster::Hit& behind, cons
 
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Method metric,
-                                        std::size_t teams, FirstTeam first) {
-  Selector selector(polygon, centre, candidates, metric, teams, first);
+                                        std::size_t teams, FirstTeam first, const Stands* stands) {
+  Selector selector(polygon, centre, candidates, metric, teams, first, stands);
   while (selector.taken().size() < teams && selector.take_next()) {
   }
   return selector.taken();

@@ -7,6 +7,7 @@
 #include "evenlift/exchange.h"
 #include "evenlift/hull.h"
 #include "evenlift/selection.h"
+#include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "trace/balanced_steps.h"
 
@@ -182,8 +183,10 @@ std::optional<InputError> collect(Trace& trace) {
   if (!pairs) return pairs.error();
   auto opposite = opposite_vertices(trace.polygon, trace.centre);
   if (!opposite) return opposite.error();
-  auto traced =
-      trace_candidates(trace.polygon, trace.centre, min_ratio, trace.placement.settings.positions);
+  const Stands* stands = trace.placement.stands.get();
+  auto traced = stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands)
+                       : trace_candidates(trace.polygon, trace.centre, min_ratio,
+                                          trace.placement.settings.positions);
   if (!traced) return traced.error();
   trace.rays = make_rays(trace.polygon, trace.centre, *chords);
   trace.pairs = *std::move(pairs);
@@ -260,7 +263,7 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
   if (exchanges_teams(placement.settings)) trace_exchanges(trace);
-  trace.contacts = contacts(trace.polygon, lifting_points(trace.placement.teams));
+  trace.contacts = contacts(trace.polygon, contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;
 }

@@ -1,7 +1,9 @@
 // The details of an edge-pair and of two opposite vertices: what the candidate stage decided about
 // them, and why.
 #include "candidates/pair_candidate.h"
+#include "chords/section.h"
 #include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
 
 namespace evenlift {
@@ -17,6 +19,20 @@ Outcome outcome_of(const PairVerdict& verdict) {
   if (verdict.parallel) return accepted ? Outcome::midpoint : Outcome::parallel_low;
   if (verdict.bisected) return Outcome::bisecting;
   return accepted ? Outcome::nearer_end : Outcome::too_uneven;
+}
+
+// What robots with a size leave of a pair's candidate.
+void find_standing(const Trace& trace, PairDetail& detail) {
+  const double near = near_distance(trace.polygon.diagonal());
+  if (!detail.candidate) {
+    detail.standing = Standing::nowhere;
+    return;
+  }
+  const Chord& chord = trace.placement.candidates[*detail.candidate].chord;
+  detail.standing = detail.verdict.candidate && same_chord(chord, detail.chosen, near)
+                        ? Standing::there
+                        : Standing::elsewhere;
+  detail.chosen = chord;
 }
 
 }  // namespace
@@ -56,6 +72,7 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
   }
   detail.candidate = candidate_of(trace, index);
   detail.stands = detail.candidate && trace.source_of_candidate[*detail.candidate] == index;
+  if (trace.placement.stands) find_standing(trace, detail);
   return detail;
 }
 

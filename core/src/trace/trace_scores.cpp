@@ -45,7 +45,8 @@ class Tournament {
 
   void run() {
     for (std::uint32_t i = 0; i < candidates_.size(); ++i)
-      if (!scores_.of_candidate[i].taken) scores_.ranking.push_back(i);
+      if (!scores_.of_candidate[i].taken && !scores_.of_candidate[i].collides)
+        scores_.ranking.push_back(i);
     for (std::uint32_t key = 0; key < 3; ++key) play(key);
     const std::vector<std::uint32_t> left = std::move(scores_.ranking);
     scores_.ranking.clear();
@@ -144,12 +145,15 @@ void score_first_team(const std::vector<Candidate>& candidates, FirstTeam first,
 double score_further_team(const Trace& trace, TeamScores& scores) {
   const Placement& placement = trace.placement;
   const std::vector<Candidate>& candidates = placement.candidates;
-  Selector selector(trace.polygon, trace.centre, candidates, placement.settings.method);
+  Selector selector(trace.polygon, trace.centre, candidates, placement.settings.method,
+                    ~std::size_t{0}, placement.stands.get());
   for (std::uint32_t i = 0; i < scores.team; ++i) {
     const std::uint32_t taken = trace.selected()[i];
     selector.take(taken);
     scores.of_candidate[taken].taken = true;
   }
+  for (std::uint32_t i = 0; i < candidates.size(); ++i)
+    scores.of_candidate[i].collides = selector.dropped_out(i);
   selector.compare();
   const bool all = std::uint64_t{candidates.size()} * trace.polygon.size() <= exact_score_budget;
   for (const Vec2& corner : selector.base()) scores.base.push_back(trace.centre + corner);

@@ -55,7 +55,10 @@ WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
   answer.exact = own.exact;
   answer.rule = scores.rule;
   answer.decided_by = winner == candidate ? scores.decided_by : own.lost_by;
-  answer.why = winner == candidate ? Why::taken : own.eligible ? Why::behind : Why::not_even;
+  answer.why = winner == candidate ? Why::taken
+               : own.collides      ? Why::collides
+               : own.eligible      ? Why::behind
+                                   : Why::not_even;
   return answer;
 }
 
@@ -67,7 +70,9 @@ WhyNot why_not_pair(const Trace& trace, std::uint32_t k, std::uint32_t pair) {
   answer.pair = pair;
   answer.pair_ratio = detail.chosen.ratio;
   answer.candidate = detail.candidate;
-  answer.why = detail.candidate ? Why::duplicate : Why::too_uneven;
+  answer.why = detail.candidate                       ? Why::duplicate
+               : detail.verdict.candidate.has_value() ? Why::cannot_stand
+                                                      : Why::too_uneven;
   return answer;
 }
 
@@ -115,6 +120,11 @@ WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Ch
   const double near = near_distance(trace.polygon.diagonal());
   for (std::uint32_t i = 0; i < candidates.size(); ++i)
     if (same_chord(*chord, candidates[i].chord, near)) return why_not(trace, k, i);
+  if (const Stands* stands = trace.placement.stands.get()) {
+    answer.why = Why::cannot_stand;
+    for (const LiftingPoint& end : {chord->r1, chord->r2})
+      if (!stands->can_lift(stands->lifting_point(end))) return answer;
+  }
 
   for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
     const OppositeDetail detail = look_at_opposite(trace, i);

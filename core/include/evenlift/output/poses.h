@@ -32,7 +32,7 @@ struct PoseOptions {
 };
 
 // The robots, team after team, counted from 1: where each stands, where it faces, what it bears and
-// its team. It faces along the inward normal of the edge at which it lifts, and at a vertex along
+// its team. A robot with a size stands at the middle of its body, any other where it lifts. It faces along the inward normal of the edge at which it lifts, and at a vertex along
 // the middle of the normals of the two edges there.
 //   csv   a row for each robot: robot,team,x,y,heading_deg,load,unit,weight_unit
 //   json  {"frame", "origin", "unit", "weight_unit", "robots": [{"robot", "team", "x", "y",

@@ -98,6 +98,10 @@ std::string detail_in_words(const Placement& placement);
 // The whole result in a few sentences: loads_in_words and detail_in_words.
 std::string verdict(const Placement& placement);
 
+// Why a robot cannot stand at a part of the boundary: "a robot of radius 60 does not fit here", with the
+// size that is in the way.
+std::string unusable_in_words(WhyUnusable why, const RobotSize& robot);
+
 // Which robots carry more than one can, and how many robots are needed if the plan for that is
 // known. O(teams).
 std::string capacity_in_words(const Placement& placement, double capacity,

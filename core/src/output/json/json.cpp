@@ -3,6 +3,8 @@
 #include "evenlift/candidates.h"
 #include "evenlift/doubt.h"
 #include "evenlift/placed_robots.h"
+#include "evenlift/settings_text.h"
+#include "evenlift/stands.h"
 #include "output/json/json_text.h"
 #include "output/json/robustness_json.h"
 
@@ -109,6 +111,26 @@ void add_beyond(std::vector<json::Member>& members, const Settings& settings) {
     members.push_back({"min_margin", json::number(settings.min_margin)});
 }
 
+std::string robot_json(const RobotSize& robot) {
+  return json::object({{"radius", json::number(robot.radius)},
+                       {"reach", json::number(robot.reach)},
+                       {"depth", json::number(robot.depth)},
+                       {"width", json::number(robot.width)},
+                       {"gap", json::number(robot.gap)}});
+}
+
+// Parts of edges, counted from 1, from 0 to 1 along each.
+std::string unusable_json(const Placement& placement) {
+  std::vector<std::string> items;
+  const Polygon& polygon = placement.polygon;
+  for (const UnusablePart& part : placement.stands->unusable()) {
+    const double size = length(polygon.edge_end(part.edge) - polygon.edge_start(part.edge));
+    items.push_back(json::array({std::to_string(part.edge + 1), json::number(part.part.from / size),
+                                 json::number(part.part.to / size), json::text(name(part.why))}));
+  }
+  return json::long_array(items, 1);
+}
+
 // What balanced robots were asked for.
 void add_balanced(std::vector<json::Member>& members, const Settings& settings) {
   members.push_back({"requested_robots", std::to_string(settings.robots)});
@@ -159,6 +181,11 @@ std::string placement_json(const Placement& placement, bool with_candidates,
     add_balanced(members, settings);
   else
     add_beyond(members, settings);
+  if (placement.stands) {
+    members.push_back({"robot", robot_json(settings.robot)});
+    members.push_back({"no_go", json::text(no_go_text(settings.no_go))});
+    members.push_back({"unusable", unusable_json(placement)});
+  }
   if (robots)
     members.push_back(
         {"robustness", json::robustness(placement, models, robustness.com_radius, 1)});
@@ -181,7 +208,9 @@ std::string document_json(const Document& document) {
       {"overlays", overlays_json(settings.overlays)},
       {"step", settings.step ? std::to_string(*settings.step) : "null"},
       {"com_radius", json::number(settings.com_radius)},
-      {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"}};
+      {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"},
+      {"robot", robot_json(settings.robot)},
+      {"no_go", json::text(no_go_text(settings.no_go))}};
   add_units(members, settings.units);
   if (exchanges_teams(settings)) members.push_back({"goal", json::text(name(Goal::hold))});
   if (settings.method != Method::balanced) add_beyond(members, settings);

@@ -35,15 +35,14 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest) 
 
 }  // namespace
 
-// While robots have no size, what touches the object is the robot itself.
 std::string robots(const Placement& placement, int depth) {
   std::vector<std::string> items;
   for (const PlacedRobot& robot : placed_robots(placement))
     items.push_back(object({{"at", pair(robot.at)},
                             {"team", std::to_string(robot.team)},
                             {"load", number(robot.load)},
-                            {"contact", pair(robot.at)},
-                            {"stand", pair(robot.at)},
+                            {"contact", pair(robot.contact)},
+                            {"stand", pair(robot.stand)},
                             {"heading", number(robot.heading_deg)}}));
   return long_array(items, depth);
 }

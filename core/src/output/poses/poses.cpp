@@ -25,10 +25,13 @@ std::string_view name(PoseOrigin origin) { return origin == PoseOrigin::file ? "
 // Zero has no sign in a table or a message.
 double without_sign(double value) { return value == 0 ? 0 : value; }
 
+// The robots, each where it stands.
 std::vector<PlacedRobot> robots_from(const Placement& placement, PoseOrigin origin) {
   std::vector<PlacedRobot> robots = placed_robots(placement);
-  for (PlacedRobot& robot : robots)
+  for (PlacedRobot& robot : robots) {
+    robot.at = robot.stand;
     if (origin == PoseOrigin::com) robot.at -= placement.centre_of_mass;
+  }
   return robots;
 }
 

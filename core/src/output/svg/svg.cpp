@@ -6,6 +6,7 @@
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "output/svg/label_places.h"
+#include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_paper.h"
@@ -22,7 +23,7 @@ constexpr std::size_t most_labels = 150;
 class Drawing {
  public:
   explicit Drawing(const Placement& placement)
-      : placement_(placement), paper_(placement.vertices()) {
+      : placement_(placement), paper_(extent(placement)) {
     const auto robots = static_cast<double>(count_robots(placement.teams));
     disc_ = std::clamp(13.5 - robots / 12, 6.5, 13.0);
     number_size_ = 1.15 * disc_;
@@ -39,6 +40,7 @@ class Drawing {
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
       drawing += drawn(shape);
+    drawing += unusable_boundary(placement_, paper_) + bodies(placement_, paper_);
     drawing += robots();
     drawing += loads();
     const Caption caption = make_caption(placement_, shown_, paper_.height, paper_.width);

@@ -178,13 +178,32 @@ std::string StepCaptions::outcome() const {
           {a, b, chosen, least()});
       break;
   }
+  if (pair.standing) text += standing(pair);
   if (!pair.candidate || pair.stands) return text;
   return text + same_chord(*pair.candidate);
+}
+
+// What robots with a size make of it. Where the load ratio was too low already there is nothing to add.
+std::string StepCaptions::standing(const PairDetail& pair) const {
+  switch (*pair.standing) {
+    case Standing::there:
+      return " Robots of this size can stand there.";
+    case Standing::elsewhere:
+      return fill(
+          " Where robots of this size can stand, the best chord has #, at least #: it is the candidate.",
+          {ratio(pair.chosen.ratio), least()});
+    case Standing::nowhere:
+      break;
+  }
+  return pair.verdict.candidate
+             ? " But robots of this size cannot stand there, nor on another chord that is even enough: no candidate."
+             : "";
 }
 
 // Says where the chord that was kept for a candidate comes from.
 std::string StepCaptions::same_chord(std::uint32_t candidate) const {
   const std::uint32_t source = trace_.source_of_candidate[candidate];
+  if (source == no_index) return {};  // edges that face each other only where the hands lift
   if (source < trace_.pairs.size())
     return fill(" Pair # has the same chord.", {counted_from_1(source)});
   const OppositeVertices& two = trace_.opposite[source - trace_.pairs.size()];
@@ -198,6 +217,9 @@ std::string StepCaptions::opposite() const {
       "Vertices # and # are opposite each other: the line between them passes through C. Whether the edges that meet there also face each other is a matter of rounding, so the chord between the two vertices counts by itself. ",
       {counted_from_1(opposite.vertices.v), counted_from_1(opposite.vertices.w)});
   const Piece own = ratio(opposite.chord.ratio);
+  if (!opposite.candidate && placement_.stands &&
+      opposite.chord.ratio >= placement_.settings.min_ratio)
+    return text + "Robots of this size cannot stand there: no candidate.";
   if (!opposite.candidate)
     return text + fill("Its load ratio is only #, less than #: no candidate.", {own, least()});
   text += fill("Its load ratio is #, at least #: a candidate.", {own, least()});

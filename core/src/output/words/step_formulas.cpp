@@ -75,10 +75,12 @@ std::string StepFormulas::sections() const {
 }
 
 std::string StepFormulas::outcome() const {
+  if (detail_.pair->standing == Standing::nowhere && detail_.pair->verdict.candidate) return {};
   return compared_with_minimum(detail_.pair->chosen, detail_.pair->candidate);
 }
 
 std::string StepFormulas::opposite() const {
+  if (placement_.stands && !detail_.opposite->candidate) return {};
   return compared_with_minimum(detail_.opposite->chord, detail_.opposite->candidate);
 }
 

@@ -135,6 +135,11 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
           "The first team is the longest even candidate. Candidate # has a load ratio of #; candidate # is even.",
           {counted_from_1(*answer.candidate), ratio_text(answer.chord.ratio),
            counted_from_1(*answer.winner)});
+    case Why::cannot_stand:
+      return "Robots of this size cannot stand at both of its ends.";
+    case Why::collides:
+      return fill("A robot at one of its ends would be too near to one of the teams before team #.",
+                  {counted_from_1(answer.team)});
     case Why::behind:
       return behind(trace, answer);
     case Why::taken:

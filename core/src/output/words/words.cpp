@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "output/words/listed.h"
 
@@ -73,13 +74,37 @@ std::string loads_in_words(const Placement& placement) {
          with_weight_unit(plain(placement.settings.weight), placement.settings.units) + " in all).";
 }
 
+std::string unusable_in_words(WhyUnusable why, const RobotSize& robot) {
+  switch (why) {
+    case WhyUnusable::no_go:
+      return "marked: no robot may touch this";
+    case WhyUnusable::body:
+      return "a robot of radius " + plain(robot.radius) + " does not fit here";
+    case WhyUnusable::arm:
+      return "an arm of reach " + plain(robot.reach) + " would cross the object";
+    case WhyUnusable::corner:
+      return robot.width > 0 ? "a hand of width " + plain(robot.width) + " would stick out here"
+                             : "no robot stands at a corner";
+    case WhyUnusable::hand:
+      return robot.depth > 0 ? "a hand of depth " + plain(robot.depth) + " would stick out here"
+                             : "a hand of width " + plain(robot.width) + " would stick out here";
+    case WhyUnusable::narrow:
+      break;
+  }
+  return "too short for a robot between its neighbours";
+}
+
 std::string shortage_in_words(const Placement& placement) {
   const bool by_ratio = selects_candidates(placement.settings.method);
   const std::size_t teams = placement.teams.size();
   if (teams == 0 && !placement.search_ended) return {};
   if (teams == 0 && placement.settings.method == Method::balanced)
     return "There is no balanced placement of " + std::to_string(placement.settings.robots) +
-           " robots: none was found whose centroid is the centre of mass.";
+           (placement.stands
+                ? " robots of this size: none was found that fit, with the centre of mass as centroid."
+                : " robots: none was found whose centroid is the centre of mass.");
+  if (teams == 0 && placement.stands)
+    return "No chord through the centre of mass on which two robots of this size can stand is even enough. Lower the minimum load ratio, or take smaller robots.";
   if (teams == 0)
     return by_ratio
                ? "No chord through the centre of mass is this even. Lower the minimum load ratio, or move the centre of mass."
@@ -87,7 +112,9 @@ std::string shortage_in_words(const Placement& placement) {
   if (teams >= placement.requested_teams) return {};
   return "There is room for only " + std::to_string(teams) + " of " +
          count_of(placement.requested_teams, "team", "teams") +
-         (by_ratio ? " at this minimum load ratio." : ".");
+         (placement.stands ? ": in any other place the robots would not fit beside each other."
+          : by_ratio       ? " at this minimum load ratio."
+                           : ".");
 }
 
 std::string coverage_in_words(const Placement& placement) {

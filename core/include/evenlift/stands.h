@@ -1,0 +1,133 @@
+// Where robots with a size can stand (docs/stands.md): a round body of radius r outside the object, an
+// arm that reaches to the contact c on an edge, and a hand that goes beneath the object by its depth d.
+// With n the outward normal of the edge, the middle of the body is s = c + (r + reach) n, the hand is the
+// rectangle of its width from c to c - d n, and the lifting point is p = c - d n.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/chords.h"
+#include "evenlift/document.h"
+#include "evenlift/polygon.h"
+#include "evenlift/result.h"
+
+namespace evenlift {
+
+// Why a part of an edge cannot be used.
+enum class WhyUnusable : std::uint8_t {
+  no_go,   // the user says so
+  body,    // the body would meet another part of the boundary
+  arm,     // the arm would cross the object
+  corner,  // the hand would stick out beyond a convex corner
+  hand,    // the object is not deep enough for the hand, or not wide enough
+  narrow,  // what is left between two other parts is shorter than the tolerance
+};
+
+// "no_go", "body" and so on, as in JSON. O(1).
+std::string_view name(WhyUnusable why);
+
+// A part of an edge from its first vertex, in units of length.
+struct Stretch {
+  double from = 0, to = 0;
+};
+
+struct UnusablePart {
+  std::uint32_t edge = 0;
+  Stretch part;  // from < to
+  WhyUnusable why = WhyUnusable::no_go;
+};
+
+// The boundary as robots of one size can use it. At t along an edge a robot can stand if
+//   1. every other edge is at least r - tau L away from the middle of its body,
+//   2. the segment from the body's middle to the contact meets the object at the contact only (if the
+//      reach is above 0),
+//   3. the hand's rectangle lies within the object, to tau L, and half its width from convex corners,
+//   4. t is not in a part that must not be touched.
+// A robot of which only the gap is above 0 may stand at a vertex, unless an edge there must not be
+// touched at it. Any other robot stands at no vertex: the stretches end 2 tau L before it, where a contact
+// is one inside the edge.
+class Stands {
+ public:
+  // For each edge the other edges near it are found in a tree of boxes. O(n log n + k log k) for k pairs
+  // of edges that are so near to each other that one may stand in the way of a robot at the other, if the
+  // outline does not wind much.
+  Stands(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go);
+
+  const RobotSize& robot() const { return robot_; }
+  // Whether a robot is more than a point.
+  bool has_body() const { return has_body_; }
+  // Whether robots can stand anywhere at all.
+  bool any() const { return !usable_.empty(); }
+
+  // Where an edge can be used: disjoint closed stretches in ascending order, none shorter than tau L. All
+  // of them together, edge after edge.
+  struct Stretches {
+    const Stretch* first;
+    const Stretch* last;
+    const Stretch* begin() const { return first; }
+    const Stretch* end() const { return last; }
+    bool empty() const { return first == last; }
+  };
+  Stretches usable(std::uint32_t edge) const {
+    return {usable_.data() + begins_[edge], usable_.data() + begins_[edge + std::size_t{1}]};
+  }
+  // All else, edge after edge, in ascending order. Where several reasons hold the first in the order of
+  // WhyUnusable stands. The bits of 2 tau L at vertices are not listed.
+  const std::vector<UnusablePart>& unusable() const { return unusable_; }
+  // Why nobody can stand at t along an edge; nothing where somebody can. O(log n).
+  std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
+
+  // The contact of a lifting point, and the middle of the body of a robot that lifts there. At a vertex,
+  // where only points can stand, both are the lifting point itself. O(1).
+  Vec2 contact(const LiftingPoint& point) const;
+  Vec2 stand(const LiftingPoint& point) const;
+  // The lifting point of a contact on an edge. O(1).
+  LiftingPoint lifting_point(const LiftingPoint& contact) const;
+  // The way along its edge from the first vertex to a lifting point or contact. O(1).
+  double along(const LiftingPoint& point) const;
+  // Whether a robot can lift there, within tau L along the edge. O(log n).
+  bool can_lift(const LiftingPoint& point) const;
+
+  // Whether two robots get into each other's way: their bodies' middles must be 2 r + gap apart, and the
+  // middle lines of their hands the hand's width, both to tau L. O(1).
+  bool collide(const LiftingPoint& a, const LiftingPoint& b) const;
+  // Whether any two do. O(m^2).
+  bool any_collide(const std::vector<LiftingPoint>& points) const;
+
+ private:
+  struct Frame {  // of an edge
+    Vec2 start, along, outward;
+    double length;
+  };
+  RobotSize robot_;
+  bool has_body_ = false;
+  double near_ = 0;
+  std::vector<Frame> frames_;
+  std::vector<Stretch> usable_;
+  std::vector<std::uint32_t> begins_;  // into usable_, by edge, and one more
+  std::vector<UnusablePart> unusable_;
+};
+
+// Whether robots are points that may stand anywhere. Then nothing is asked of Stands. O(1).
+bool stands_anywhere(const Settings& settings);
+
+// The stands that the settings ask for; nothing if robots are points that may stand anywhere. It is an
+// error if an edge of no_go does not exist, or if nobody could stand anywhere.
+Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon, const Settings& settings);
+
+// Marks that follow what a hand does, in order and without overlaps: with one more part, without it,
+// whether a place is marked (`at` as a part of the edge), after a vertex was put on an edge, and after one
+// of n > 3 vertices was removed. The new edge then has the marks of both. O(parts log parts).
+std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);
+std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& part);
+bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at);
+std::vector<EdgePart> after_split(const std::vector<EdgePart>& no_go, std::uint32_t edge,
+                                  double at);
+std::vector<EdgePart> after_removal(const std::vector<EdgePart>& no_go, const Points& vertices,
+                                    std::uint32_t vertex);
+
+}  // namespace evenlift

@@ -1,0 +1,241 @@
+#include "candidates/stand_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "candidates/pair_candidate.h"
+#include "chords/section.h"
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+constexpr double least_ratio = 1e-12;  // below it a chord's other end is as good as nowhere
+
+double evenness(double q) { return q < 1 ? q : 1 / q; }
+
+// The chords between two lines by t along a. The ratio q = |C r_a| / |C r_b| is linear in t.
+class ChordRange {
+ public:
+  ChordRange(const StandLine& a, const StandLine& b) : a_(a), b_(b) {
+    q0_ = -cross(a.start, b.along) / b.height;
+    slope_ = -cross(a.along, b.along) / b.height;
+  }
+
+  double q(double t) const { return q0_ + t * slope_; }
+
+  // The part of a stretch of a in which q is from `low` to `high`.
+  std::optional<Stretch> with_ratio(Stretch stretch, double low, double high) const {
+    for (const double bound : {low, high}) {
+      const double sign = bound == low ? 1 : -1;
+      const bool first = sign * (q(stretch.from) - bound) >= 0,
+                 last = sign * (q(stretch.to) - bound) >= 0;
+      if (!first && !last) return std::nullopt;
+      if (first && last) continue;
+      const double t = std::clamp((bound - q0_) / slope_, stretch.from, stretch.to);
+      (first ? stretch.to : stretch.from) = t;
+    }
+    return stretch;
+  }
+
+  // Where the chord at t along a ends on b, and the other way round.
+  double on_b(double t) const { return dot(-a_.at(t) / q(t) - b_.start, b_.along); }
+  double on_a(double t_b) const {
+    const Vec2 r_b = b_.at(t_b);
+    return dot(r_b * (a_.height / cross(r_b, a_.along)) - a_.start, a_.along);
+  }
+
+  // The part of a stretch of a, in which q is above 0, whose chords end in a stretch of b.
+  std::optional<Stretch> that_reach(const Stretch& stretch, const Stretch& of_b) const {
+    double t_low = stretch.from, t_high = stretch.to;
+    double low = on_b(t_low), high = on_b(t_high);
+    if (low > high) {
+      std::swap(low, high);
+      std::swap(t_low, t_high);
+    }
+    if (high < of_b.from || low > of_b.to) return std::nullopt;
+    if (low < of_b.from) t_low = std::clamp(on_a(of_b.from), stretch.from, stretch.to);
+    if (high > of_b.to) t_high = std::clamp(on_a(of_b.to), stretch.from, stretch.to);
+    return Stretch{std::min(t_low, t_high), std::max(t_low, t_high)};
+  }
+
+  double slope() const { return slope_; }
+  double q0() const { return q0_; }
+
+ private:
+  const StandLine &a_, &b_;
+  double q0_ = 0, slope_ = 0;
+};
+
+Candidate make_candidate(const Vec2& centre, const StandLine& a, const StandLine& b, double t,
+                         double q, CandidateKind kind) {
+  const Vec2 offset = a.at(t);
+  const double arm = length(offset), g = 1 / q;
+  const LiftingPoint ahead{centre + offset, a.edge}, behind{centre - g * offset, b.edge};
+  Candidate candidate;
+  candidate.chord = order_ends(ahead, arm, behind, g * arm, offset);
+  candidate.chord.ratio = evenness(q);
+  candidate.kind = kind;
+  candidate.direction = rightward(offset);
+  candidate.length = candidate.chord.arm1 + candidate.chord.arm2;
+  return candidate;
+}
+
+// Looks for the candidates of two lines.
+class Finder {
+ public:
+  Finder(const Vec2& centre, const StandLine& a, const StandLine& b, double min_ratio, double near)
+      : centre_(centre), a_(a), b_(b), range_(a, b), near_(near) {
+    const double least = std::max(min_ratio - tau, least_ratio);
+    for (const Stretch& of_a : a.usable)
+      if (const auto even = range_.with_ratio(of_a, least, 1 / least))
+        for (const Stretch& of_b : b.usable)
+          if (const auto piece = range_.that_reach(*even, of_b)) pieces_.push_back(*piece);
+  }
+
+  std::vector<Candidate> run() const {
+    std::vector<Candidate> found;
+    if (pieces_.empty()) return found;
+    found.push_back(best());
+    for (const Stretch& piece : pieces_)
+      for (const double t : {piece.from, piece.to})
+        if (ends_on_both(t)) found.push_back(at(t));
+    return found;
+  }
+
+ private:
+  // Even chords of lines that are not parallel are bisected, those at an end are not.
+  Candidate at(double t) const {
+    const double q = range_.q(t);
+    const bool even = evenness(q) >= 1 - tau && !parallel();
+    return make_candidate(centre_, a_, b_, t, q,
+                          even ? CandidateKind::bisecting : CandidateKind::range);
+  }
+
+  // The range in which the lines face each other, as far as anybody can stand on them.
+  std::optional<Stretch> whole() const {
+    const auto seen = range_.with_ratio({a_.low, a_.high}, least_ratio, 1 / least_ratio);
+    return seen ? range_.that_reach(*seen, {b_.low, b_.high}) : std::nullopt;
+  }
+
+  bool parallel() const {
+    const auto range = whole();
+    if (!range) return true;
+    const double g0 = 1 / range_.q(range->from), g1 = 1 / range_.q(range->to);
+    return std::fabs(g0 - g1) <= tau * std::max(g0, g1);
+  }
+
+  Candidate best() const { return parallel() ? nearest_to_middle() : most_even(); }
+
+  Candidate nearest_to_middle() const {
+    const auto range = whole();
+    const double middle = range ? (range->from + range->to) / 2 : pieces_.front().from;
+    std::vector<double> places;
+    for (const Stretch& piece : pieces_) places.push_back(std::clamp(middle, piece.from, piece.to));
+    const double place = longest_of(places, [&](double t, double u) {
+      const double way = std::fabs(t - middle), other = std::fabs(u - middle);
+      return std::fabs(way - other) <= near_ ? 0 : way < other ? 1 : -1;
+    });
+    Candidate candidate = at(place);
+    if (place == middle) candidate.kind = CandidateKind::midpoint;
+    return candidate;
+  }
+
+  Candidate most_even() const {
+    const double bisecting = (1 - range_.q0()) / range_.slope();
+    for (const Stretch& piece : pieces_)
+      if (bisecting >= piece.from && bisecting <= piece.to)
+        return make_candidate(centre_, a_, b_, bisecting, 1, CandidateKind::bisecting);
+    std::vector<double> places;
+    for (const Stretch& piece : pieces_) {
+      places.push_back(piece.from);
+      places.push_back(piece.to);
+    }
+    return at(longest_of(places, [&](double t, double u) {
+      const double ratio = evenness(range_.q(t)), other = evenness(range_.q(u));
+      return ratios_tie(ratio, other) ? 0 : ratio > other ? 1 : -1;
+    }));
+  }
+
+  // The best place by `compare`; of those that tie with it the one with the longest chord, then the first.
+  template <class Compare>
+  double longest_of(const std::vector<double>& places, Compare compare) const {
+    double best = places.front();
+    for (const double place : places)
+      if (compare(place, best) > 0) best = place;
+    double chosen = best;
+    for (const double place : places)
+      if (compare(place, best) == 0 && size(place) > size(chosen) * (1 + tau)) chosen = place;
+    return chosen;
+  }
+
+  double size(double t) const { return length(a_.at(t)) * (1 + 1 / range_.q(t)); }
+
+  bool ends_on_both(double t) const {
+    return is_end(a_.usable, t) && is_end(b_.usable, range_.on_b(t));
+  }
+
+  bool is_end(const Stands::Stretches& stretches, double t) const {
+    return std::any_of(stretches.begin(), stretches.end(), [&](const Stretch& s) {
+      return std::fabs(s.from - t) <= near_ || std::fabs(s.to - t) <= near_;
+    });
+  }
+
+  Vec2 centre_;
+  const StandLine &a_, &b_;
+  ChordRange range_;
+  double near_;
+  std::vector<Stretch> pieces_;  // of a, on which robots can stand at both ends of the chord
+};
+
+}  // namespace
+
+std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
+                                    const Stands& stands, std::uint32_t edge) {
+  const Stands::Stretches usable = stands.usable(edge);
+  if (usable.empty()) return std::nullopt;
+  const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
+  StandLine line;
+  line.edge = edge;
+  line.start = stands.lifting_point({p, edge}).position - centre;
+  line.along = (q - p) / length(q - p);
+  line.low = usable.begin()->from;
+  line.high = (usable.end() - 1)->to;
+  line.usable = usable;
+  line.height = cross(line.start, line.along);
+  return line;
+}
+
+bool can_stand(const Stands& stands, const Candidate& candidate) {
+  const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
+  return stands.can_lift(r1) && stands.can_lift(r2) && !stands.collide(r1, r2);
+}
+
+std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
+                                       const StandLine& b, double min_ratio, double near) {
+  if (std::fabs(a.height) <= near || std::fabs(b.height) <= near) return {};
+  std::vector<Candidate> found = Finder(centre, a, b, min_ratio, near).run();
+  std::erase_if(found, [&](const Candidate& candidate) {
+    return !reaches(candidate.chord, min_ratio) || !can_stand(stands, candidate);
+  });
+  return found;
+}
+
+std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
+                                       const Vec2& centre, const EdgePair& pair, double min_ratio) {
+  const PairVerdict verdict = examine_pair(polygon, centre, pair, min_ratio);
+  const bool stays = verdict.candidate && can_stand(stands, *verdict.candidate);
+  if (stays && !stands.has_body()) return {*verdict.candidate};
+  const auto a = stand_line(polygon, centre, stands, pair.a);
+  const auto b = stand_line(polygon, centre, stands, pair.b);
+  std::vector<Candidate> found;
+  if (a && b)
+    found = standing_chords(stands, centre, *a, *b, min_ratio, near_distance(polygon.diagonal()));
+  if (!stays) return found;
+  if (found.empty()) found.emplace_back();
+  found.front() = *verdict.candidate;
+  return found;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,46 @@
+// The lines on which robots with a size lift: the edges, moved inward by the depth of the hand, with the
+// stretches on which robots can stand; and the chords between two of them (docs/stands.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evenlift/candidates.h"
+#include "evenlift/stands.h"
+
+namespace evenlift {
+
+// An edge, moved inward, as C sees it. At t along it is C + start + t along.
+struct StandLine {
+  std::uint32_t edge = 0;
+  Vec2 start = Vec2::Zero(), along = Vec2::Zero();  // relative to C; of unit length
+  double low = 0, high = 0;                         // from the first to the last place to stand
+  Stands::Stretches usable{nullptr, nullptr};
+  double height =
+      0;  // start x along: the line's distance from C, positive if it goes counter-clockwise
+  Vec2 at(double t) const { return start + t * along; }
+};
+
+// Nothing if nobody can stand at the edge. O(1).
+std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
+                                    const Stands& stands, std::uint32_t edge);
+
+// Of the chords about C between two lines, of which neither passes within tau L of C:
+//   - the one with the best load ratio on which two robots can stand; if all have the same, the one
+//     nearest to the middle of the lines' common range; of equally good ones the longer;
+//   - those at which a stretch ends on both lines at once, as a diagonal between opposite vertices does.
+// Of each only if its load ratio is at least the minimum, within tolerance, and its two robots do not
+// collide. The best one comes first. O(stretches).
+std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
+                                       const StandLine& b, double min_ratio, double near);
+
+// The same for an edge-pair of the polygon itself, that is for hands without depth: its candidate
+// stands as it is if two robots can stand there.
+std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
+                                       const Vec2& centre, const EdgePair& pair, double min_ratio);
+
+// Whether both robots of a candidate can stand there and do not collide. O(log n).
+bool can_stand(const Stands& stands, const Candidate& candidate);
+
+}  // namespace evenlift

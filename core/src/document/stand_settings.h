@@ -1,0 +1,20 @@
+// The settings of where robots can stand, from text.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "evenlift/document.h"
+
+namespace evenlift {
+
+// Each returns whether the text is a value of its setting, and changes the setting only then. O(bytes).
+bool read_size(std::string_view text, double& size);
+bool read_robot(std::string_view text, RobotSize& robot);
+bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go);
+
+// Whether the values are in their ranges. O(1) and O(parts).
+bool is_robot_size(const RobotSize& robot);
+bool is_no_go(const std::vector<EdgePart>& no_go);
+
+}  // namespace evenlift

@@ -1,0 +1,104 @@
+#include "stands/obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace evenlift {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Grows to take in values of x.
+struct Extent {
+  double low = infinity, high = -infinity;
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  bool empty() const { return low > high; }
+  std::optional<Stretch> stretch() const {
+    return empty() ? std::nullopt : std::optional(Stretch{low, high});
+  }
+};
+
+double x_at(const Vec2& p, const Vec2& q, double y) {
+  const double part = (y - p.y()) / (q.y() - p.y());
+  return p.x() + std::clamp(part, 0.0, 1.0) * (q.x() - p.x());
+}
+
+// The values of x that a segment has where y is from `low` to `high`, both included.
+Extent within(const Vec2& p, const Vec2& q, double low, double high) {
+  Extent extent;
+  for (const Vec2& end : {p, q})
+    if (end.y() >= low && end.y() <= high) extent.add(end.x());
+  for (const double y : {low, high})
+    if ((p.y() < y) != (q.y() < y) && p.y() != q.y()) extent.add(x_at(p, q, y));
+  return extent;
+}
+
+// Where a segment crosses the line at height y; its upper ends count, its lower ones do not.
+Extent crossing(const Vec2& p, const Vec2& q, double y) {
+  Extent extent;
+  if ((p.y() < y) != (q.y() < y)) extent.add(x_at(p, q, y));
+  return extent;
+}
+
+Vec2 upside_down(const Vec2& v) { return {v.x(), -v.y()}; }
+
+}  // namespace
+
+// The line on which the body's middle moves, against the capsule of the body's radius about the other
+// edge. A line meets a convex set in one interval, and its ends are on the discs about the two vertices or
+// on the two straight sides.
+std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& robot,
+                                    double near) {
+  const double radius = robot.radius - near, height = robot.radius + robot.reach;
+  if (radius <= 0) return std::nullopt;
+  const Vec2 &p = other.p, &q = other.q;
+  if (std::min(p.y(), q.y()) >= height + radius || std::max(p.y(), q.y()) <= height - radius)
+    return std::nullopt;
+  Extent extent;
+  for (const Vec2& end : {p, q}) {
+    const double rise = height - end.y();
+    if (std::fabs(rise) >= radius) continue;
+    const double half = std::sqrt((radius - rise) * (radius + rise));
+    extent.add(end.x() - half);
+    extent.add(end.x() + half);
+  }
+  const Vec2 along = q - p;
+  const double size = length(along);
+  if (size > 0) {
+    const Vec2 aside = left_normal(along) * (radius / size);
+    for (const Vec2& offset : {aside, Vec2(-aside)}) {
+      const Extent side = crossing(p + offset, q + offset, height);
+      if (!side.empty()) extent.add(side.low);
+    }
+  }
+  return extent.stretch();
+}
+
+// A part of the other edge that lies on the object's own side of the line is no obstacle to the arm.
+std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot) {
+  const Vec2 &p = other.p, &q = other.q;
+  if (robot.reach <= 0 || std::max(p.y(), q.y()) <= 0) return std::nullopt;
+  return within(p, q, 0, robot.radius + robot.reach).stretch();
+}
+
+// The rectangle of the hand, narrower by tau L on each side, must not meet the other edge. Beyond a convex
+// corner all is outside, so the loss goes on there without end.
+std::optional<Stretch> lost_to_hand(const SeenObstacle& other, const RobotSize& robot,
+                                    double near) {
+  if (robot.depth <= 0 && robot.width <= 0) return std::nullopt;
+  const Vec2 p = upside_down(other.p), q = upside_down(other.q);
+  const bool corner = other.convex_at_end || other.convex_at_begin;
+  const double top = corner ? 0 : near, bottom = std::max(robot.depth - near, near);
+  if (std::max(p.y(), q.y()) <= near) return std::nullopt;
+  const Extent met = bottom > top ? within(p, q, top, bottom) : crossing(p, q, bottom);
+  if (met.empty()) return std::nullopt;
+  const double half = std::max(robot.width / 2 - near, 0.0);
+  return Stretch{other.convex_at_begin ? -infinity : met.low - half,
+                 other.convex_at_end ? infinity : met.high + half};
+}
+
+}  // namespace evenlift

@@ -1,0 +1,45 @@
+// Where robots with a size can stand, and placements of them.
+#include "bench/bench.h"
+#include "bench/coast.h"
+#include "evenlift/placement.h"
+#include "evenlift/stands.h"
+
+namespace evenlift::bench {
+namespace {
+
+// The size in thousandths of L: a body, with an arm and a hand as large.
+RobotSize size_of(const Polygon& polygon, std::int64_t thousandths, bool hand) {
+  const double size = static_cast<double>(thousandths) / 1000 * polygon.diagonal();
+  return hand ? RobotSize{size, size, size, size, 0} : RobotSize{size, 0, 0, 0, 0};
+}
+
+void stands_on_coast(benchmark::State& state, bool hand) {
+  const Polygon polygon = *Polygon::create(coast().vertices);
+  const RobotSize size = size_of(polygon, state.range(0), hand);
+  for (auto _ : state) benchmark::DoNotOptimize(Stands(polygon, size, {}).unusable().size());
+}
+
+void place_on_coast(benchmark::State& state) {
+  Document document = coast();
+  const Polygon polygon = *Polygon::create(document.vertices);
+  document.settings.robot = size_of(polygon, state.range(0), false);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(place(polygon, std::nullopt, document.settings)->coverage);
+}
+
+BENCHMARK_CAPTURE(stands_on_coast, body, false)
+    ->Arg(1)
+    ->Arg(3)
+    ->Arg(10)
+    ->Arg(30)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stands_on_coast, all, true)
+    ->Arg(1)
+    ->Arg(3)
+    ->Arg(10)
+    ->Arg(30)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(place_on_coast)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace evenlift::bench

@@ -1,0 +1,81 @@
+// Robots with a size in the page: typed, drawn, marked with the brush, undone, and the same as the program.
+import assert from "node:assert/strict";
+import path from "node:path";
+import { test } from "node:test";
+import { asset, control, drag, evenlift, idle, link, load, press, root, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
+
+const browser = sharedBrowser();
+
+const program = (name, ...options) => JSON.parse(evenlift("place", path.join(root, "assets/polygons", `${name}.txt`), "--json", "--candidates", ...options));
+
+test("set() gives robots a size and marks edges, and the placement is the program's", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  const points = await state(page);
+  await set(page, { robot: "r=30,reach=20,depth=40,width=60,gap=10", no_go: "38,2:0.25-0.75" });
+  await idle(page);
+  assert.deepEqual(await state(page), program("grand-piano", "--robot", "r=30,reach=20,depth=40,width=60,gap=10", "--no-go", "38,2:0.25-0.75"));
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.deepEqual(await state(page), points, "one step of undo");
+  assert.match(await thrown(page, "set", { robot: "r=-1" }), /^robot: the size of a robot is none, or some of/);
+  assert.match(await thrown(page, "set", { robot: "depth=5000" }), /^robot: no edge has room for a hand of depth 5000 and width 0/);
+  assert.match(await thrown(page, "set", { no_go: "99" }), /^no_go: there is no edge 99; the polygon has 38/);
+  await page.done();
+});
+
+test("the size is typed in the panel, and links carry it", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await page.keyboard.press("Shift+H");
+  await idle(page);
+  await page.keyboard.type("30");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.deepEqual((await state(page)).robot, { radius: 30, reach: 0, depth: 0, width: 0, gap: 0 });
+  const kept = await link(page);
+  assert.match(kept, /^2\./);
+  await set(page, { robot: "none" });
+  await load(page, kept);
+  await idle(page);
+  assert.equal((await state(page)).robot.radius, 30);
+  await page.done();
+});
+
+test("the brush marks edges with the mouse, and undo takes it back", async () => {
+  const page = await browser.open();
+  await load(page, asset("square"));
+  await page.keyboard.press("Shift+N");
+  await idle(page);
+  const [from, to] = [await toScreen(page, [300, 0]), await toScreen(page, [700, 0])];
+  await drag(page, from, to);
+  await idle(page);
+  const [[edge, begin, end, why]] = (await state(page)).unusable;
+  assert.deepEqual([edge, why], [1, "no_go"]);
+  assert.ok(Math.abs(begin - 0.3) < 0.05 && Math.abs(end - 0.7) < 0.05, `${begin} to ${end}`);
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal((await state(page)).unusable, undefined);
+  // A click takes the whole edge.
+  await page.mouse.click(...to);
+  await idle(page);
+  assert.equal((await state(page)).no_go, "1");
+  await page.keyboard.press("Escape");
+  await page.done();
+});
+
+test("marks are typed for those who do not paint", async () => {
+  const page = await browser.open();
+  await load(page, asset("square"));
+  await press(page, "robot size");
+  await idle(page);
+  await press(page, "no go");
+  await idle(page);
+  await page.keyboard.press("Control+a");
+  await page.keyboard.type("3,1:0.25-0.75");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).no_go, "3,1:0.25-0.75");
+  assert.ok(await control(page, "mark edges"));
+  await page.done();
+});

@@ -1,0 +1,80 @@
+// Robots with a size in pictures and JSON.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "evenlift/import.h"
+#include "evenlift/output/json.h"
+#include "evenlift/output/svg.h"
+#include "evenlift/output/words.h"
+#include "evenlift/placement.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+
+using namespace evenlift;
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+Placement piano(const RobotSize& robot, std::vector<EdgePart> no_go) {
+  Document document = corpus::polygon("grand-piano");
+  document.settings.robot = robot;
+  document.settings.no_go = std::move(no_go);
+  return *place(document);
+}
+
+}  // namespace
+
+TEST_CASE("a picture has every body, hand and marked edge", "[svg][stands]") {
+  const std::string svg = placement_svg(piano({30, 20, 40, 60, 10}, {{37, 0, 1}}));
+  CHECK(count(svg, "class=\"body\"") == 6);
+  CHECK(count(svg, "class=\"hand\"") == 6);
+  CHECK(count(svg, "class=\"arm\"") == 6);
+  CHECK(count(svg, "class=\"no-go\"") == 1);
+  CHECK(count(svg, "class=\"unusable\"") > 0);
+  const std::string points = placement_svg(piano({}, {}));
+  for (const char* name : {"body", "hand", "arm", "no-go", "unusable"})
+    CHECK(count(points, "class=\"" + std::string(name) + '"') == 0);
+}
+
+TEST_CASE("JSON says where robots stand and what they cannot use", "[json][stands]") {
+  const auto json =
+      nlohmann::json::parse(placement_json(piano({30, 20, 40, 60, 10}, {{37, 0, 1}}), true));
+  CHECK(json["robot"] ==
+        nlohmann::json({{"radius", 30}, {"reach", 20}, {"depth", 40}, {"width", 60}, {"gap", 10}}));
+  CHECK(json["no_go"] == "38");
+  bool marked = false;
+  for (const auto& part : json["unusable"]) {
+    CHECK(part[1].get<double>() < part[2].get<double>());
+    marked = marked || (part[0] == 38 && part[3] == "no_go");
+  }
+  CHECK(marked);
+  for (const auto& robot : json["robots"]) {
+    const Vec2 at(robot["at"][0], robot["at"][1]),
+        contact(robot["contact"][0], robot["contact"][1]),
+        stand(robot["stand"][0], robot["stand"][1]);
+    CHECK(length(at - contact) == Approx(40));
+    CHECK(length(stand - contact) == Approx(50));
+    CHECK(length(stand - at) == Approx(90));
+  }
+  CHECK_FALSE(nlohmann::json::parse(placement_json(piano({}, {}), true)).contains("unusable"));
+  const Placement placement = piano({30, 0, 40, 60.5, 0}, {{37, 0, 1}, {1, 0.25, 0.5}});
+  const auto read = read_shapes(placement_json(placement, false));
+  REQUIRE(read.ok());
+  CHECK(read->shapes.at(0).document.settings.robot == placement.settings.robot);
+  CHECK(read->shapes.at(0).document.settings.no_go == placement.settings.no_go);
+}
+
+TEST_CASE("fewer teams than were asked for come with the reason", "[stands]") {
+  const Placement placement = piano({200, 0, 0, 0, 0}, {});
+  CHECK(placement.teams.size() < placement.requested_teams);
+  CHECK(shortage_in_words(placement).find("would not fit beside each other") != std::string::npos);
+  for (const WhyUnusable why : {WhyUnusable::no_go, WhyUnusable::body, WhyUnusable::arm,
+                                WhyUnusable::corner, WhyUnusable::hand, WhyUnusable::narrow})
+    CHECK_FALSE(unusable_in_words(why, {1, 2, 3, 4, 5}).empty());
+}

@@ -1,0 +1,273 @@
+#include "evenlift/stands.h"
+
+#include <cmath>
+#include <string>
+
+#include "evenlift/candidates.h"
+#include "evenlift/generate.h"
+#include "evenlift/random.h"
+#include "evenlift/settings_text.h"
+#include "evenlift/tolerance.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "stands/stand_oracle.h"
+
+using namespace evenlift;
+using evenlift::testing::StandOracle;
+
+namespace {
+
+Polygon made(Points vertices) {
+  auto polygon = Polygon::create(std::move(vertices));
+  REQUIRE(polygon.ok());
+  return *std::move(polygon);
+}
+
+Polygon square() { return made({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
+
+// An L with a reflex corner at (1, 1).
+Polygon corner() { return made({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}); }
+
+RobotSize sized(double radius, double reach = 0, double depth = 0, double width = 0,
+                double gap = 0) {
+  return {radius, reach, depth, width, gap};
+}
+
+std::vector<Stretch> stretches(const Stands& stands, std::uint32_t edge) {
+  return {stands.usable(edge).begin(), stands.usable(edge).end()};
+}
+
+// What may go wrong with the stretches themselves.
+void check_order(const Polygon& polygon, const Stands& stands) {
+  const double near = near_distance(polygon.diagonal());
+  for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
+    double before = -1;
+    const double size = length(polygon.edge_end(edge) - polygon.edge_start(edge));
+    for (const Stretch& stretch : stands.usable(edge)) {
+      CHECK(stretch.from > before);
+      CHECK(stretch.to - stretch.from >= near * (1 - 1e-6));
+      CHECK(stretch.from >= 0);
+      CHECK(stretch.to <= size);
+      before = stretch.to;
+    }
+  }
+}
+
+// Compares with the oracle at places along each edge. Returns how many were sure.
+int compare(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go,
+            int places) {
+  const Stands stands(polygon, robot, no_go);
+  check_order(polygon, stands);
+  const StandOracle oracle(polygon, robot, no_go);
+  int sure = 0, wrong = 0;
+  for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
+    const double size = length(polygon.edge_end(edge) - polygon.edge_start(edge));
+    for (int k = 0; k < places; ++k) {
+      const double part = (k + 0.5) / places;
+      const auto expected = oracle.at(edge, part);
+      if (expected == StandOracle::Verdict::unsure) continue;
+      const bool stands_there = !stands.why_not(edge, part * size);
+      ++sure;
+      if (stands_there == (expected == StandOracle::Verdict::stands)) continue;
+      if (wrong++ == 0) {
+        INFO("edge " << edge << " at " << part << ", stands: " << stands_there);
+        CHECK(false);
+      }
+    }
+  }
+  return sure;
+}
+
+Family family_of(std::uint64_t number) {
+  constexpr Family families[] = {Family::convex, Family::star, Family::comb, Family::spiral,
+                                 Family::random};
+  return families[number % std::size(families)];
+}
+
+}  // namespace
+
+TEST_CASE("a point without marked edges can stand anywhere, and nothing is computed", "[stands]") {
+  const auto stands = make_stands(square(), Settings{});
+  REQUIRE(stands.ok());
+  CHECK_FALSE(*stands);
+}
+
+TEST_CASE("a robot keeps its radius from a reflex corner", "[stands]") {
+  const Stands stands(corner(), sized(0.25), {});
+  // The edge from (3, 1) to (1, 1) ends at the reflex corner.
+  REQUIRE(stretches(stands, 2).size() == 1);
+  CHECK(stretches(stands, 2)[0].to == Approx(1.75));
+  REQUIRE(stretches(stands, 3).size() == 1);
+  CHECK(stretches(stands, 3)[0].from == Approx(0.25));
+  CHECK(stands.why_not(3, 0.1) == WhyUnusable::body);
+  CHECK_FALSE(stands.why_not(3, 0.3));
+}
+
+TEST_CASE("with an arm, the other side of a notch is in the way of the body alone", "[stands]") {
+  // A notch of width 1 and depth 2, open upwards.
+  const Polygon polygon = made({{0, 0}, {5, 0}, {5, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 3}, {0, 3}});
+  CHECK(stretches(Stands(polygon, sized(0.6), {}), 4).empty());
+  CHECK(stretches(Stands(polygon, sized(0.4), {}), 4).size() == 1);
+  // From the notch's ground an arm of 2 and more reaches to a body above it.
+  const Stands armed(polygon, sized(0.6, 2.7), {});
+  REQUIRE(stretches(armed, 4).size() == 1);
+  CHECK(stretches(armed, 4)[0].from == Approx(2e-9 * polygon.diagonal()));
+  // Its sides are too near to each other for an arm of more than their distance.
+  CHECK(stretches(Stands(polygon, sized(0.01, 1.5), {}), 3).empty());
+  CHECK(Stands(polygon, sized(0.01, 1.5), {}).why_not(3, 1.5) == WhyUnusable::arm);
+}
+
+TEST_CASE("a hand needs depth beneath it and its width from convex corners", "[stands]") {
+  const Stands stands(corner(), sized(0, 0, 0.5, 0.4), {});
+  REQUIRE(stretches(stands, 0).size() == 1);
+  CHECK(stretches(stands, 0)[0].from == Approx(0.2));
+  CHECK(stretches(stands, 0)[0].to == Approx(2.8));
+  CHECK(stands.why_not(0, 0.1) == WhyUnusable::corner);
+  // Beside the reflex corner the object goes on.
+  CHECK(stretches(stands, 2)[0].to == Approx(2));
+  // The arms of the L are 1 wide.
+  const Stands deep(corner(), sized(0, 0, 1.5, 0.4), {});
+  CHECK(deep.why_not(0, 2) == WhyUnusable::hand);
+  CHECK_FALSE(deep.why_not(0, 0.5));
+}
+
+TEST_CASE("marked parts of edges are left out, and so is a vertex that one of them touches",
+          "[stands]") {
+  const Stands stands(square(), RobotSize{}, {{0, 0.25, 0.5}, {2, 0, 1}});
+  REQUIRE(stretches(stands, 0).size() == 2);
+  CHECK(stretches(stands, 0)[0].from == 0);
+  CHECK(stretches(stands, 0)[0].to == 0.25);
+  CHECK(stretches(stands, 0)[1].from == 0.5);
+  CHECK(stretches(stands, 2).empty());
+  CHECK(stands.why_not(2, 0.5) == WhyUnusable::no_go);
+  // Edge 1 ends where edge 2 begins.
+  CHECK(stretches(stands, 1)[0].from == 0);
+  CHECK(stretches(stands, 1)[0].to < 1);
+  CHECK_FALSE(stands.can_lift({{1, 1}, 1}));
+  CHECK(stands.can_lift({{1, 0}, 1}));
+}
+
+TEST_CASE("every place is as the four conditions say", "[stands]") {
+  Rng rng(5);
+  int sure = 0;
+  for (std::uint64_t number = 0; number < 150; ++number) {
+    const std::size_t n = 4 + rng.below(40);
+    const auto vertices = generate(family_of(number), n, number);
+    if (!vertices) continue;
+    const Polygon polygon = made(*vertices);
+    const double size = polygon.diagonal();
+    RobotSize robot;
+    // Each size is there or not, at random.
+    for (double* value : {&robot.radius, &robot.reach, &robot.depth, &robot.width}) {
+      const bool there = rng.below(3) > 0;
+      const double part = rng.uniform();
+      if (there) *value = 0.06 * size * part;
+    }
+    std::vector<EdgePart> no_go;
+    for (std::uint64_t k = rng.below(3); k > 0; --k) {
+      const auto edge = static_cast<std::uint32_t>(rng.below(n));
+      const double from = rng.uniform() / 2;
+      const double to = from + rng.uniform() / 2 + 1e-3;
+      if (edge < polygon.size()) no_go.push_back({edge, from, to});
+    }
+    INFO("polygon " << number << " with " << n << ", r " << robot.radius / size << " g "
+                    << robot.reach / size << " d " << robot.depth / size << " w "
+                    << robot.width / size);
+    sure += compare(polygon, robot, no_go, n < 12 ? 1000 : 60);
+  }
+  CHECK(sure > 100000);
+}
+
+TEST_CASE("every place of the samples is as the four conditions say", "[stands]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    const Document document = corpus::polygon(name);
+    if (document.vertices.size() > 60) continue;
+    const Polygon polygon = made(document.vertices);
+    const double size = polygon.diagonal();
+    INFO(name);
+    compare(polygon, sized(0.03 * size), {}, 100);
+    compare(polygon, sized(0.02 * size, 0.03 * size, 0.02 * size, 0.01 * size), {}, 100);
+  }
+}
+
+TEST_CASE("the same stretches whichever way round the vertices are listed", "[stands]") {
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    const auto vertices = generate(family_of(number), 5 + number, number);
+    if (!vertices) continue;
+    const Polygon polygon = made(*vertices);
+    const Polygon reversed = made(Points(vertices->rbegin(), vertices->rend()));
+    const RobotSize robot = sized(0.03 * polygon.diagonal(), 0.01 * polygon.diagonal(),
+                                  0.01 * polygon.diagonal(), 0.01 * polygon.diagonal());
+    const Stands there(polygon, robot, {}), back(reversed, robot, {});
+    const auto n = static_cast<std::uint32_t>(polygon.size());
+    for (std::uint32_t edge = 0; edge < n; ++edge) {
+      const auto a = stretches(there, edge), b = stretches(back, (2 * n - 2 - edge) % n);
+      REQUIRE(a.size() == b.size());
+      const double size = length(polygon.edge_end(edge) - polygon.edge_start(edge));
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        CHECK(a[i].from == Approx(size - b[b.size() - 1 - i].to).margin(1e-9 * size));
+        CHECK(a[i].to == Approx(size - b[b.size() - 1 - i].from).margin(1e-9 * size));
+      }
+    }
+  }
+}
+
+TEST_CASE("two robots collide by their bodies or by their hands", "[stands]") {
+  const Stands stands(square(), sized(0.1, 0, 0.3, 0.1, 0.05), {});
+  const auto lifting = [&](double x) { return stands.lifting_point({{x, 0}, 0}); };
+  CHECK(lifting(0.5).position == Vec2(0.5, 0.3));
+  CHECK(stands.contact(lifting(0.5)) == Vec2(0.5, 0));
+  CHECK(length(stands.stand(lifting(0.5)) - Vec2(0.5, -0.1)) < 1e-15);
+  CHECK(stands.collide(lifting(0.2), lifting(0.44)));
+  CHECK_FALSE(stands.collide(lifting(0.2), lifting(0.46)));
+  // Hands that cross beneath the object, of bodies far from each other.
+  const LiftingPoint from_left = stands.lifting_point({{0, 0.2}, 3});
+  CHECK(stands.collide(lifting(0.2), from_left));
+  CHECK_FALSE(stands.collide(lifting(0.6), from_left));
+}
+
+TEST_CASE("errors of stands name the setting and say why", "[stands][errors]") {
+  Settings settings;
+  settings.no_go = {{7, 0, 1}};
+  auto refusedThere = make_stands(square(), settings);
+  REQUIRE_FALSE(refusedThere.ok());
+  CHECK(refusedThere.error().message == "there is no edge 8; the polygon has 4");
+  CHECK(refusedThere.error().place.option == "no_go");
+  settings.no_go = {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {3, 0, 1}};
+  CHECK(make_stands(square(), settings).error().message ==
+        "no edge is left that a robot may touch");
+  settings.no_go.clear();
+  settings.robot = sized(0, 0, 2, 0.1);
+  CHECK(make_stands(square(), settings).error().message ==
+        "no edge has room for a hand of depth 2 and width 0.1");
+  settings.robot = sized(0.1, 0, 2, 0.1);
+  CHECK(make_stands(square(), settings).error().message ==
+        "no edge has room for a robot of radius 0.1");
+}
+
+TEST_CASE("the size of a robot and marked edges are read from text and written as text",
+          "[settings]") {
+  Document document;
+  const auto read = [&](Setting setting, const char* text) {
+    return !read_setting(setting, text, document).has_value();
+  };
+  CHECK(read(Setting::robot, "depth=3,r=0.5,gap=1e-3"));
+  CHECK(document.settings.robot == sized(0.5, 0, 3, 0, 1e-3));
+  CHECK(robot_text(document.settings.robot) == "r=0.5,depth=3,gap=0.001");
+  for (const char* bad : {"", "5", "r", "r=", "r=-1", "r=inf", "r=nan", "r=1,r=2", "r=1,", ",r=1",
+                          "size=1", "r= 1", "R=1", "none,r=1"})
+    CHECK_FALSE(read(Setting::robot, bad));
+  CHECK(document.settings.robot == sized(0.5, 0, 3, 0, 1e-3));
+  CHECK(read(Setting::robot, "none"));
+  CHECK(document.settings.robot == RobotSize{});
+
+  CHECK(read(Setting::no_go, "3,5:0.25-0.75,1:1e-9-1e-8"));
+  CHECK(document.settings.no_go ==
+        std::vector<EdgePart>{{2, 0, 1}, {4, 0.25, 0.75}, {0, 1e-9, 1e-8}});
+  CHECK(no_go_text(document.settings.no_go) == "3,5:0.25-0.75,1:1e-9-1e-8");
+  for (const char* bad : {"", "0", "-1", "1.5", "3:", "3:0.5", "3:0.5-", "3:0.7-0.2", "3:0.5-0.5",
+                          "3:-0.1-1", "3:0-1.5", "3,", "a", "2000000", "3:0 - 1"})
+    CHECK_FALSE(read(Setting::no_go, bad));
+  CHECK(read(Setting::no_go, "none"));
+  CHECK(document.settings.no_go.empty());
+}

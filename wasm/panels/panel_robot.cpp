@@ -1,0 +1,95 @@
+// The size of the robots and what they may not touch, behind a row that opens it.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "actions/actions.h"
+#include "evenlift/output/words.h"
+#include "evenlift/settings_text.h"
+#include "panels/panels.h"
+#include "ui/widgets.h"
+
+namespace evenlift::view {
+namespace {
+
+struct SizeRow {
+  double RobotSize::*value;
+  const char *label, *about, *id, *spoken, *setting;
+};
+constexpr SizeRow rows[] = {
+    {&RobotSize::radius, "Radius", "Of the robot's round body", "robot radius", "Radius of a robot",
+     "robot_radius"},
+    {&RobotSize::reach, "Reach", "Of the arm, from the body's rim to where it touches the object",
+     "robot reach", "Reach of a robot's arm", "robot_reach"},
+    {&RobotSize::depth, "Hand's depth", "How far the hand goes beneath the object, where it lifts",
+     "robot depth", "Depth of a robot's hand", "robot_depth"},
+    {&RobotSize::width, "Hand's width", "Along the edge; it must not stick out at a corner",
+     "robot width", "Width of a robot's hand", "robot_width"},
+    {&RobotSize::gap, "Gap", "That stays free between two robots", "robot gap",
+     "Gap between two robots", "robot_gap"},
+};
+
+// A step of a size: a hundredth of the object, rounded to one digit.
+double step_of(const Ui& ui) {
+  const double size = ui.state.placement ? ui.state.placement->polygon.diagonal() : 100;
+  return std::pow(10.0, std::floor(std::log10(size / 50)));
+}
+
+void draw_row(const Ui& ui, const SizeRow& row) {
+  Settings changed = settings(ui.state);
+  double& value = changed.robot.*(row.value);
+  const float width = labelled(ui, row.label, row.about);
+  const int by = stepper(ui, row.id, plain(value), width,
+                         {.can_lower = value > 0,
+                          .can_raise = value < max_coordinate,
+                          .label = row.spoken,
+                          .setting = row.setting});
+  if (by == 0) return;
+  const double first = step_of(ui);
+  const double stepped_to = by > 0 ? (value < first ? first : stepped(value, by))
+                                   : (value > first ? stepped(value, by) : 0);
+  value = stepped_to < first ? 0 : stepped_to;
+  ui.push(SetSettings{changed});
+}
+
+// Typed for those who do not paint them.
+void draw_marks_row(const Ui& ui) {
+  const float width =
+      labelled(ui, "No-go edges", "Edges that must not be touched, such as 3,5:0.25-0.75; or none");
+  text_field(ui, "no go", "Edges that no robot may touch", "no_go",
+             no_go_text(settings(ui.state).no_go), width);
+  const bool marks = ui.state.tool == Tool::mark;
+  if (flat_button(ui, "mark edges", marks ? "Done with marking" : "Mark them with a brush",
+                  ImGui::GetContentRegionAvail().x))
+    action(ActionId::mark).run(ui.state, ui.commands);
+}
+
+// How much of the boundary is left.
+std::string left_in_words(const Placement& placement) {
+  double all = 0, lost = 0;
+  for (std::size_t edge = 0; edge < placement.polygon.size(); ++edge)
+    all += length(placement.polygon.edge_end(edge) - placement.polygon.edge_start(edge));
+  for (const UnusablePart& part : placement.stands->unusable())
+    lost += part.part.to - part.part.from;
+  return percentage(std::clamp(1 - lost / all, 0.0, 1.0)) +
+         " of the boundary can be used. Point at the rest to see why not.";
+}
+
+}  // namespace
+
+void draw_robot_size(const Ui& ui) {
+  const AppState& state = ui.state;
+  const Method method = settings(state).method;
+  if (method != Method::balanced && !selects_candidates(method)) return;
+  const bool open = state.robot_open;
+  if (flat_button(ui, "robot size", open ? "Hide the robots' size" : "Robots' size and no-go edges",
+                  ImGui::GetContentRegionAvail().x))
+    ui.push(SetRobotOpen{!open});
+  if (!open) return;
+  for (const SizeRow& row : rows) draw_row(ui, row);
+  draw_marks_row(ui);
+  if (state.placement && state.placement->stands && !state.refusal)
+    text_block(Face::label, ui.theme.second_text, left_in_words(*state.placement));
+}
+
+}  // namespace evenlift::view
