@@ -146,7 +146,7 @@ double score_further_team(const Trace& trace, TeamScores& scores) {
   const Placement& placement = trace.placement;
   const std::vector<Candidate>& candidates = placement.candidates;
   Selector selector(trace.polygon, trace.centre, candidates, placement.settings.method,
-                    ~std::size_t{0}, placement.stands.get());
+                    ~std::size_t{0}, FirstTeam::even, placement.stands.get());
   for (std::uint32_t i = 0; i < scores.team; ++i) {
     const std::uint32_t taken = trace.selected()[i];
     selector.take(taken);
