@@ -51,19 +51,24 @@ test("positions and goal of teams are chosen in the panel, undone, and kept in t
 
 test("a team is dragged along its range with its loads, and reset puts it back", async () => {
   const page = await browser.open();
-  await load(page, asset("guitar"));
+  await load(page, asset("square"));
   await set(page, { positions: "range" });
   await idle(page);
   const before = await state(page);
-  const [x, y] = before.teams[1].ends[0], [cx, cy] = before.centre_of_mass;
+  // A vertex is taken before the robot that stands on it, so a team is taken whose robot stands on none.
+  const apart = ([px, py]) => before.polygon.every(([vx, vy]) => Math.hypot(vx - px, vy - py) > 40);
+  const team = before.teams.findIndex((each) => apart(each.ends[0]));
+  assert.ok(team >= 0);
+  const other = team === 0 ? 1 : 0;
+  const [x, y] = before.teams[team].ends[0], [cx, cy] = before.centre_of_mass;
   // Around C, a little to one side and to the other: one of the two is within the range.
   const turned = (by) => [cx + (x - cx) - by * (y - cy), cy + (y - cy) + by * (x - cx)];
-  for (const by of [0.05, -0.05]) await drag(page, await toScreen(page, (await state(page)).teams[1].ends[0]), await toScreen(page, turned(by)));
+  for (const by of [0.05, -0.05]) await drag(page, await toScreen(page, (await state(page)).teams[team].ends[0]), await toScreen(page, turned(by)));
   await idle(page);
   const moved = await state(page);
-  assert.notDeepEqual(moved.teams[1].ends, before.teams[1].ends);
-  assert.ok(moved.teams[1].ratio >= 0.8 - 1e-9);
-  assert.deepEqual(moved.teams[0], before.teams[0]);
+  assert.notDeepEqual(moved.teams[team].ends, before.teams[team].ends);
+  assert.ok(moved.teams[team].ratio >= 0.8 - 1e-9);
+  assert.deepEqual(moved.teams[other], before.teams[other]);
   await press(page, "reset robots");
   await idle(page);
   assert.deepEqual(await state(page), before);

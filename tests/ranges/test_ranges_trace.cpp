@@ -48,6 +48,13 @@ void check_words(const Trace& trace) {
       CHECK_FALSE(figure.points.empty());
       CHECK_FALSE(figure_text(trace, detail, figure).empty());
     }
+    if (detail.step.kind == StepKind::duplicates) {
+      const double merged = number_of(trace, detail, "merged");
+      CHECK(merged >= 0);
+      if (merged > 0)
+        CHECK(text.starts_with(std::to_string(static_cast<int>(merged)) + " of the "));
+      if (merged == 0) CHECK(text.starts_with("No "));
+    }
     if (const auto asked = question(trace, detail))
       CHECK_FALSE(question_text(trace, detail, *asked).empty());
   }

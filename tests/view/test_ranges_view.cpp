@@ -110,3 +110,34 @@ TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "
   const Explanation card = explain(state, {Pick::Kind::robot, moved, 0, place_of(state, moved, 0)});
   CHECK(card.reason.find("leaves candidate") != std::string::npos);
 }
+
+TEST_CASE("a robot is dragged along its range with the pointer, and drawn with its range",
+          "[view][ranges]") {
+  Page page;
+  Document document = view_page::document(asset(EVENLIFT_ASSETS_DIR "/polygons/square.txt"));
+  document.settings.positions = Positions::range;
+  document.settings.overlays.candidates = true;
+  page.open(document);
+  page.frame();
+  // A vertex is taken before the robot that stands on it, so one is taken that stands on none.
+  const AppState& state = page.app.state;
+  const auto stands_apart = [&](const Vec2& at) {
+    const Points& vertices = state.placement->vertices();
+    return std::all_of(vertices.begin(), vertices.end(), [&](const Vec2& v) {
+      return length(state.camera.to_screen(v) - state.camera.to_screen(at)) > 20;
+    });
+  };
+  std::size_t team = 0;
+  while (team < 3 && !stands_apart(place_of(state, team, 0))) ++team;
+  REQUIRE(team < 3);
+  const Vec2 at = place_of(state, team, 0), c = state.placement->centre_of_mass;
+  // Around C, to one side and to the other: one of the two ways is open.
+  for (const double turn : {0.05, -0.05})
+    page.drag(place_of(state, team, 0), c + (at - c) + turn * left_normal(at - c));
+  CHECK(state.by_hand);
+  CHECK(state.document.vertices == document.vertices);
+  CHECK(state.placement->teams[team].ratio >= 0.8 - 1e-9);
+  CHECK(length(place_of(state, team, 0) - at) > 0);
+  page.open(document);
+  CHECK_FALSE(page.app.state.by_hand);
+}

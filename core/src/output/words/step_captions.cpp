@@ -233,7 +233,7 @@ std::string StepCaptions::sources() const {
 }
 
 std::string StepCaptions::duplicates() const {
-  std::size_t found = 0;
+  std::size_t found = 2 * trace_.ranges.size();
   for (const std::uint32_t candidate : trace_.candidate_of_source) found += candidate != no_index;
   const std::size_t kept = placement_.candidates.size();
   if (found == 0) return "No pair of edges or of opposite vertices has a candidate.";
