@@ -28,6 +28,7 @@ test("the size is typed in the panel, and links carry it", async () => {
   const page = await browser.open();
   await load(page, asset("grand-piano"));
   await page.keyboard.press("Shift+H");
+  await page.waitForFunction(() => document.activeElement?.tagName === "INPUT");  // the section opens first
   await idle(page);
   await page.keyboard.type("30");
   await page.keyboard.press("Enter");

@@ -71,7 +71,7 @@ TEST_CASE("JSON says where robots stand and what they cannot use", "[json][stand
 }
 
 TEST_CASE("fewer teams than were asked for come with the reason", "[stands]") {
-  const Placement placement = piano({200, 0, 0, 0, 0}, {});
+  const Placement placement = piano({500, 0, 0, 0, 0}, {});
   CHECK(placement.teams.size() < placement.requested_teams);
   CHECK(shortage_in_words(placement).find("would not fit beside each other") != std::string::npos);
   for (const WhyUnusable why : {WhyUnusable::no_go, WhyUnusable::body, WhyUnusable::arm,

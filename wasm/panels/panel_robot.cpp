@@ -80,10 +80,11 @@ std::string left_in_words(const Placement& placement) {
 void draw_robot_size(const Ui& ui) {
   const AppState& state = ui.state;
   const Method method = settings(state).method;
-  if (method != Method::balanced && !selects_candidates(method)) return;
-  const bool open = state.robot_open;
+  // The row stays where the method has no use for it, so that what is below does not move.
+  const bool useful = method == Method::balanced || selects_candidates(method);
+  const bool open = useful && state.robot_open;
   if (flat_button(ui, "robot size", open ? "Hide the robots' size" : "Robots' size and no-go edges",
-                  ImGui::GetContentRegionAvail().x))
+                  ImGui::GetContentRegionAvail().x, useful))
     ui.push(SetRobotOpen{!open});
   if (!open) return;
   for (const SizeRow& row : rows) draw_row(ui, row);
