@@ -52,7 +52,7 @@ constexpr double tie = 1e-9;
 std::vector<std::uint32_t> greedy(const Shape& s, Method method, std::size_t teams) {
   std::vector<std::uint32_t> taken, left(s.candidates.size());
   std::iota(left.begin(), left.end(), 0u);
-  const double size = s.polygon.diagonal();
+  const double size = 2 * farthest_vertex(s.polygon, s.centre);
   const double floor = 1e-12 * (method == Method::distance ? size : size * size);
   while (taken.size() < teams && !left.empty()) {
     std::vector<std::uint32_t> best = left;

@@ -124,7 +124,7 @@ void choose_teams(Placement& placement, Effort effort) {
 
 Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
                                              const Settings& settings, const Stands* stands) {
-  if (!stands) return find_candidates(polygon, centre, settings.min_ratio);
+  if (!stands) return find_candidates(polygon, centre, settings.min_ratio, settings.positions);
   auto found = standing_candidates(polygon, centre, settings.min_ratio, *stands);
   if (!found) return found.error();
   return std::move(found->candidates);
