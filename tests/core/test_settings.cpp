@@ -15,10 +15,10 @@ using namespace evenlift;
 namespace {
 
 constexpr Setting all_settings[] = {
-    Setting::teams,    Setting::method,  Setting::min_ratio,  Setting::com,
-    Setting::weight,   Setting::seed,    Setting::overlays,   Setting::step,
-    Setting::capacity, Setting::robots,  Setting::goal,       Setting::min_margin,
-    Setting::apart,    Setting::survive, Setting::com_radius, Setting::loads,
+    Setting::teams,    Setting::method,  Setting::min_ratio,   Setting::com,
+    Setting::weight,   Setting::seed,    Setting::overlays,    Setting::step,
+    Setting::capacity, Setting::robots,  Setting::goal,        Setting::min_margin,
+    Setting::apart,    Setting::survive, Setting::com_radius,  Setting::loads,
     Setting::failed,   Setting::unit,    Setting::weight_unit, Setting::positions};
 
 struct Text {

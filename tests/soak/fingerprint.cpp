@@ -100,10 +100,27 @@ Settings settings_from(Rng& rng) {
   return settings;
 }
 
+// Of one document in four, where the method allows it, robots have a size, and sometimes there is an
+// edge that they must not touch.
+void give_size(Rng& rng, Document& document) {
+  const bool has_size = rng.below(4) == 0;
+  const double size = rng.uniform() / 20, parts[] = {0, 0.5, 1};
+  const std::uint64_t reach = rng.below(3), depth = rng.below(3), width = rng.below(3);
+  const bool marked = rng.below(4) == 0;
+  if (!has_size || document.vertices.empty()) return;
+  Settings& settings = document.settings;
+  if (settings.method == Method::distributed || settings.method == Method::random) return;
+  const double radius = size * bounding_box(document.vertices).diagonal();
+  settings.robot = {radius, parts[reach] * radius, parts[depth] * radius, parts[width] * radius, 0};
+  if (marked) settings.no_go.push_back({0, 0.25, 0.75});
+  settings.positions = Positions::best;
+}
+
 Document document_of(std::uint64_t number) {
   Rng rng(number);
   Document document = rng.below(2) == 0 ? small_document(number) : generated_document(rng);
   document.settings = settings_from(rng);
+  give_size(rng, document);
   return document;
 }
 

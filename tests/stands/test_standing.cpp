@@ -5,6 +5,7 @@
 
 #include "candidates/even_chords.h"
 #include "candidates/facing_lines.h"
+#include "evenlift/exchange.h"
 #include "evenlift/generate.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/placement.h"
@@ -99,6 +100,68 @@ TEST_CASE("robots of every size stand where they can and never collide", "[stand
   }
   CHECK(teams > 1000);
   CHECK(fewer > 0);
+}
+
+namespace {
+
+// Whether a team can go to the candidate without getting into the way of the others.
+bool has_room(const Placement& p, const std::vector<std::uint32_t>& taken, std::size_t team,
+              std::uint32_t candidate) {
+  std::vector<LiftingPoint> robots{p.candidates[candidate].chord.r1,
+                                   p.candidates[candidate].chord.r2};
+  for (std::size_t other = 0; other < taken.size(); ++other) {
+    if (other == team) continue;
+    robots.push_back(p.candidates[taken[other]].chord.r1);
+    robots.push_back(p.candidates[taken[other]].chord.r2);
+  }
+  return !p.stands->any_collide(robots);
+}
+
+std::uint32_t level_of(const Placement& p) {
+  const double margin = p.closure.margin.value_or(-1), firm = p.settings.min_margin;
+  return static_cast<std::uint32_t>((margin >= 0.001) + (margin >= 0.4 * firm) + (margin >= firm));
+}
+
+}  // namespace
+
+TEST_CASE("teams of robots with a size are exchanged until they hold, and never collide",
+          "[stands][exchange]") {
+  std::size_t held = 0, compared = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    Document document = sample(name, static_cast<int>(held % 4));
+    if (document.vertices.size() > 60) continue;
+    document.settings.goal = Goal::hold;
+    document.settings.teams = 2 + compared % 2;
+    INFO(name << ", " << *document.settings.teams << " teams");
+    const auto placed = place(document);
+    if (!placed || placed->teams.empty()) continue;
+    const Placement& p = *placed;
+    check_standing(p);
+    const auto keys = [&](const std::vector<std::uint32_t>& taken) {
+      return hold_keys(p.polygon, p.centre_of_mass, p.candidates, taken, p.settings.min_margin,
+                       p.stands.get());
+    };
+    const auto start = select_teams(p.polygon, p.centre_of_mass, p.candidates, Method::area,
+                                    p.requested_teams, FirstTeam::even, p.stands.get());
+    const HoldKeys reached = keys(p.team_candidates);
+    CHECK(reached.level == level_of(p));
+    CHECK(reached.coverage == Approx(p.coverage).margin(1e-9));
+    CHECK_FALSE(better_by(keys(start), reached));
+    held += p.closure.form_closure ? 1u : 0u;
+    ++compared;
+    if (p.candidates.size() > 40) continue;
+    for (std::size_t team = 0; team < p.team_candidates.size(); ++team) {
+      for (std::uint32_t candidate = 0; candidate < p.candidates.size(); ++candidate) {
+        std::vector<std::uint32_t> other = p.team_candidates;
+        if (std::find(other.begin(), other.end(), candidate) != other.end()) continue;
+        if (!has_room(p, other, team, candidate)) continue;
+        other[team] = candidate;
+        CHECK_FALSE(better_by(keys(other), reached));
+      }
+    }
+  }
+  CHECK(held > 50);
+  CHECK(compared > 90);
 }
 
 TEST_CASE("as robots shrink the placement becomes that of points", "[stands]") {

@@ -222,8 +222,8 @@ using Command =
                  GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
                  PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript,
                  ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-                 ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
-                 CopyLink, TypeValue, OpenDialog, ShowNotice>;
+                 ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen,
+                 CloseList, SetSheet, MeasureSheet, CopyLink, TypeValue, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

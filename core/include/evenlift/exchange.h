@@ -27,6 +27,8 @@
 
 namespace evenlift {
 
+class Stands;
+
 inline constexpr std::uint32_t most_exchanged_teams = 32;
 inline constexpr std::uint64_t most_exchanges = std::uint64_t{1} << 22;
 inline constexpr std::size_t most_candidates_for_pairs = 100;
@@ -43,10 +45,12 @@ enum class HoldKey : std::uint8_t { level, coverage, ratios };
 // better. O(1).
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 
-// The keys of the teams on some candidates, of which there are at most most_exchanged_teams. O(n).
+// The keys of the teams on some candidates, of which there are at most most_exchanged_teams; with
+// `stands` those of robots with a size, which hold the object where they touch it. O(n).
 HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
-                   const std::vector<std::uint32_t>& taken, double min_margin);
+                   const std::vector<std::uint32_t>& taken, double min_margin,
+                   const Stands* stands = nullptr);
 
 // What was exchanged: one team, both of two at once, or all for what one team fewer came to with one
 // more.
@@ -77,16 +81,18 @@ struct ExchangeHistory {
 // are taken there is nothing to exchange. O(1).
 std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams);
 
-// Exchanges the teams. The choice is never worse than its start. For t teams among K candidates at
+// Exchanges the teams. The choice is never worse than its start. With `stands` only choices are tried
+// whose robots do not get into each other's way. For t teams among K candidates at
 // most 4 t rounds of O(t K) exchanges, of which few need more than a bound; check_exchanges() must
 // allow them.
 ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
                                const std::vector<Candidate>& candidates,
-                               std::vector<std::uint32_t> start, double min_margin);
+                               std::vector<std::uint32_t> start, double min_margin,
+                               const Stands* stands = nullptr);
 
 // The teams that the settings ask for, of a method that chooses among candidates: selected
-// (selection.h), and exchanged if they are to hold; then check_exchanges() must allow it, and there
-// must be no `stands`. Returns indices into `candidates`.
+// (selection.h), and exchanged if they are to hold; then check_exchanges() must allow it. Returns
+// indices into `candidates`.
 std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,

@@ -18,9 +18,10 @@ struct PlacedRobot {
   Vec2 contact = Vec2::Zero();  // where it touches the boundary
   Vec2 stand = Vec2::Zero();    // the middle of its body
   std::uint32_t team = 0;
-  double load = 0;         // by plan
-  double heading_deg = 0;  // the direction of the inward normal there, in (-180, 180]; of a point at
-                           // a vertex the middle between those of its two edges
+  double load = 0;  // by plan
+  double heading_deg =
+      0;  // the direction of the inward normal there, in (-180, 180]; of a point at
+          // a vertex the middle between those of its two edges
   Vec2 direction = Vec2(1, 0);  // the same as a vector of length 1, but for rounding
 };
 

@@ -47,8 +47,8 @@ enum class Effort : std::uint8_t { whole, start };
 // Checks that settings are in their ranges (settings_text.h) and go together: "max" needs a method
 // that chooses among candidates, the goal to hold such a method or balanced robots, and these are
 // enough for the failures that they are to survive; robots with a size, and edges that must not be
-// touched, need a method that looks for places, and teams of them stand at the best places and are to
-// cover. The error's place names the setting. O(1).
+// touched, need a method that looks for places, and teams of them stand at the best places. The
+// error's place names the setting. O(1).
 std::optional<InputError> check_settings(const Settings& settings);
 
 // The points of the boundary that the robots of all teams touch, in their row: where robots have hands,

@@ -29,9 +29,10 @@ void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
 }  // namespace
 
 Choices::Choices(const Polygon& polygon, const Vec2& centre,
-                 const std::vector<Candidate>& candidates, double min_margin)
+                 const std::vector<Candidate>& candidates, double min_margin, const Stands* stands)
     : polygon_(polygon),
       candidates_(candidates),
+      stands_(stands),
       centre_(centre),
       bounds_(ascending(min_margin)),
       coarse_cover_(polygon, centre),
@@ -54,8 +55,23 @@ Part Choices::part_of(const std::vector<std::uint32_t>& taken,
     append(chord, part.robots);
     part.ratios += chord.ratio;
   }
-  part.wrenches = margins_.wrenches_of(part.robots);
+  part.wrenches = margins_.wrenches_of(contacts_of(part.robots));
   return part;
+}
+
+bool Choices::fit(std::uint32_t candidate, std::uint32_t other) const {
+  if (!stands_) return true;
+  const std::vector<LiftingPoint>&robots = part(candidate).robots, &others = part(other).robots;
+  return std::none_of(robots.begin(), robots.end(), [&](const LiftingPoint& a) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const LiftingPoint& b) { return stands_->collide(a, b); });
+  });
+}
+
+std::vector<LiftingPoint> Choices::contacts_of(std::vector<LiftingPoint> robots) const {
+  if (stands_)
+    for (LiftingPoint& robot : robots) robot.position = stands_->contact(robot);
+  return robots;
 }
 
 std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
@@ -65,8 +81,8 @@ std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
 }
 
 HoldKeys Choices::keys_of(const Part& part) const {
-  return {level_of(margins_.of(part.robots)), cover_.of(balanced::small_hull(part.robots, centre_)),
-          part.ratios};
+  return {level_of(margins_.of(contacts_of(part.robots))),
+          cover_.of(balanced::small_hull(part.robots, centre_)), part.ratios};
 }
 
 void Choices::set_parts(std::vector<Part> parts) { staying_ = std::move(parts); }
@@ -114,7 +130,7 @@ void Choices::know(const Wrench& direction) {
 }
 
 bool Choices::reaches(const Trial& trial, std::uint32_t level) {
-  const std::vector<Wrench> wrenches = margins_.wrenches_of(robots_of(trial));
+  const std::vector<Wrench> wrenches = margins_.wrenches_of(contacts_of(robots_of(trial)));
   if (wrenches.empty()) return false;
   const WeakestDirection weakest = weakest_direction(wrenches);
   if (level_of(weakest.margin) >= level) return true;

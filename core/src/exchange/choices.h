@@ -8,6 +8,7 @@
 #include "balanced/coarse_cover.h"
 #include "balanced/cover.h"
 #include "evenlift/exchange.h"
+#include "evenlift/stands.h"
 #include "grasp/margins.h"
 
 namespace evenlift::exchange {
@@ -31,9 +32,9 @@ struct Trial {
 
 class Choices {
  public:
-  // The polygon and the candidates must outlive it. O(K log n).
+  // The polygon, the candidates and the stands must outlive it. O(K log n).
   Choices(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-          double min_margin);
+          double min_margin, const Stands* stands = nullptr);
 
   // The teams on these candidates, but the one numbered `without`.
   Part part_of(const std::vector<std::uint32_t>& taken,
@@ -47,6 +48,9 @@ class Choices {
 
   // Replaces the parts that stay.
   void set_parts(std::vector<Part> parts);
+
+  // Whether the robots of the two do not get into each other's way. O(robots).
+  bool fit(std::uint32_t candidate, std::uint32_t other) const;
 
   // A trial with a first bound of its coverage. O(robots).
   Trial trial(std::uint32_t candidate, std::uint32_t other) const;
@@ -69,12 +73,15 @@ class Choices {
   const Part& part(std::uint32_t number) const {
     return number < parts_.size() ? parts_[number] : staying_[number - parts_.size()];
   }
+  // The places that robots touch: with hands they lift farther inside.
+  std::vector<LiftingPoint> contacts_of(std::vector<LiftingPoint> robots) const;
   std::uint32_t level_of(const std::optional<double>& margin) const;
   const std::vector<LiftingPoint>& robots_of(const Trial& trial) const;
   void know(const Wrench& direction);
 
   const Polygon& polygon_;
   const std::vector<Candidate>& candidates_;
+  const Stands* stands_;  // of robots with a size, or none
   Vec2 centre_;
   std::array<double, 3> bounds_;  // of the levels 1 to 3, ascending
   balanced::CoarseCover coarse_cover_;

@@ -60,7 +60,7 @@ class Exchanger {
     std::vector<Trial> trials;
     for (std::uint32_t a = 0; a < choices_.size(); ++a)
       for (std::uint32_t b = a + 1; b < choices_.size(); ++b)
-        trials.push_back(choices_.trial(a, b));
+        if (choices_.fit(a, b)) trials.push_back(choices_.trial(a, b));
     if (const auto best = find(std::move(trials)))
       take(*best, arranged(taken_, {best->trial.candidate, best->trial.other}), ExchangeKind::pair);
   }
@@ -103,7 +103,8 @@ class Exchanger {
     std::vector<Trial> trials;
     for (std::uint32_t candidate = 0; candidate < choices_.size(); ++candidate)
       for (std::uint32_t part = 0; is_taken[candidate] == 0 && part < choices_.parts(); ++part)
-        trials.push_back(choices_.trial(candidate, choices_.size() + part));
+        if (choices_.fit(candidate, choices_.size() + part))
+          trials.push_back(choices_.trial(candidate, choices_.size() + part));
     return trials;
   }
 
@@ -140,8 +141,9 @@ std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b) {
 
 HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
-                   const std::vector<std::uint32_t>& taken, double min_margin) {
-  const Choices choices(polygon, centre, candidates, min_margin);
+                   const std::vector<std::uint32_t>& taken, double min_margin,
+                   const Stands* stands) {
+  const Choices choices(polygon, centre, candidates, min_margin, stands);
   return choices.keys_of(choices.part_of(taken));
 }
 
@@ -163,16 +165,17 @@ std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t te
 
 ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
                                const std::vector<Candidate>& candidates,
-                               std::vector<std::uint32_t> start, double min_margin) {
+                               std::vector<std::uint32_t> start, double min_margin,
+                               const Stands* stands) {
   if (start.size() == candidates.size() || start.empty()) {
     ExchangeHistory history;
     if (!start.empty() && start.size() <= most_exchanged_teams)
-      history.keys = hold_keys(polygon, centre, candidates, start, min_margin);
+      history.keys = hold_keys(polygon, centre, candidates, start, min_margin, stands);
     history.start = std::move(start);
     history.settled = true;
     return history;
   }
-  Choices choices(polygon, centre, candidates, min_margin);
+  Choices choices(polygon, centre, candidates, min_margin, stands);
   return Exchanger(choices, std::move(start)).run();
 }
 
@@ -183,7 +186,8 @@ std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2&
   std::vector<std::uint32_t> taken = select_teams(polygon, centre, candidates, settings.method,
                                                   teams, first_team(settings.positions), stands);
   if (!exchanges_teams(settings)) return taken;
-  return exchange_teams(polygon, centre, candidates, std::move(taken), settings.min_margin).taken();
+  return exchange_teams(polygon, centre, candidates, std::move(taken), settings.min_margin, stands)
+      .taken();
 }
 
 }  // namespace evenlift

@@ -62,9 +62,12 @@ CapacityPlan plan_by_exchange(const Placement& placement, double capacity) {
   // Even perfectly even robots carry weight / (2 teams), so fewer teams are never enough.
   for (std::uint32_t teams = number_of_teams(weight / (2 * capacity)); teams <= most; ++teams) {
     if (check_exchanges(candidates.size(), teams)) break;
+    const std::vector<std::uint32_t> chosen =
+        choose_candidates(placement.polygon, placement.centre_of_mass, candidates,
+                          placement.settings, teams, placement.stands.get());
+    if (chosen.size() < teams) break;  // there is no room for more
     double greatest = 0;
-    for (const std::uint32_t i : choose_candidates(placement.polygon, placement.centre_of_mass,
-                                                   candidates, placement.settings, teams))
+    for (const std::uint32_t i : chosen)
       greatest = std::max(greatest, weight / teams * greater_share(candidates[i].chord));
     if (greatest <= capacity) return {true, teams, greatest, teams, 2};
   }
@@ -138,8 +141,7 @@ bool same_plan(const Placement& a, const Placement& b) {
   return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
          s.seed == t.seed && s.survive == t.survive && s.positions == t.positions &&
          goal_of(s) == goal_of(t) && s.min_margin == t.min_margin && s.robot == t.robot &&
-         s.no_go == t.no_go &&
-         a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices();
+         s.no_go == t.no_go && a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices();
 }
 
 CapacityPlan plan_capacity(const Placement& placement, double capacity) {

@@ -26,9 +26,8 @@ std::vector<Chord> choose_chords(Placement& placement) {
     case Method::random:
       return random_teams(polygon, centre, teams, placement.settings.seed);
     default:
-      placement.team_candidates =
-          choose_candidates(polygon, centre, placement.candidates, placement.settings, teams,
-                            placement.stands.get());
+      placement.team_candidates = choose_candidates(
+          polygon, centre, placement.candidates, placement.settings, teams, placement.stands.get());
   }
   std::vector<Chord> chords;
   chords.reserve(placement.team_candidates.size());
@@ -160,14 +159,11 @@ std::optional<InputError> check_settings(const Settings& settings) {
     if (!selects_candidates(settings.method))
       return refused(
           sized, "the metrics distributed and random take robots as points that stand anywhere");
-    if (settings.goal == Goal::hold)
-      return refused(Setting::goal,
-                     "teams of robots with a size, or with edges that they must not touch, can only be "
-                     "placed to cover; balanced robots can be placed so that they hold");
     if (settings.positions == Positions::range)
-      return refused(Setting::positions,
-                     "robots with a size, or with edges that they must not touch, stand at the best "
-                     "places and at the ends of what they can use; leave the positions at best");
+      return refused(
+          Setting::positions,
+          "robots with a size, or with edges that they must not touch, stand at the best "
+          "places and at the ends of what they can use; leave the positions at best");
   }
   if (settings.goal == Goal::hold && !selects_candidates(settings.method))
     return refused(Setting::goal,

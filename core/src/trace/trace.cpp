@@ -225,11 +225,12 @@ std::vector<Team> teams_on(const Placement& placement, const std::vector<std::ui
 void trace_exchanges(Trace& trace) {
   const Placement& placement = trace.placement;
   const Settings& settings = placement.settings;
-  trace.exchanges = exchange_teams(
-      trace.polygon, trace.centre, placement.candidates,
-      select_teams(trace.polygon, trace.centre, placement.candidates, settings.method,
-                   placement.requested_teams, first_team(settings.positions)),
-      settings.min_margin);
+  trace.exchanges =
+      exchange_teams(trace.polygon, trace.centre, placement.candidates,
+                     select_teams(trace.polygon, trace.centre, placement.candidates,
+                                  settings.method, placement.requested_teams,
+                                  first_team(settings.positions), placement.stands.get()),
+                     settings.min_margin, placement.stands.get());
   trace.stages.push_back(teams_on(placement, trace.exchanges->start));
   for (const Exchange& exchange : trace.exchanges->exchanges)
     trace.stages.push_back(teams_on(placement, exchange.taken));

@@ -22,8 +22,7 @@ constexpr std::size_t most_labels = 150;
 
 class Drawing {
  public:
-  explicit Drawing(const Placement& placement)
-      : placement_(placement), paper_(extent(placement)) {
+  explicit Drawing(const Placement& placement) : placement_(placement), paper_(extent(placement)) {
     const auto robots = static_cast<double>(count_robots(placement.teams));
     disc_ = std::clamp(13.5 - robots / 12, 6.5, 13.0);
     number_size_ = 1.15 * disc_;
