@@ -354,6 +354,20 @@ TEST_CASE("balanced robots with a size stand where they can, and C stays their c
   CHECK(placed_sets > 30);
 }
 
+TEST_CASE("more teams of robots with a size than can be exchanged are refused",
+          "[stands][exchange][errors]") {
+  Document document = corpus::polygon("labyrinth");
+  document.settings.goal = Goal::hold;
+  document.settings.min_ratio = 0;
+  document.settings.teams = std::nullopt;
+  REQUIRE(place(document).ok());  // all candidates are taken
+  document.settings.robot.gap = 1;
+  const auto placed = place(document);
+  REQUIRE_FALSE(placed.ok());
+  CHECK(placed.error().place.option == "goal");
+  CHECK(placed.error().message.find("at most 32 teams can be exchanged") == 0);
+}
+
 TEST_CASE("distributed and random refuse robots with a size", "[stands][errors]") {
   Document document = corpus::polygon("boomerang");
   document.settings.robot.radius = 0.1;
@@ -373,6 +387,10 @@ TEST_CASE("a trace of robots with a size tells the same teams", "[stands][trace]
       const auto trace = make_trace(*placed);
       REQUIRE(trace.ok());
       CHECK(trace->source_of_candidate.size() == placed->candidates.size());
+      CHECK(trace->count(StepKind::duplicates) == 0);
+      for (std::uint32_t k = 0; k < trace->size(); ++k)
+        for (const Number& number : numbers(*trace, look_at(*trace, k)))
+          CHECK(std::fabs(number.value) < 1e9);
       for (std::uint32_t team = 0; team < placed->teams.size(); ++team) {
         INFO(name << " size " << size << " team " << team);
         const TeamScores scores = look_at_scores(*trace, team);

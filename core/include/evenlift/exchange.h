@@ -78,8 +78,9 @@ struct ExchangeHistory {
 
 // The error if so many teams among so many candidates cannot be exchanged: more than
 // most_exchanged_teams of them, or more exchanges at a time than most_exchanges. Where all candidates
-// are taken there is nothing to exchange. O(1).
-std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams);
+// are taken there is nothing to exchange; of robots with a size some may find no room. O(1).
+std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams,
+                                          const Stands* stands = nullptr);
 
 // Exchanges the teams. The choice is never worse than its start. With `stands` only choices are tried
 // whose robots do not get into each other's way. For t teams among K candidates at

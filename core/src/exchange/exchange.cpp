@@ -147,9 +147,10 @@ HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
   return choices.keys_of(choices.part_of(taken));
 }
 
-std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams) {
+std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams,
+                                          const Stands* stands) {
   const std::size_t placed = teams < candidates ? teams : candidates;
-  if (placed == candidates) return std::nullopt;
+  if (placed == candidates && !stands) return std::nullopt;
   const auto refused = [](std::string why) {
     return InputError{ErrorCode::bad_setting, std::move(why), {Place::Kind::option, 0, 0, "goal"}};
   };

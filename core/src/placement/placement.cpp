@@ -191,7 +191,8 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   auto candidates = candidates_of(polygon, *centre, settings, stands->get());
   if (!candidates) return candidates.error();
   if (exchanges_teams(settings))
-    if (auto error = check_exchanges(candidates->size(), settings.teams.value_or(max_teams)))
+    if (auto error =
+            check_exchanges(candidates->size(), settings.teams.value_or(max_teams), stands->get()))
       return *error;
 
   Placement placement(std::move(polygon));

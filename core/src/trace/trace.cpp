@@ -77,7 +77,8 @@ void write_candidates(const Trace& trace, BlockWriter& blocks) {
   blocks.add(Chapter::pairs, {StepKind::sections, StepKind::outcome}, trace.pairs.size());
   blocks.add(Chapter::pairs, {StepKind::opposite}, trace.opposite.size());
   blocks.add(Chapter::pairs, {StepKind::range}, trace.ranges.size());
-  blocks.add(Chapter::pairs, {StepKind::duplicates});
+  // To robots with a size a pair may offer several chords, which are not told one by one.
+  blocks.add(Chapter::pairs, {StepKind::duplicates}, trace.placement.stands ? 0 : 1);
   blocks.add(Chapter::candidates, {StepKind::candidates});
 }
 
@@ -333,7 +334,7 @@ Progress progress_at(const Trace& trace, std::uint32_t k) {
   progress.slopes = number(StepKind::slopes) > 0;
   progress.sections = number(StepKind::sections);
   progress.sources = number(StepKind::outcome) + number(StepKind::opposite);
-  progress.merged = number(StepKind::duplicates) > 0;
+  progress.merged = number(StepKind::duplicates) + number(StepKind::candidates) > 0;
   progress.teams = number(StepKind::team);
   progress.base_teams = number(StepKind::base);
   progress.swaps = number(StepKind::swap);
