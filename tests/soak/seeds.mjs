@@ -46,6 +46,17 @@ const settings = [
   "weight=1e300\nmin_ratio=1",
 ];
 
+const square = '"polygon": [[0, 0], [4, 0], [4, 3], [0, 3]]';
+const requests = [
+  `{${square}, "settings": {"teams": 2, "weight": 30, "unit": "mm", "weight_unit": "lb"}}`,
+  `{"command": "place", ${square}, "centre_of_mass": [1, 1], "candidates": true, "failures": true, "settings": {"metric": "balanced", "robots": 4, "goal": "cover"}}`,
+  `{"command": "candidates", "text": "POLYGON ((0 0, 4 0, 4 3, 0 0))", "settings": {"min_ratio": 0.5}}`,
+  `{"command": "svg", ${square}, "settings": {"overlays": "chords,hull", "capacity": 20, "com_radius": 0.1, "teams": "max"}}`,
+  `{"command": "poses", ${square}, "format": "yaml", "frame": "map", "origin": "com"}`,
+  `{"command": "link", ${square}, "centre_of_mass": null}`,
+  `{"command": "experiment", "polygons": [{"name": "a", "set": "b", ${square}}], "settings": {"samples": 2, "max_teams": 2, "max_balanced": 3, "min_ratio": 0.9}}`,
+  '{"command": "version"}',
+];
 
 // What the page keeps (tests/fuzz/fuzz_kept.cpp): its texts, parted by a byte 0.
 const kept = async (root) => {
@@ -77,6 +88,7 @@ export const fuzzers = {
   },
   lesson: { what: "lessons", longest: 4096, seeds: (root) => textsOf(path.join(root, "assets/lessons")) },
   set: { what: "settings", longest: 512, seeds: async () => settings },
+  request: { what: "requests", longest: 2048, seeds: async () => requests },
   kept: { what: "kept work", longest: 2048, seeds: kept },
 };
 
