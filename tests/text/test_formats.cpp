@@ -299,6 +299,11 @@ TEST_CASE("messages say what was expected and what is there", "[formats][errors]
         "this is not valid JSON: unexpected number literal; expected ']'");
   CHECK(refusal("{\"a\xff\":1}").message ==
         "this is not valid JSON: invalid string: ill-formed UTF-8 byte; expected string literal");
+  // What the text itself says behind such words is not repeated, whatever its bytes.
+  CHECK(refusal(std::string("{\"S'; expected &S\xff\0F", 19)).message ==
+        "this is not valid JSON: invalid string: ill-formed UTF-8 byte; expected string literal");
+  CHECK(refusal("[\"S'; expected &S\xff").message ==
+        "this is not valid JSON: invalid string: ill-formed UTF-8 byte");
   CHECK(refusal("").message == "the text is empty");
 }
 

@@ -1,5 +1,6 @@
 #include "numbers/json_events.h"
 
+#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -36,15 +37,18 @@ std::string reason(std::string_view message) {
   const std::size_t start = message.find(" - ");
   if (start == std::string_view::npos) return "this is not valid JSON";
   message.remove_prefix(start + 3);
-  // The part "last read" quotes the text and may contain anything, so search from the right.
+  // The part "last read" quotes the text and may contain anything, even what looks like the part
+  // "expected" behind it. Only the words of the library itself are taken for that.
   const std::size_t read = message.find("; last read: ");
-  std::string_view expected;
-  if (read != std::string_view::npos) {
-    const std::size_t after = message.rfind("'; expected ");
-    if (after != std::string_view::npos && after > read) expected = message.substr(after + 1);
-    message = message.substr(0, read);
-  }
-  return "this is not valid JSON: " + std::string(message) + std::string(expected);
+  if (read == std::string_view::npos) return "this is not valid JSON: " + std::string(message);
+  constexpr std::string_view words[] = {
+      "; expected ':'",          "; expected ']'",         "; expected '}'",
+      "; expected end of input", "; expected string literal",
+      "; expected '[', '{', or a literal"};
+  const auto expected = std::find_if(std::begin(words), std::end(words),
+                                     [&](std::string_view end) { return message.ends_with(end); });
+  return "this is not valid JSON: " + std::string(message.substr(0, read)) +
+         std::string(expected == std::end(words) ? std::string_view() : *expected);
 }
 
 // The handler of the library's events.
