@@ -148,17 +148,7 @@ if(EVENLIFT_VIEW)
     set(EVENLIFT_FONT_DIR "${inter_SOURCE_DIR}/extras/otf")
   endif()
 
-  # Of several Pythons the one that has fonttools: continuous integration and people bring theirs along.
-  if(NOT EVENLIFT_PYTHON)
-    find_program(evenlift_python3 NAMES python3 python NO_CACHE)
-    foreach(python "${evenlift_python3}" /usr/bin/python3)
-      execute_process(COMMAND "${python}" -c "import fontTools" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
-      if("${failed}" STREQUAL "0")
-        set(EVENLIFT_PYTHON "${python}" CACHE FILEPATH "Python with fonttools")
-        break()
-      endif()
-    endforeach()
-  endif()
+  evenlift_find_python(EVENLIFT_PYTHON "fontTools" "Python with fonttools")
   if(NOT EVENLIFT_PYTHON)
     message(FATAL_ERROR "evenlift cuts its fonts with fonttools for Python 3: please install python3-fonttools (or "
                         "`pip install fonttools`, and name that Python with -DEVENLIFT_PYTHON=PROGRAM).")

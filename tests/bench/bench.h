@@ -3,10 +3,19 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "evenlift/chords.h"
 #include "evenlift/document.h"
+#include "evenlift/formats.h"
 #include "evenlift/generate.h"
 #include "evenlift/polygon.h"
 
@@ -22,6 +31,35 @@ inline Document document_of(Family family, std::int64_t n) {
 
 inline Polygon polygon_of(Family family, std::int64_t n) {
   return *Polygon::create(document_of(family, n).vertices);
+}
+
+// The sample polygons, with the settings that they have.
+inline std::vector<Document> samples() {
+  std::vector<Document> documents;
+  for (const auto& entry : std::filesystem::directory_iterator(EVENLIFT_ASSETS_DIR "/polygons")) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    auto document = read_polygon(std::string(std::istreambuf_iterator<char>(file), {}));
+    if (document) documents.push_back(std::move(*document));
+  }
+  return documents;
+}
+
+// Does `work` to each document in each iteration, and counts the mean and the worst of their times.
+template <class Work>
+void time_each(benchmark::State& state, const std::vector<Document>& documents, Work work) {
+  double sum = 0, worst = 0, runs = 0;
+  for (auto _ : state) {
+    for (const Document& document : documents) {
+      const std::clock_t begin = std::clock();
+      work(document);
+      const double time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+      sum += time;
+      worst = std::max(worst, time);
+      ++runs;
+    }
+  }
+  state.counters["mean_s"] = sum / runs;
+  state.counters["worst_s"] = worst;
 }
 
 // A counter `name`: the time of an iteration for each of `units`. Flat over n if the time grows as

@@ -1,15 +1,7 @@
 // Balanced robots: the start, which a page shows at once, and the whole search.
-#include <algorithm>
-#include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
 #include "bench/bench.h"
 #include "bench/coast.h"
 #include "evenlift/balanced.h"
-#include "evenlift/formats.h"
 
 namespace evenlift::bench {
 namespace {
@@ -37,32 +29,18 @@ void balanced(benchmark::State& state, Family family, std::int64_t n, Part part)
 
 void balanced_on_coast(benchmark::State& state, Part part) { run(state, coast(), part); }
 
-// The time of each sample: the mean and the worst.
 void balanced_on_samples(benchmark::State& state) {
-  std::vector<Document> documents;
-  for (const auto& entry : std::filesystem::directory_iterator(EVENLIFT_ASSETS_DIR "/polygons")) {
-    std::ifstream file(entry.path(), std::ios::binary);
-    const auto document = read_polygon(std::string(std::istreambuf_iterator<char>(file), {}));
-    if (document) documents.push_back(*document);
+  std::vector<Document> documents = samples();
+  for (Document& document : documents) {
+    document.settings.method = Method::balanced;
+    document.settings.robots = static_cast<std::uint32_t>(state.range(0));
   }
-  double sum = 0, worst = 0, runs = 0;
-  for (auto _ : state) {
-    for (Document& document : documents) {
-      document.settings.method = Method::balanced;
-      document.settings.robots = static_cast<std::uint32_t>(state.range(0));
-      const std::clock_t begin = std::clock();
-      const Polygon polygon = *Polygon::create(document.vertices);
-      const Vec2 centre = *check_centre_of_mass(polygon, document.centre_of_mass);
-      const BalancedProblem problem(polygon, centre, document.settings);
-      benchmark::DoNotOptimize(finish_search(problem, *start_balanced(problem)));
-      const double time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-      sum += time;
-      worst = std::max(worst, time);
-      ++runs;
-    }
-  }
-  state.counters["mean_s"] = sum / runs;
-  state.counters["worst_s"] = worst;
+  time_each(state, documents, [](const Document& document) {
+    const Polygon polygon = *Polygon::create(document.vertices);
+    const Vec2 centre = *check_centre_of_mass(polygon, document.centre_of_mass);
+    const BalancedProblem problem(polygon, centre, document.settings);
+    benchmark::DoNotOptimize(finish_search(problem, *start_balanced(problem)));
+  });
 }
 
 void robots(benchmark::internal::Benchmark* b) {

@@ -302,7 +302,7 @@ TEST_CASE("messages say what was expected and what is there", "[formats][errors]
   // What the text itself says behind such words is not repeated, whatever its bytes.
   CHECK(refusal(std::string("{\"S'; expected &S\xff\0F", 19)).message ==
         "this is not valid JSON: invalid string: ill-formed UTF-8 byte; expected string literal");
-  CHECK(refusal("[\"S'; expected &S\xff").message ==
+  CHECK(refusal("{\"type\":\"S'; expected &S\xff").message ==
         "this is not valid JSON: invalid string: ill-formed UTF-8 byte");
   CHECK(refusal("").message == "the text is empty");
 }

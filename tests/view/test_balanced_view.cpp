@@ -44,12 +44,6 @@ std::string last_robots(const AppState& state) {
   return robots_text(lifting_points(place(state.document)->teams));
 }
 
-void give(AppState& state, Command command) {
-  Commands commands;
-  commands.push_back(std::move(command));
-  apply(state, commands);
-}
-
 }  // namespace
 
 TEST_CASE("the view shows the start of the search and then what it finds", "[view][balanced]") {

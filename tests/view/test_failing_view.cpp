@@ -29,12 +29,6 @@ AppState state_of(Method method) {
   return state;
 }
 
-void give(AppState& state, Command command) {
-  Commands commands;
-  commands.push_back(std::move(command));
-  apply(state, commands);
-}
-
 std::size_t robots(const AppState& state) { return count_robots(state.placement->teams); }
 
 }  // namespace

@@ -28,12 +28,6 @@ AppState state_in_ranges(std::optional<Goal> goal = {}) {
   return state;
 }
 
-void give(AppState& state, Command command) {
-  Commands commands;
-  commands.push_back(std::move(command));
-  apply(state, commands);
-}
-
 Vec2 place_of(const AppState& state, std::size_t team, std::size_t robot) {
   return state.placement->teams[team].robots[robot].point.position;
 }

@@ -55,6 +55,13 @@ inline std::vector<std::filesystem::path> assets() {
   return paths;
 }
 
+// Carries out one command, as a control or a key would.
+inline void give(AppState& state, Command command) {
+  Commands commands;
+  commands.push_back(std::move(command));
+  apply(state, commands);
+}
+
 // A page without a window.
 class Page {
  public:

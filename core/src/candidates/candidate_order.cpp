@@ -165,4 +165,16 @@ void sort_keys(std::vector<SlopeKey>& keys) {
 
 void settle_order(std::vector<Candidate>& candidates) { Settler(candidates).run(); }
 
+std::vector<Candidate> in_candidate_order(const std::vector<Candidate>& found) {
+  std::vector<SlopeKey> keys;
+  keys.reserve(found.size());
+  for (std::uint32_t i = 0; i < found.size(); ++i) keys.push_back(slope_key(found[i].direction, i));
+  sort_keys(keys);
+  std::vector<Candidate> ordered;
+  ordered.reserve(found.size());
+  for (const SlopeKey key : keys) ordered.push_back(found[number_of(key)]);
+  settle_order(ordered);
+  return ordered;
+}
+
 }  // namespace evenlift

@@ -30,4 +30,8 @@ void sort_keys(std::vector<SlopeKey>& keys);
 // them.
 void settle_order(std::vector<Candidate>& candidates);
 
+// Candidates found in any order, fewer than max_edge_pairs of them, in candidate order. O(m), and
+// what settle_order() takes.
+std::vector<Candidate> in_candidate_order(const std::vector<Candidate>& found);
+
 }  // namespace evenlift

@@ -172,16 +172,9 @@ EvenChords::EvenChords(const Polygon& polygon, const Stands* stands)
 
 std::vector<Candidate> EvenChords::about(const Vec2& centre) const {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-  const std::vector<Candidate> found = Search(*this, centre, all).run();
-  std::vector<SlopeKey> keys;
-  keys.reserve(found.size());
-  for (std::uint32_t i = 0; i < found.size(); ++i) keys.push_back(slope_key(found[i].direction, i));
-  sort_keys(keys);
-  std::vector<Candidate> ordered;
-  ordered.reserve(found.size());
-  for (const SlopeKey key : keys) ordered.push_back(found[number_of(key)]);
-  settle_order(ordered);
-  return merge_duplicates(std::move(ordered), near_distance(polygon_.diagonal())).candidates;
+  return merge_duplicates(in_candidate_order(Search(*this, centre, all).run()),
+                          near_distance(polygon_.diagonal()))
+      .candidates;
 }
 
 std::size_t EvenChords::count_about(const Vec2& centre, std::size_t most) const {

@@ -104,18 +104,6 @@ std::optional<InputError> find_on_moved_edges(const Polygon& polygon, const Vec2
   return check_number(pairs, "pairs of edges, moved inward,");
 }
 
-std::vector<Candidate> in_order(const std::vector<Candidate>& found) {
-  std::vector<SlopeKey> keys;
-  keys.reserve(found.size());
-  for (std::uint32_t i = 0; i < found.size(); ++i) keys.push_back(slope_key(found[i].direction, i));
-  sort_keys(keys);
-  std::vector<Candidate> ordered;
-  ordered.reserve(found.size());
-  for (const SlopeKey key : keys) ordered.push_back(found[number_of(key)]);
-  settle_order(ordered);
-  return ordered;
-}
-
 }  // namespace
 
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
@@ -126,7 +114,7 @@ Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2&
                               : find_on_moved_edges(polygon, centre, min_ratio, stands, found))
     return *error;
   if (auto error = check_number(found.candidates.size(), "candidates")) return *error;
-  std::vector<Candidate> ordered = in_order(found.candidates);
+  std::vector<Candidate> ordered = in_candidate_order(found.candidates);
   std::vector<std::uint32_t> sources;
   for (const Candidate& candidate : ordered) sources.push_back(candidate.source);
   MergedCandidates merged = merge_duplicates(std::move(ordered), near_distance(polygon.diagonal()));
