@@ -396,3 +396,22 @@ test("while the pointer rests on a row of the table, nothing more is drawn", asy
   }
   await page.done();
 });
+
+test("a key that asks for a field before the controls are there opens it when they come", async () => {
+  const page = await browser.open();
+  let comes;
+  const asked = new Promise((done) => {
+    comes = done;
+  });
+  await page.route("**/mirror.js", async (route) => {
+    await asked;
+    await route.continue();
+  });
+  await page.reload();
+  await page.evaluate(() => evenlift.ready);
+  assert.equal(await page.locator("#mirror input").count(), 0);
+  await page.keyboard.press("y");
+  comes();
+  await page.waitForFunction(() => document.activeElement?.getAttribute("aria-label")?.startsWith("Weight"));
+  await page.done();
+});

@@ -24,10 +24,13 @@ test("set() gives robots a size and marks edges, and the placement is the progra
   await page.done();
 });
 
-test("links carry the size of robots", async () => {
+test("the size is typed in the panel, and links carry it", async () => {
   const page = await browser.open();
   await load(page, asset("grand-piano"));
-  await set(page, { robot: "r=30" });
+  await page.keyboard.press("Shift+H");
+  await page.waitForFunction(() => document.activeElement?.tagName === "INPUT");  // the section opens first
+  await page.keyboard.type("30");
+  await page.keyboard.press("Enter");
   await idle(page);
   assert.deepEqual((await state(page)).robot, { radius: 30, reach: 0, depth: 0, width: 0, gap: 0 });
   const kept = await link(page);

@@ -333,6 +333,8 @@ TEST_CASE("a picture whose metadata has a link opens with all its settings", "[i
 TEST_CASE("DXF: polylines with bulges, circles, and chains of lines and arcs", "[import][dxf]") {
   const Import import = read_data("plate.dxf");
   CHECK(import.unit == "millimetres");
+  for (const ImportedShape& shape : import.shapes)
+    CHECK(shape.document.settings.units.length == LengthUnit::mm);
   CHECK(described(import) ==
         std::vector<std::string>{"\"outline\", closed polyline with arcs, 35 vertices, 125 x 50",
                                  "\"holes\", circle, 64 vertices, 20 x 20",

@@ -272,6 +272,7 @@ test("a drawing of a CAD program, chosen as a file", async () => {
   assert.match(await page.locator("#shapes .second").first().textContent(), /^Lengths are in millimetres\. 1 line or arc does not close/);
   await shapes(page).nth(3).click();
   assert.match(await noticed(page), /^“plate\.dxf” is opened\. Curves were flattened to within 0\.01/);
+  assert.equal((await state(page)).unit, "mm");
 });
 
 test("files that are no texts are refused with what to do", async () => {

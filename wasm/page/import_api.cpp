@@ -81,11 +81,12 @@ EMSCRIPTEN_KEEPALIVE const char* import_outline(int index) {
   return hand_over(lines);
 }
 
-// What the program opens: a link if the text brought settings, which are wanted and fit into one; else
-// the polygon in the thesis's format.
+// What the program opens: a link if the text brought settings or a unit of lengths, which are wanted
+// and fit into one; else the polygon in the thesis's format.
 EMSCRIPTEN_KEEPALIVE const char* import_text(int index, int with_settings) {
   const Document& document = shape(index).document;
-  if (with_settings && imported().has_settings) {
+  const bool has_unit = document.settings.units.length != LengthUnit::none;
+  if (with_settings && (imported().has_settings || has_unit)) {
     const Result<std::string> link = encode_link(document);
     if (link) return hand_over(*link);
   }

@@ -21,7 +21,8 @@ function createGroup(name) {
 // Calls of the program: what is asked of a control (wasm/page/main.cpp).
 const press = 0, choose = 1, move = 2, reveal = 3, enter = 4;
 
-export function createMirror(program, notice) {
+// `field.awaited` names a field that a key asked for, or is empty. It may not be laid out yet.
+export function createMirror(program, field, notice) {
   const canvas = document.getElementById("canvas");
   const root = document.createElement("div");
   root.id = "mirror";
@@ -91,17 +92,12 @@ export function createMirror(program, notice) {
     for (const group of groups.values()) group.hidden = !group.firstChild;
   }
 
-  // A key asked for a field, which may not be laid out yet.
-  let awaited = "";
-  document.addEventListener("evenlift-type", ({ detail: name }) => {
-    awaited = name;
-  });
-
   function focusAwaited() {
-    const field = awaited && [...shown.values()].find(({ control }) => control.kind === "number" && control.name === awaited);
-    if (!field) return;
-    awaited = "";
-    field.element.focus({ preventScroll: true });
+    const { awaited } = field;
+    const found = awaited && [...shown.values()].find(({ control }) => control.kind === "number" && control.name === awaited);
+    if (!found) return;
+    field.awaited = "";
+    found.element.focus({ preventScroll: true });
   }
 
   // Call this after each picture.

@@ -9,7 +9,7 @@ import { begin, end } from "./work.js";
 const longLink = 2000;
 
 // Calls `onFrame` after each picture.
-export function createBindings(publisher, onFrame) {
+export function createBindings(publisher, field, onFrame) {
   const canvas = document.getElementById("canvas");
   let running;  // the program
   let screen;
@@ -145,7 +145,7 @@ export function createBindings(publisher, onFrame) {
       publisher.notice(`Some characters cannot be shown on the canvas: ${codes.join(", ")}${[...characters].length > 5 ? ", …" : ""}.`, true);
     },
     typeValue(control) {
-      document.dispatchEvent(new CustomEvent("evenlift-type", { detail: control }));
+      field.awaited = control;
     },
     announce(text) {
       document.getElementById("alert").textContent = text;

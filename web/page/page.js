@@ -65,12 +65,12 @@ async function load(bindings) {
 }
 
 // The controls in HTML come after the first picture, which does not need them. Returns what is to be called after each picture.
-async function loadMirror(program, publisher) {
+async function loadMirror(program, field, publisher) {
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet", href: "mirror.css" });
   const styled = new Promise((done, fail) => Object.assign(style, { onload: done, onerror: fail }));
   document.head.append(style);
   const [{ createMirror }] = await Promise.all([import("./mirror.js"), styled]);
-  return createMirror(program, (text, problem) => publisher.notice(text, problem));
+  return createMirror(program, field, (text, problem) => publisher.notice(text, problem));
 }
 
 let started;  // the result of beginStart()
@@ -84,7 +84,8 @@ async function start() {
   const firstPicture = new Promise((done) => {
     pictureIsThere = done;
   });
-  const bindings = createBindings(publisher, () => {
+  const field = { awaited: "" };  // the name of a field that a key asked for, until the mirror has it
+  const bindings = createBindings(publisher, field, () => {
     pictureIsThere();
     publisher.drawn();
     program.onPicture();
@@ -117,7 +118,7 @@ async function start() {
   if (say) program.call("page_notice", say, 1);
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
-  underWay(loadMirror(program, publisher)).then((drawn) => {
+  underWay(loadMirror(program, field, publisher)).then((drawn) => {
     mirror = drawn;
     mirror();
   }, (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error));

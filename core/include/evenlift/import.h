@@ -49,7 +49,7 @@ struct Import {
 //   DXF        with text codes, its model space: closed LWPOLYLINE and POLYLINE with bulges, CIRCLE
 //              and closed ELLIPSE and SPLINE; and LINE, ARC and open ones of these of one layer, if
 //              they close, chained where their ends are no farther apart than 1/100000 of the
-//              drawing's larger side. $INSUNITS gives the unit
+//              drawing's larger side. $INSUNITS gives the unit, as a label where evenlift has it
 //   columns    x and y in lines, with tabs, semicolons, bars, commas or spaces between them: the first
 //              of these, in this order, that the first line with a number has. Decimals may have a
 //              comma unless commas or spaces are between the columns. A heading may name the columns x

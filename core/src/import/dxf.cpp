@@ -70,15 +70,34 @@ class Groups {
   bool broken_ = false;
 };
 
-// $INSUNITS.
-const char* unit_name(double number) {
-  static constexpr const char* names[] = {
-      "",           "inches",      "feet",        "miles",      "millimetres", "centimetres",
-      "metres",     "kilometres",  "microinches", "mils",       "yards",       "angstroms",
-      "nanometres", "micrometres", "decimetres",  "decametres", "hectometres", "gigametres"};
-  const auto count = static_cast<double>(std::size(names));
-  if (!(number >= 0) || number >= count || number != std::floor(number)) return "";
-  return names[static_cast<std::size_t>(number)];
+// A unit of $INSUNITS: its name, and evenlift's label for it where there is one.
+struct DrawingUnit {
+  const char* name = "";
+  LengthUnit label = LengthUnit::none;
+};
+
+DrawingUnit unit_of(double number) {
+  static constexpr DrawingUnit units[] = {{},
+                                          {"inches", LengthUnit::in},
+                                          {"feet"},
+                                          {"miles"},
+                                          {"millimetres", LengthUnit::mm},
+                                          {"centimetres", LengthUnit::cm},
+                                          {"metres", LengthUnit::m},
+                                          {"kilometres"},
+                                          {"microinches"},
+                                          {"mils"},
+                                          {"yards"},
+                                          {"angstroms"},
+                                          {"nanometres"},
+                                          {"micrometres"},
+                                          {"decimetres"},
+                                          {"decametres"},
+                                          {"hectometres"},
+                                          {"gigametres"}};
+  const auto count = static_cast<double>(std::size(units));
+  if (!(number >= 0) || number >= count || number != std::floor(number)) return {};
+  return units[static_cast<std::size_t>(number)];
 }
 
 double sine_of(double degrees) { return sine(std::fmod(degrees, 360) * (pi / 180)); }
@@ -150,6 +169,7 @@ class DxfReader {
   std::string polyline_layer_;
   std::vector<Vertex> polyline_;
   std::size_t blocks_ = 0, splines_ = 0;
+  DrawingUnit unit_;
   std::optional<std::string> gap_;  // where the first chain does not close
 };
 
@@ -420,7 +440,7 @@ std::optional<InputError> DxfReader::sections() {
     } else if (section == "HEADER") {
       if (group->code == 9) variable = group->value;
       if (group->code == 70 && variable == "$INSUNITS")
-        gathering_.import.unit = unit_name(read_number(group->value).value_or(0));
+        unit_ = unit_of(read_number(group->value).value_or(0));
     } else if (section == "ENTITIES") {
       if (entity.groups.size() == max_groups)
         return text_error(ErrorCode::too_many_vertices, "an object has too many vertices", text_,
@@ -446,6 +466,9 @@ Result<Import> DxfReader::read() {
   if (blocks_ > 0 && !gathering_.import.shapes.empty())
     gathering_.note(
         "blocks (INSERT) are not put together: explode them in the CAD program to have them");
+  gathering_.import.unit = unit_.name;
+  for (ImportedShape& shape : gathering_.import.shapes)
+    shape.document.settings.units.length = unit_.label;
   return gathering_.finish(nothing_found());
 }
 
