@@ -103,6 +103,11 @@ if(EVENLIFT_IMPORT)
     target_compile_definitions(pugixml PUBLIC PUGIXML_NO_XPATH PUGIXML_NO_EXCEPTIONS PUGIXML_NO_STL)
     target_compile_options(pugixml PRIVATE -fno-exceptions -w ${evenlift_small})
   endif()
+  # Inside the program, which so runs where pugixml is not installed.
+  set(EVENLIFT_PUGIXML pugixml::pugixml)
+  if(TARGET pugixml::static)
+    set(EVENLIFT_PUGIXML pugixml::static)
+  endif()
 endif()
 
 # --- Dear ImGui: the sources, built with our configuration (wasm/ui/imgui_config.h) -------------------------------------
