@@ -83,7 +83,8 @@ function(evenlift_page_program target)
     -sTEXTDECODER=2
     -sMIN_CHROME_VERSION=85
     -sMIN_FIREFOX_VERSION=79
-    -sMIN_EDGE_VERSION=85
+    # The Edge before it became a Chrome: none, which is also the one value that new Emscripten takes.
+    -sMIN_EDGE_VERSION=2147483647
     -sMIN_SAFARI_VERSION=150000
     -sGL_TRACK_ERRORS=0
     -sGL_POOL_TEMP_BUFFERS=0
