@@ -6,6 +6,8 @@
 
 #include "app/update.h"
 #include "evenlift/output/words.h"
+#include "evenlift/placed_robots.h"
+#include "evenlift/stands.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
 #include "tools/pick.h"
@@ -32,6 +34,11 @@ void give(AppState& state, Command command) {
   Commands commands;
   commands.push_back(std::move(command));
   apply(state, commands);
+}
+
+// By a tangent instead of an angle, which is as good here.
+Vec2 turned(const Vec2& from_centre, double tangent) {
+  return from_centre + tangent * left_normal(from_centre);
 }
 
 Vec2 place_of(const AppState& state, std::size_t team, std::size_t robot) {
@@ -72,6 +79,38 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   CHECK_FALSE(state.by_hand);
   CHECK(place_of(state, 1, 0) == was);
   CHECK(summary(state) == before);
+}
+
+TEST_CASE("a team of robots with a size goes where they can stand, and not into others",
+          "[view][ranges][stands]") {
+  for (const double depth : {0.0, 20.0}) {
+    AppState state;
+    Document opened = document(asset(EVENLIFT_ASSETS_DIR "/polygons/square.txt"));
+    opened.settings.positions = Positions::range;
+    opened.settings.teams = 4;
+    opened.settings.robot = {20, 0, depth, 20, 60};
+    start_with(state, placed(opened), std::nullopt);
+    const std::size_t teams = state.placement->teams.size();
+    REQUIRE(teams == 4);
+    const Vec2 c = state.placement->centre_of_mass;
+    int moved = 0, closed = 0;
+    for (std::size_t team = 0; team < teams; ++team) {
+      for (int step = 1; step <= 40; ++step) {
+        const Vec2 was = place_of(state, team, 0);
+        state.held = {Pick::Kind::robot, team, 0, was};
+        give(state, MoveRobot{2 * team, c + turned(was - c, step <= 20 ? 0.05 : -0.05)});
+        const std::vector<LiftingPoint> robots = lifting_points(state.placement->teams);
+        CHECK_FALSE(state.placement->stands->any_collide(robots));
+        for (const LiftingPoint& robot : robots) CHECK(state.placement->stands->can_lift(robot));
+        CHECK(state.placement->teams[team].ratio >= 0.8 - 2e-9);
+        moved += place_of(state, team, 0) != was;
+        closed += state.closed_to.has_value();
+        state.held = {};
+      }
+    }
+    CHECK(moved > 10);
+    CHECK(closed > 0);
+  }
 }
 
 TEST_CASE("steps are those of teams where they were found", "[view][ranges]") {

@@ -286,8 +286,12 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
 struct RangeDetail {
   EdgePair pair;
   PairRange range;
-  std::array<Chord, 2> ends;                  // the most uneven that are allowed, or the section's
-  std::array<std::uint32_t, 2> candidates{};  // into placement.candidates
+  // The most uneven that are allowed, or the section's; of robots with a size the first and the last in the
+  // longest part of the range where they can stand.
+  std::array<Chord, 2> ends;
+  // Into placement.candidates. Of robots with a size the second may be no_index: the two of a team would
+  // collide there.
+  std::array<std::uint32_t, 2> candidates{};
 };
 // Of trace.ranges[index]. O(1).
 RangeDetail look_at_range(const Trace& trace, std::uint32_t index);

@@ -41,10 +41,12 @@ std::string reason(std::string_view message) {
   // "expected" behind it. Only the words of the library itself are taken for that.
   const std::size_t read = message.find("; last read: ");
   if (read == std::string_view::npos) return "this is not valid JSON: " + std::string(message);
-  constexpr std::string_view words[] = {
-      "; expected ':'",          "; expected ']'",         "; expected '}'",
-      "; expected end of input", "; expected string literal",
-      "; expected '[', '{', or a literal"};
+  constexpr std::string_view words[] = {"; expected ':'",
+                                        "; expected ']'",
+                                        "; expected '}'",
+                                        "; expected end of input",
+                                        "; expected string literal",
+                                        "; expected '[', '{', or a literal"};
   const auto expected = std::find_if(std::begin(words), std::end(words),
                                      [&](std::string_view end) { return message.ends_with(end); });
   return "this is not valid JSON: " + std::string(message.substr(0, read)) +

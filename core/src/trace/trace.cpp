@@ -185,9 +185,10 @@ std::optional<InputError> collect(Trace& trace) {
   auto opposite = opposite_vertices(trace.polygon, trace.centre);
   if (!opposite) return opposite.error();
   const Stands* stands = trace.placement.stands.get();
-  auto traced = stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands)
-                       : trace_candidates(trace.polygon, trace.centre, min_ratio,
-                                          trace.placement.settings.positions);
+  const Positions positions = trace.placement.settings.positions;
+  auto traced =
+      stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands, positions)
+             : trace_candidates(trace.polygon, trace.centre, min_ratio, positions);
   if (!traced) return traced.error();
   trace.rays = make_rays(trace.polygon, trace.centre, *chords);
   trace.pairs = *std::move(pairs);
@@ -196,7 +197,7 @@ std::optional<InputError> collect(Trace& trace) {
 
   for (std::uint32_t source = 0; source < traced->ranges_of_source.size(); ++source) {
     const auto& candidates = traced->ranges_of_source[source];
-    if (candidates[1] == no_candidate) continue;
+    if (candidates[0] == no_candidate) continue;
     trace.ranges.push_back(source);
     trace.candidates_of_range.push_back(candidates);
   }
