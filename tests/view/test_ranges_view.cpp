@@ -1,5 +1,6 @@
 // Teams in their ranges, and teams that are to hold, in the view.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -148,6 +149,43 @@ TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "
   const std::uint32_t moved = trace.exchanges->exchanges.back().teams[0];
   const Explanation card = explain(state, {Pick::Kind::robot, moved, 0, place_of(state, moved, 0)});
   CHECK(card.reason.find("leaves candidate") != std::string::npos);
+}
+
+TEST_CASE("a few exchanges are predicted, and a wrong guess is told what it would come to",
+          "[view][ranges]") {
+  AppState state = state_in_ranges(Goal::hold);
+  give(state, OpenWalkthrough{});
+  give(state, ShowAllSteps{true});
+  give(state, SetPredict{true});
+  const Trace& trace = *state.walkthrough.trace;
+  const std::uint32_t first = *trace.find(StepKind::swap, 0);
+  give(state, GoToStep{first - 1});
+  std::array<std::size_t, question_kind_count> asked{};
+  bool wrong = true;
+  for (std::uint32_t step = first; step < *trace.find(StepKind::held, 0);) {
+    give(state, MoveSteps{1});
+    const auto& ask = state.walkthrough.ask;
+    if (ask) {
+      CHECK(ask->step == step);
+      CHECK(state.walkthrough.at == step - 1);
+      CHECK(ask->choices.size() > 1);
+      CHECK_FALSE(ask->text.empty());
+      ++asked[static_cast<std::size_t>(ask->question.kind)];
+      const std::uint32_t answer = ask->question.answer;
+      const std::uint32_t other = ask->choices[0] == answer ? ask->choices[1] : ask->choices[0];
+      give(state, Guess{wrong ? other : answer});
+      CHECK(state.walkthrough.was_right != wrong);
+      CHECK((state.walkthrough.verdict.size() > 20) == wrong);
+      wrong = !wrong;
+    }
+    CHECK(state.walkthrough.at == step);
+    ++step;
+  }
+  const auto of_teams = asked[static_cast<std::size_t>(QuestionKind::leaving_team)],
+             of_candidates = asked[static_cast<std::size_t>(QuestionKind::coming_candidate)];
+  CHECK(of_teams + of_candidates > 0);
+  CHECK(of_teams <= most_questions);
+  CHECK(of_candidates <= most_questions);
 }
 
 TEST_CASE("a robot is dragged along its range with the pointer, and drawn with its range",

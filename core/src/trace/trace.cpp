@@ -149,6 +149,7 @@ std::uint64_t write_blocks(Trace& trace) {
   BlockWriter blocks(trace);
   for (const StepKind kind : {StepKind::polygon, StepKind::centroid, StepKind::centre})
     blocks.add(Chapter::object, {kind});
+  blocks.add(Chapter::object, {StepKind::stands}, placement.stands ? 1 : 0);
   write_blocks_of_method(trace, blocks);
   if (!placement.teams.empty()) {
     blocks.add(Chapter::loads, {StepKind::share}, trace.balanced() ? 0 : placement.teams.size());
@@ -331,6 +332,7 @@ Progress progress_at(const Trace& trace, std::uint32_t k) {
     return steps;
   };
   Progress progress;
+  progress.stands = number(StepKind::stands) > 0;
   progress.rays = number(StepKind::ray);
   progress.slopes = number(StepKind::slopes) > 0;
   progress.sections = number(StepKind::sections);

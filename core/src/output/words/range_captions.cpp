@@ -4,21 +4,13 @@
 #include "evenlift/output/words.h"
 #include "output/words/listed.h"
 #include "output/words/step_captions.h"
+#include "output/words/swap_answers.h"
 
 namespace evenlift {
 namespace {
 
 std::string margin_in_text(const std::optional<double>& margin) {
   return margin ? written(margin_text(*margin)) : std::string("none");
-}
-
-// Two shares with as many decimals as tell them apart.
-std::array<std::string, 2> told_apart(double a, double b) {
-  constexpr int most_decimals = 6;
-  int decimals = 0;
-  while (decimals < most_decimals && a != b && percentage(a, decimals) == percentage(b, decimals))
-    ++decimals;
-  return {percentage(a, decimals), percentage(b, decimals)};
 }
 
 std::string numbers_from_1(const std::vector<std::uint32_t>& numbers) {
