@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "app/update.h"
+#include "evenlift/generate.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
+#include "state/opened.h"
 #include "tools/pick.h"
 #include "view/view_page.h"
 #include "walkthrough/explain.h"
@@ -186,6 +188,59 @@ TEST_CASE("a few exchanges are predicted, and a wrong guess is told what it woul
   CHECK(of_teams + of_candidates > 0);
   CHECK(of_teams <= most_questions);
   CHECK(of_candidates <= most_questions);
+}
+
+TEST_CASE("among many candidates teams are exchanged when a drag ends, and not before",
+          "[view][ranges]") {
+  Document comb;
+  comb.vertices = *generate(Family::comb, 200, 1);
+  comb.settings.goal = Goal::hold;
+  AppState state;
+  start_with(state, placed(comb), std::nullopt);
+  const auto taken = [](const Document& document) {
+    return evenlift::place(document)->team_candidates;
+  };
+  CHECK_FALSE(waits_for_exchange(*state.placement));
+  const Vec2 to = comb.vertices[0] + Vec2(-1, -1);
+  give(state, MoveVertex{0, to});
+  comb.vertices[0] = to;
+  CHECK(waits_for_exchange(*state.placement));
+  CHECK(state.placement->settings.goal == Goal::hold);
+  CHECK(state.placement->goal_reached == state.placement->closure.form_closure);
+  Document selected = comb;
+  selected.settings.goal = Goal::cover;
+  CHECK(state.placement->team_candidates == taken(selected));
+  // The steps of the lesson are those of the teams on the screen.
+  give(state, OpenWalkthrough{});
+  CHECK(state.walkthrough.trace->count(StepKind::swap) == 0);
+  give(state, EndEdit{});
+  CHECK_FALSE(waits_for_exchange(*state.placement));
+  CHECK(state.placement->team_candidates == taken(comb));
+  CHECK(taken(comb) != taken(selected));
+  CHECK(state.walkthrough.trace->count(StepKind::swap) > 0);
+  CHECK(state.notice.text.empty());
+}
+
+TEST_CASE("few candidates are exchanged during a drag, too", "[view][ranges]") {
+  AppState state = state_in_ranges(Goal::hold);
+  const Vec2 to = state.document.vertices[0] + Vec2(1, 1);
+  give(state, MoveVertex{0, to});
+  CHECK_FALSE(waits_for_exchange(*state.placement));
+  CHECK(state.placement->goal_reached);
+  give(state, EndEdit{});
+  CHECK(state.placement->goal_reached);
+}
+
+TEST_CASE("teams that would be exchanged for minutes are not, and a notice says so",
+          "[view][ranges]") {
+  Document comb;
+  comb.vertices = *generate(Family::comb, 1000, 1);
+  comb.settings.goal = Goal::hold;
+  comb.settings.teams = 8;
+  AppState state;
+  start_with(state, placed(comb), std::nullopt);
+  CHECK(waits_for_exchange(*state.placement));
+  CHECK(state.notice.text.find("So many teams are not exchanged here") == 0);
 }
 
 TEST_CASE("a robot is dragged along its range with the pointer, and drawn with its range",

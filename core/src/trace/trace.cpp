@@ -266,7 +266,8 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
     if (auto error = trace_search(trace, length)) return *error;
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
-  if (exchanges_teams(placement.settings)) trace_exchanges(trace);
+  // Where the page has not exchanged them, during a drag, they are not exchanged here either.
+  if (exchanges_teams(placement.settings) && placement.search_ended) trace_exchanges(trace);
   trace.contacts = contacts(trace.polygon, contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;
