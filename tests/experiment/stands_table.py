@@ -5,7 +5,7 @@
 
 A placement of points can be carried out if a disc of the radius can touch each lifting point from outside, along the
 inward normal (at a vertex the middle one), without overlapping the object, and no two of these discs overlap. That is
-worked out here, and not by the program. "Made to fit" is a placement by area with --robot r=R: it counts if the program
+worked out here, and not by the program. "Made to fit" is a placement by area with --robot r=R, at the best positions or in ranges: it counts if the program
 places all teams. --update writes the table into docs/experiments.md and the figure to docs/pictures/stands.svg.
 """
 
@@ -23,7 +23,8 @@ PROGRAM = os.environ.get("EVENLIFT_PROGRAM", str(ROOT / "build" / "bin" / "evenl
 SETS = ["polygons", "thesis-like"]
 PERCENT = [0, 1, 2, 3, 4, 5]  # of L, the diagonal of the bounding box
 ROBOTS = [4, 6, 8]
-ROWS = ["area", "circle", "distance", "distributed", "balanced", "area, made to fit"]
+MADE_TO_FIT = {"area, made to fit": "best", "area, made to fit in ranges": "range"}  # with their positions
+ROWS = ["area", "circle", "distance", "distributed", "balanced", "area, made to fit", "area, made to fit in ranges"]
 
 
 def placed(path, *options):
@@ -86,10 +87,11 @@ def measure(path):
                 add("balanced", count, result["robots"])
     for percent in PERCENT:
         options = ["--robot", f"r={percent / 100 * size!r}"] if percent else []
-        result = placed(path, "--teams", "4", *options)
-        for count in ROBOTS:
-            if ("area", count, 0) in found:
-                found["area, made to fit", count, percent] = result is not None and 2 * len(result["teams"]) >= count
+        for row, positions in MADE_TO_FIT.items():
+            result = placed(path, "--teams", "4", "--positions", positions, *options)
+            for count in ROBOTS:
+                if ("area", count, 0) in found:
+                    found[row, count, percent] = result is not None and 2 * len(result["teams"]) >= count
     return found
 
 
@@ -106,7 +108,8 @@ def table(means):
     return "\n".join(lines)
 
 
-COLOURS = {"area": "#2F6FDE", "distributed": "#B0572B", "balanced": "#8A3FA0", "area, made to fit": "#1F7A4E"}
+COLOURS = {"area": "#2F6FDE", "distributed": "#B0572B", "balanced": "#8A3FA0", "area, made to fit": "#1F7A4E",
+           "area, made to fit in ranges": "#C28A00"}
 
 
 def figure(means, count=8):
@@ -127,9 +130,10 @@ def figure(means, count=8):
         for row, colour in COLOURS.items():
             points = " ".join("{:.1f},{:.1f}".format(*at(p, means[name, row, count, p][0])) for p in PERCENT)
             parts.append(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="2"/>')
-    for i, (row, colour) in enumerate(COLOURS.items()):
-        x = 52 + 170 * i
+    x = 52
+    for row, colour in COLOURS.items():
         parts.append(f'<path d="M{x} 306h22" stroke="{colour}" stroke-width="3"/><text x="{x + 28}" y="310">{row}</text>')
+        x += 52 + 7 * len(row)
     return "\n".join(parts) + "\n</svg>\n"
 
 

@@ -13,7 +13,8 @@ function program(name, ...options) {
 test("teams in ranges that are to hold are the program's, bit for bit", async () => {
   const page = await browser.open();
   const cases = [["guitar", { positions: "range" }], ["guitar", { positions: "range", goal: "hold" }], ["labyrinth", { goal: "hold", teams: 2 }],
-    ["thesis-sample-centroid", { metric: "circle", goal: "hold", min_margin: 0.2, teams: 4 }], ["square", { positions: "range", teams: "max" }]];
+    ["thesis-sample-centroid", { metric: "circle", goal: "hold", min_margin: 0.2, teams: 4 }], ["square", { positions: "range", teams: "max" }],
+    ["grand-piano", { positions: "range", robot: "r=30,reach=20,depth=40,width=60,gap=10", goal: "hold" }]];
   for (const [name, settings] of cases) {
     await load(page, asset(name));
     await set(page, { metric: "area", teams: 3, positions: "best", goal: "cover", min_margin: 0.05 });

@@ -129,3 +129,60 @@ TEST_CASE("the choice of the longest candidate is told as it is made", "[ranges]
   for (std::uint32_t team = 1; team < 3; ++team)
     CHECK(look_at_scores(trace, team).ranking.front() == trace.placement.team_candidates[team]);
 }
+
+TEST_CASE("an exchange of one team is a choice, of which no other answer is better",
+          "[exchange][trace]") {
+  int teams = 0, candidates = 0, sized = 0, none = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    Document document = corpus::polygon(name);
+    if (document.vertices.size() > 60) continue;
+    document.settings.teams = 3 + teams % 2;
+    document.settings.positions = Positions::range;
+    document.settings.goal = Goal::hold;
+    const bool has_size = (teams + candidates) % 3 == 0;
+    const double diagonal = Polygon::create(document.vertices)->diagonal();
+    if (has_size) document.settings.robot.radius = 0.02 * diagonal;
+    const auto placement = place(document);
+    if (!placement) continue;
+    const Result<Trace> made = make_trace(*placement);
+    REQUIRE(made.ok());
+    const Trace& trace = *made;
+    INFO(name << (has_size ? ", with a size" : ""));
+    for (std::uint32_t i = 0; i < trace.count(StepKind::swap); ++i) {
+      const StepDetail detail = look_at(trace, *trace.find(StepKind::swap, i));
+      const bool single = detail.swap->kind == ExchangeKind::single;
+      const auto asked = question(trace, detail);
+      REQUIRE(asked.has_value() == single);
+      REQUIRE(is_choice(trace, detail.number) == single);
+      if (!asked) continue;
+      const bool of_team = asked->kind == QuestionKind::leaving_team;
+      CHECK((of_team || asked->kind == QuestionKind::coming_candidate));
+      CHECK(of_team == (i % 2 == 0 && placement->teams.size() > 1));
+      CHECK(asked->answer == (of_team ? detail.swap->teams[0] : detail.swap->to[0]));
+      (of_team ? teams : candidates) += 1;
+      sized += has_size;
+      const std::vector<std::uint32_t> offered = choices(trace, detail, *asked);
+      CHECK(std::is_sorted(offered.begin(), offered.end()));
+      CHECK(std::count(offered.begin(), offered.end(), asked->answer) == 1);
+      if (of_team) CHECK(offered.size() == trace.stages[i].size());
+      CHECK_FALSE(question_text(trace, detail, *asked).empty());
+      std::size_t looked_at = 0;
+      for (const std::uint32_t choice : offered) {
+        const Chord& chord = chord_of_choice(trace, detail, *asked, choice);
+        CHECK(length(chord.r1.position - chord.r2.position) > 0);
+        if (of_team) CHECK(chord.r1.position == chord_of(trace.stages[i][choice]).r1.position);
+        if (choice == asked->answer || ++looked_at > 12) continue;
+        const OtherSwap other = compare_swap(trace, detail, *asked, choice);
+        if (other.candidate) CHECK_FALSE(better_by(other.keys, detail.swap->after));
+        none += !other.candidate;
+        const std::string text = other_swap_text(trace, detail, *asked, choice);
+        CHECK_FALSE(text.empty());
+        CHECK(text.find('#') == std::string::npos);
+      }
+    }
+  }
+  CHECK(teams > 30);
+  CHECK(candidates > 10);
+  CHECK(sized > 5);
+  CHECK(none > 0);
+}

@@ -1,13 +1,18 @@
 // Teams in their ranges, and teams that are to hold, in the view.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "app/update.h"
+#include "evenlift/generate.h"
 #include "evenlift/output/words.h"
+#include "evenlift/placed_robots.h"
+#include "evenlift/stands.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
+#include "state/opened.h"
 #include "tools/pick.h"
 #include "view/view_page.h"
 #include "walkthrough/explain.h"
@@ -26,6 +31,11 @@ AppState state_in_ranges(std::optional<Goal> goal = {}) {
   opened_first.settings.goal = goal;
   start_with(state, placed(opened_first), std::nullopt);
   return state;
+}
+
+// By a tangent instead of an angle, which is as good here.
+Vec2 turned(const Vec2& from_centre, double tangent) {
+  return from_centre + tangent * left_normal(from_centre);
 }
 
 Vec2 place_of(const AppState& state, std::size_t team, std::size_t robot) {
@@ -68,6 +78,38 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   CHECK(summary(state) == before);
 }
 
+TEST_CASE("a team of robots with a size goes where they can stand, and not into others",
+          "[view][ranges][stands]") {
+  for (const double depth : {0.0, 20.0}) {
+    AppState state;
+    Document opened = document(asset(EVENLIFT_ASSETS_DIR "/polygons/square.txt"));
+    opened.settings.positions = Positions::range;
+    opened.settings.teams = 4;
+    opened.settings.robot = {20, 0, depth, 20, 60};
+    start_with(state, placed(opened), std::nullopt);
+    const std::size_t teams = state.placement->teams.size();
+    REQUIRE(teams == 4);
+    const Vec2 c = state.placement->centre_of_mass;
+    int moved = 0, closed = 0;
+    for (std::size_t team = 0; team < teams; ++team) {
+      for (int step = 1; step <= 40; ++step) {
+        const Vec2 was = place_of(state, team, 0);
+        state.held = {Pick::Kind::robot, team, 0, was};
+        give(state, MoveRobot{2 * team, c + turned(was - c, step <= 20 ? 0.05 : -0.05)});
+        const std::vector<LiftingPoint> robots = lifting_points(state.placement->teams);
+        CHECK_FALSE(state.placement->stands->any_collide(robots));
+        for (const LiftingPoint& robot : robots) CHECK(state.placement->stands->can_lift(robot));
+        CHECK(state.placement->teams[team].ratio >= 0.8 - 2e-9);
+        moved += place_of(state, team, 0) != was;
+        closed += state.closed_to.has_value();
+        state.held = {};
+      }
+    }
+    CHECK(moved > 10);
+    CHECK(closed > 0);
+  }
+}
+
 TEST_CASE("steps are those of teams where they were found", "[view][ranges]") {
   AppState state = state_in_ranges();
   const Vec2 was = place_of(state, 1, 0);
@@ -103,6 +145,96 @@ TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "
   const std::uint32_t moved = trace.exchanges->exchanges.back().teams[0];
   const Explanation card = explain(state, {Pick::Kind::robot, moved, 0, place_of(state, moved, 0)});
   CHECK(card.reason.find("leaves candidate") != std::string::npos);
+}
+
+TEST_CASE("a few exchanges are predicted, and a wrong guess is told what it would come to",
+          "[view][ranges]") {
+  AppState state = state_in_ranges(Goal::hold);
+  give(state, OpenWalkthrough{});
+  give(state, ShowAllSteps{true});
+  give(state, SetPredict{true});
+  const Trace& trace = *state.walkthrough.trace;
+  const std::uint32_t first = *trace.find(StepKind::swap, 0);
+  give(state, GoToStep{first - 1});
+  std::array<std::size_t, question_kind_count> asked{};
+  bool wrong = true;
+  for (std::uint32_t step = first; step < *trace.find(StepKind::held, 0);) {
+    give(state, MoveSteps{1});
+    const auto& ask = state.walkthrough.ask;
+    if (ask) {
+      CHECK(ask->step == step);
+      CHECK(state.walkthrough.at == step - 1);
+      CHECK(ask->choices.size() > 1);
+      CHECK_FALSE(ask->text.empty());
+      ++asked[static_cast<std::size_t>(ask->question.kind)];
+      const std::uint32_t answer = ask->question.answer;
+      const std::uint32_t other = ask->choices[0] == answer ? ask->choices[1] : ask->choices[0];
+      give(state, Guess{wrong ? other : answer});
+      CHECK(state.walkthrough.was_right != wrong);
+      CHECK((state.walkthrough.verdict.size() > 20) == wrong);
+      wrong = !wrong;
+    }
+    CHECK(state.walkthrough.at == step);
+    ++step;
+  }
+  const auto of_teams = asked[static_cast<std::size_t>(QuestionKind::leaving_team)],
+             of_candidates = asked[static_cast<std::size_t>(QuestionKind::coming_candidate)];
+  CHECK(of_teams + of_candidates > 0);
+  CHECK(of_teams <= most_questions);
+  CHECK(of_candidates <= most_questions);
+}
+
+TEST_CASE("among many candidates teams are exchanged when a drag ends, and not before",
+          "[view][ranges]") {
+  Document comb;
+  comb.vertices = *generate(Family::comb, 200, 1);
+  comb.settings.goal = Goal::hold;
+  AppState state;
+  start_with(state, placed(comb), std::nullopt);
+  const auto taken = [](const Document& document) {
+    return evenlift::place(document)->team_candidates;
+  };
+  CHECK_FALSE(waits_for_exchange(*state.placement));
+  const Vec2 to = comb.vertices[0] + Vec2(-1, -1);
+  give(state, MoveVertex{0, to});
+  comb.vertices[0] = to;
+  CHECK(waits_for_exchange(*state.placement));
+  CHECK(state.placement->settings.goal == Goal::hold);
+  CHECK(state.placement->goal_reached == state.placement->closure.form_closure);
+  Document selected = comb;
+  selected.settings.goal = Goal::cover;
+  CHECK(state.placement->team_candidates == taken(selected));
+  // The steps of the lesson are those of the teams on the screen.
+  give(state, OpenWalkthrough{});
+  CHECK(state.walkthrough.trace->count(StepKind::swap) == 0);
+  give(state, EndEdit{});
+  CHECK_FALSE(waits_for_exchange(*state.placement));
+  CHECK(state.placement->team_candidates == taken(comb));
+  CHECK(taken(comb) != taken(selected));
+  CHECK(state.walkthrough.trace->count(StepKind::swap) > 0);
+  CHECK(state.notice.text.empty());
+}
+
+TEST_CASE("few candidates are exchanged during a drag, too", "[view][ranges]") {
+  AppState state = state_in_ranges(Goal::hold);
+  const Vec2 to = state.document.vertices[0] + Vec2(1, 1);
+  give(state, MoveVertex{0, to});
+  CHECK_FALSE(waits_for_exchange(*state.placement));
+  CHECK(state.placement->goal_reached);
+  give(state, EndEdit{});
+  CHECK(state.placement->goal_reached);
+}
+
+TEST_CASE("teams that would be exchanged for minutes are not, and a notice says so",
+          "[view][ranges]") {
+  Document comb;
+  comb.vertices = *generate(Family::comb, 1000, 1);
+  comb.settings.goal = Goal::hold;
+  comb.settings.teams = 8;
+  AppState state;
+  start_with(state, placed(comb), std::nullopt);
+  CHECK(waits_for_exchange(*state.placement));
+  CHECK(state.notice.text.find("So many teams are not exchanged here") == 0);
 }
 
 TEST_CASE("a robot is dragged along its range with the pointer, and drawn with its range",

@@ -10,6 +10,7 @@
 #include "evenlift/candidates.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/plane.h"
+#include "evenlift/stands.h"
 #include "state/browser.h"
 #include "tools/pick.h"
 #include "walkthrough/explain.h"
@@ -62,7 +63,28 @@ double place_towards(const PairRange& range, const Vec2& direction) {
   return std::fabs(first) < std::fabs(last) ? range.first : range.last;
 }
 
-// A team goes along its range, so far as its chord stays even enough.
+// The chord of the ranges whose robot on edge a is seen from C nearest to a direction.
+std::optional<Chord> chord_towards(const std::vector<PairRange>& ranges, const Vec2& centre,
+                                   const Vec2& direction) {
+  std::optional<Chord> nearest;
+  double best = 0;
+  for (const PairRange& range : ranges) {
+    const double x = place_towards(range, direction);
+    const Vec2 offset = (1 - x) * range.a0 + x * range.a1;
+    const double cosine = dot(offset, direction) / length(offset);
+    if (nearest && cosine <= best) continue;
+    nearest = chord_at(centre, range, x);
+    best = cosine;
+  }
+  return nearest;
+}
+
+bool any_collide(const Placement& placement) {
+  return placement.stands && placement.stands->any_collide(lifting_points(placement.teams));
+}
+
+// A team goes along its range, so far as its chord stays even enough, and robots with a size can stand
+// there without meeting others.
 void move_team(AppState& state, std::size_t number, const Vec2& to) {
   const Placement& placement = *state.placement;
   const auto [team, robot] = find_robot(placement.teams, number);
@@ -70,10 +92,14 @@ void move_team(AppState& state, std::size_t number, const Vec2& to) {
   Chord chord = chord_of(placement.teams[team]);
   // Edge a of the range is that of the robot.
   if (robot == 1) std::swap(chord.r1, chord.r2);
-  const auto range = range_of(placement.polygon, centre, chord, placement.settings.min_ratio);
-  if (!range || !(length(to - centre) > 0)) return;
-  show_moved(state, with_chord(placement, team,
-                               chord_at(centre, *range, place_towards(*range, to - centre))));
+  if (!(length(to - centre) > 0)) return;
+  const auto towards = chord_towards(ranges_of(placement, chord), centre, to - centre);
+  if (!towards) return;
+  state.closed_to.reset();
+  Placement moved = with_chord(placement, team, *towards);
+  if (!any_collide(moved)) return show_moved(state, std::move(moved));
+  if (state.held.kind == Pick::Kind::robot)
+    state.closed_to = nearest_on_outline(placement.vertices(), to);
 }
 
 }  // namespace

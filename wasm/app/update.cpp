@@ -84,6 +84,8 @@ std::optional<double> best_ratio_if_none(const Placement& placement) {
   return std::floor(best * 100) / 100;
 }
 
+Haste haste(const AppState& state) { return state.edit_open ? Haste::drag : Haste::at_rest; }
+
 // Places the second method, if there is one.
 void renew_second(AppState& state) {
   constexpr auto balanced = Method::balanced;
@@ -97,7 +99,7 @@ void renew_second(AppState& state) {
   if (!document.settings.teams && document.settings.method != balanced)
     document.settings.teams = teams;
   document.settings = with_method(document.settings, *state.second_method, teams);
-  if (Result<Placement> placement = compute_placement(document, state.placement))
+  if (Result<Placement> placement = compute_placement(document, state.placement, haste(state)))
     state.second = std::move(placement).value();
 }
 
@@ -110,6 +112,15 @@ void renew_plan(AppState& state) {
   state.plan_due = false;
 }
 
+// Says at rest that teams are not exchanged, since nobody would wait for it.
+void tell_of_no_exchange(AppState& state) {
+  if (!waits_for_exchange(*state.placement)) return;
+  show(state,
+       {Notice::Kind::info, "So many teams are not exchanged here until they hold: among " +
+                                std::to_string(state.placement->candidates.size()) +
+                                " candidates that would take too long. The program does it."});
+}
+
 // Computes what is shown beside the placement. The best ratio, the plan and the search for balanced
 // robots wait for the end of a drag.
 void follow_up(AppState& state) {
@@ -118,6 +129,7 @@ void follow_up(AppState& state) {
   renew_outlook(state);
   state.best_ratio.reset();
   if (!state.edit_open) {
+    tell_of_no_exchange(state);
     state.best_ratio = best_ratio_if_none(*state.placement);
     renew_plan(state);
     begin_search(state);
@@ -126,7 +138,7 @@ void follow_up(AppState& state) {
 }
 
 void recompute(AppState& state) {
-  adopt(state, compute_placement(state.document, state.placement));
+  adopt(state, compute_placement(state.document, state.placement, haste(state)));
   follow_up(state);
   follow_placement(state);
 }
@@ -442,6 +454,8 @@ struct Applier {
     if (!state.edit_open) return renew_failures(state);  // a robot was moved by hand
     state.edit_open = false;
     if (state.camera_follows && !centre_is_shown(state)) state.fit_due = true;
+    const std::optional<Placement>& placement = state.placement;
+    if (!state.refusal && placement && waits_for_exchange(*placement)) return recompute(state);
     trace_whole_search(state);
     follow_up(state);
   }

@@ -126,19 +126,19 @@ void draw_range(const Painter& painter, const CanvasView& view) {
   if (!chord) return;
   const Placement& placement = *view.placement;
   const Vec2& c = placement.centre_of_mass;
-  const auto range = range_of(placement.polygon, c, *chord, placement.settings.min_ratio);
-  if (!range) return;
-  const Chord first = chord_at(c, *range, range->first), last = chord_at(c, *range, range->last);
-  // The ends on edge a, and those on edge b.
-  const auto end_on = [](const Chord& each, std::uint32_t edge) {
-    return each.r1.edge == edge ? each.r1.position : each.r2.position;
-  };
-  for (const std::uint32_t edge : {range->a, range->b}) {
-    const Vec2 from = end_on(first, edge), to = end_on(last, edge);
-    const bool turns_left = cross(from - c, to - c) > 0;
-    painter.fill_convex(turns_left ? Points{c, from, to} : Points{c, to, from},
-                        view.theme.accent.at(0.16f));
-    painter.line(from, to, view.theme.accent, 5);
+  for (const PairRange& range : ranges_of(placement, *chord)) {
+    const Chord first = chord_at(c, range, range.first), last = chord_at(c, range, range.last);
+    // The ends on edge a, and those on edge b.
+    const auto end_on = [](const Chord& each, std::uint32_t edge) {
+      return each.r1.edge == edge ? each.r1.position : each.r2.position;
+    };
+    for (const std::uint32_t edge : {range.a, range.b}) {
+      const Vec2 from = end_on(first, edge), to = end_on(last, edge);
+      const bool turns_left = cross(from - c, to - c) > 0;
+      painter.fill_convex(turns_left ? Points{c, from, to} : Points{c, to, from},
+                          view.theme.accent.at(0.16f));
+      painter.line(from, to, view.theme.accent, 5);
+    }
   }
 }
 

@@ -397,14 +397,19 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const auto robot = static_cast<std::size_t>(state.held.end);
   if (!state.closed_to || view.second || state.held.kind != Pick::Kind::robot) return;
-  const std::vector<Robot>& robots = view.placement->teams[0].robots;
-  if (robot >= robots.size()) return;
-  const Points way = shorter_way(view.placement->vertices(), robots[robot].point, *state.closed_to);
+  const Placement& placement = *view.placement;
+  const bool balanced = placement.settings.method == Method::balanced;
+  const std::size_t team = balanced ? 0 : state.held.index;
+  if (team >= placement.teams.size() || robot >= placement.teams[team].robots.size()) return;
+  LiftingPoint from = placement.teams[team].robots[robot].point;
+  if (placement.stands) from.position = placement.stands->contact(from);
+  const Points way = shorter_way(placement.vertices(), from, *state.closed_to);
   painter.outline(way, view.theme.amber_on_object, 5, false);
   const ImVec2 at = painter.at(way.back());
   const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
   draw_word(painter.list(), spot, view.window, view.theme, view.theme.amber,
-            "Closed to it: the others cannot follow");
+            balanced ? "Closed to it: the others cannot follow"
+                     : "Closed to it: other robots are in the way");
 }
 
 // The edge on whose tip the object balances.

@@ -9,6 +9,10 @@ namespace evenlift::view {
 
 void draw_marks(const Painter& painter, const CanvasView& view);
 
+// What of the boundary cannot be used: grey, or amber where it was marked. For placements of robots with a
+// size, or with marks. O(parts).
+void draw_unusable(const Painter& painter, const Placement& placement, const Theme& theme);
+
 // What of the boundary cannot be used, grey, or amber where it was marked; then the bodies, arms and hands
 // of the robots to scale, beneath their marks. Without a size nothing. O(parts + robots).
 void draw_stands(const Painter& painter, const CanvasView& view);

@@ -6,18 +6,19 @@
 #include "evenlift/placed_robots.h"
 
 namespace evenlift::view {
-namespace {
 
-void draw_unusable(const Painter& painter, const CanvasView& view) {
-  const Polygon& polygon = view.placement->polygon;
-  for (const UnusablePart& part : view.placement->stands->unusable()) {
+void draw_unusable(const Painter& painter, const Placement& placement, const Theme& theme) {
+  const Polygon& polygon = placement.polygon;
+  for (const UnusablePart& part : placement.stands->unusable()) {
     const Vec2 &a = polygon.edge_start(part.edge), &b = polygon.edge_end(part.edge);
     const Vec2 along = (b - a) / length(b - a);
     const bool marked = part.why == WhyUnusable::no_go;
     painter.line(a + part.part.from * along, a + part.part.to * along,
-                 marked ? view.theme.amber : view.theme.quiet, marked ? 6.0f : 4.0f);
+                 marked ? theme.amber : theme.quiet, marked ? 6.0f : 4.0f);
   }
 }
+
+namespace {
 
 // The hand beneath the object, the arm, and the body, of which nothing is drawn that is too small to see.
 void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot& robot,
@@ -44,7 +45,7 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
 
 void draw_stands(const Painter& painter, const CanvasView& view) {
   if (!view.placement->stands) return;
-  draw_unusable(painter, view);
+  draw_unusable(painter, *view.placement, view.theme);
   constexpr std::size_t most = 400;
   if (!view.placement->stands->has_body() || count_robots(view.placement->teams) > most) return;
   for (const PlacedRobot& robot : placed_robots(*view.placement))

@@ -146,6 +146,9 @@ std::optional<Stroke> stroke_of(FigureKind kind, const Theme& t, std::size_t cou
     case FigureKind::left:
     case FigureKind::way:
     case FigureKind::range:
+    case FigureKind::unusable:
+    case FigureKind::body:
+    case FigureKind::hand:
       break;
   }
   return std::nullopt;
@@ -202,6 +205,17 @@ void draw_middle(const Painter& painter, const CanvasView& view, const Vec2& wor
             view.theme.accent_on_object, "M");
 }
 
+// A robot that fits, or that does not.
+void draw_robot_shape(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const Colour colour = figure.item ? view.theme.amber : view.theme.robot;
+  if (figure.kind == FigureKind::hand)
+    return draw_area(painter, figure.points, colour.at(0.3f), colour, 1.5f);
+  const auto radius = static_cast<float>(figure.value * view.camera.scale);
+  const ImVec2 middle = painter.at(figure.points[0]);
+  painter.list().AddCircleFilled(middle, radius, colour.at(0.2f).packed(), 64);
+  painter.list().AddCircle(middle, radius, colour.packed(), 64, 1.5f);
+}
+
 void draw_balanced_shape(const Painter& painter, const CanvasView& view, const Figure& figure) {
   const Theme& t = view.theme;
   switch (figure.kind) {
@@ -218,7 +232,7 @@ void draw_balanced_shape(const Painter& painter, const CanvasView& view, const F
     case FigureKind::way:
       return draw_way(painter, view, figure.points);
     default:
-      return;  // robots, and where they stood, are drawn with all marks
+      return;  // robots, where they stood, and what cannot be used are drawn with all that is known
   }
 }
 
@@ -246,6 +260,9 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Figure& fi
       return draw_area(painter, p, t.accent.at(0.14f), t.accent, 0);
     case FigureKind::gain_circle:
       return draw_circle_gained(painter, view, figure);
+    case FigureKind::body:
+    case FigureKind::hand:
+      return draw_robot_shape(painter, view, figure);
     case FigureKind::base_before:
       return draw_base(painter, p, t.hull.at(0), t.hull_outline.at(0.6f), 2);
     case FigureKind::base:
@@ -382,6 +399,7 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);
   if (walk.base.size() >= 3 && shows_step) painter.fill_convex(walk.base, view.theme.hull);
   painter.outline(placement.vertices(), view.theme.object_outline, 2);
+  if (walk.known.stands) draw_unusable(painter, placement, view.theme);
   if (shows_step) draw_step(painter, view);
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
   draw_asked_places(painter, view);

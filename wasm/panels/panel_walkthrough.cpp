@@ -45,9 +45,17 @@ constexpr Faces in_a_row{Face::text, Face::label, Face::strong, Face::label, Fac
 constexpr Faces for_a_room{Face::large, Face::verdict, Face::large, Face::verdict, Face::text};
 
 std::string choice_name(const Ask& ask, std::uint32_t choice) {
-  if (ask.question.kind == QuestionKind::winning_chord)
-    return "Candidate " + std::to_string(choice + 1);
-  if (ask.question.kind == QuestionKind::even_chord) return "Chord " + std::to_string(choice + 1);
+  switch (ask.question.kind) {
+    case QuestionKind::winning_chord:
+    case QuestionKind::coming_candidate:
+      return "Candidate " + std::to_string(choice + 1);
+    case QuestionKind::even_chord:
+      return "Chord " + std::to_string(choice + 1);
+    case QuestionKind::leaving_team:
+      return "Team " + std::to_string(choice + 1);
+    case QuestionKind::nearer_end:
+      break;
+  }
   return choice == 0 ? "The first end" : "The second end";
 }
 

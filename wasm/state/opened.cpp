@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "evenlift/exchange.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 
@@ -15,14 +16,53 @@ Result<Opened> opened(Result<Document> document) {
   return view::opened(std::move(document).value());
 }
 
+// The check of a polygon is spared if it is known.
+Result<Placement> placed(const Document& document, const Settings& settings, const Polygon* known) {
+  if (known && known->vertices() == document.vertices)
+    return place(*known, document.centre_of_mass, settings, Effort::start);
+  Document with_settings = document;
+  with_settings.settings = settings;
+  return place(with_settings, Effort::start);
+}
+
+// t teams are exchanged among K candidates in at most about t^3 K times 0.6 microseconds, and 1.6 times
+// as long in the browser (docs/performance.md).
+double exchange_cost(const Placement& placement) {
+  const auto teams = static_cast<double>(placement.teams.size());
+  return teams * teams * teams * static_cast<double>(placement.candidates.size());
+}
+constexpr double most_in_a_drag = 50e3, most_at_rest = 8e6;
+
+// The teams that are to hold, as the metric selects them.
+Placement not_exchanged(Placement selected, const Settings& settings) {
+  selected.settings = settings;
+  selected.goal_reached = !selected.teams.empty() && selected.closure.form_closure;
+  selected.search_ended = false;
+  return selected;
+}
+
 }  // namespace
 
 Result<Placement> compute_placement(const Document& document,
-                                    const std::optional<Placement>& before) {
+                                    const std::optional<Placement>& before, Haste haste) {
   ++so_far.placements;
-  if (before && before->vertices() == document.vertices)
-    return place(before->polygon, document.centre_of_mass, document.settings, Effort::start);
-  return place(document, Effort::start);
+  const Settings& settings = document.settings;
+  const Polygon* known = before ? &before->polygon : nullptr;
+  if (!exchanges_teams(settings)) return placed(document, settings, known);
+  Settings as_selected = settings;
+  as_selected.goal = Goal::cover;
+  Result<Placement> selected = placed(document, as_selected, known);
+  if (!selected) return selected;
+  const double most = haste == Haste::drag ? most_in_a_drag : most_at_rest;
+  if (exchange_cost(*selected) <= most) return placed(document, settings, &selected->polygon);
+  if (auto error = check_exchanges(selected->candidates.size(), settings.teams.value_or(max_teams),
+                                   selected->stands.get()))
+    return *error;
+  return not_exchanged(std::move(selected).value(), settings);
+}
+
+bool waits_for_exchange(const Placement& placement) {
+  return exchanges_teams(placement.settings) && !placement.search_ended;
 }
 
 Result<Trace> compute_trace(const Placement& placement, HistoryLength length) {

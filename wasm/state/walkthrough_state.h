@@ -41,7 +41,7 @@ struct Ask {
   StepDetail detail;
   Question question;
   std::string text;
-  std::vector<std::uint32_t> choices;  // ends of the pair, candidates, or even chords
+  std::vector<std::uint32_t> choices;  // ends of the pair, candidates, even chords, or teams
   std::size_t pointed = 0;             // index of the choice that the buttons point at
 };
 

@@ -186,14 +186,6 @@ std::size_t first_offered(const Ask& asked) {
   return n < 2 ? 0 : (answer + 1 + asked.step % (n - 1)) % n;
 }
 
-std::vector<std::uint32_t> choices_of(const Ask& asked) {
-  if (asked.question.kind == QuestionKind::nearer_end) return {0, 1};
-  if (asked.question.kind == QuestionKind::winning_chord) return asked.detail.scores->ranking;
-  std::vector<std::uint32_t> chords(asked.detail.balanced->chords.size());
-  for (std::uint32_t i = 0; i < chords.size(); ++i) chords[i] = i;
-  return chords;
-}
-
 void ask(Walkthrough& walk, std::uint32_t step) {
   const Trace& trace = *walk.trace;
   Ask asked;
@@ -203,9 +195,8 @@ void ask(Walkthrough& walk, std::uint32_t step) {
   if (!question) return;
   asked.question = *question;
   asked.text = question_text(trace, asked.detail, *question);
-  asked.choices = choices_of(asked);
-  // In the order of the candidates, as the ranking would give the answer away.
-  std::sort(asked.choices.begin(), asked.choices.end());
+  // In their order, as a ranking would give the answer away.
+  asked.choices = choices(trace, asked.detail, *question);
   if (is_trivial(asked) || !may_ask(walk, asked)) return;
   asked.pointed = first_offered(asked);
   walk.ask = std::move(asked);
@@ -349,6 +340,8 @@ void guess(AppState& state, std::uint32_t answer) {
     verdict += " " + why_not_text(*walk.trace, why_not(*walk.trace, asked.step, answer));
   if (!right && asked.question.kind == QuestionKind::even_chord)
     verdict += " " + even_chord_text(*walk.trace, asked.detail, answer);
+  if (!right && asked.detail.swap)
+    verdict += " " + other_swap_text(*walk.trace, asked.detail, asked.question, answer);
   if (walk.script && timeline(state).at + 1 < timeline(state).count)
     walk.script->position = timeline(state).at + 1;
   enter(state, asked.step);

@@ -45,6 +45,7 @@ const looks = {
   base: "base", base_before: "base-before", clockwise: "clockwise", counterclockwise: "counterclockwise",
   candidate: "candidate", team: "chord", edge: "edge", section: "section", normal: "normal",
   gain_triangle: "gain", gain_part: "gain", arm_before: "thin", arm_after: "thin", triangle: "thin",
+  unusable: "normal", body: "thin", hand: "thin",
 };
 
 // An area, a line or a dot, whichever these points make.
@@ -57,10 +58,10 @@ function shape(points, look, place) {
 }
 
 function drawnFigure({ kind, points, value }, place) {
-  if (kind !== "gain_circle") return shape(points, looks[kind] ?? "accent", place);
+  if (kind !== "gain_circle" && kind !== "body") return shape(points, looks[kind] ?? "accent", place);
   const [[x, y]] = points;
   const [cx, cy] = place([x, y]), [rim] = place([x + value, y]);
-  return svgEl("circle", { cx, cy, r: Math.abs(rim - cx), class: "gain" });
+  return svgEl("circle", { cx, cy, r: Math.abs(rim - cx), class: looks[kind] ?? "gain" });
 }
 
 // A robot with the number of its team, and what it bears on the side that is away from the centre of mass.

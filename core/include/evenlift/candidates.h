@@ -108,12 +108,24 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
 
 // The candidates of robots with a size: the chords on which a team's two robots can stand, and lift
 // beneath the object. Of each two edges that face each other, moved inward by the hand's depth, the one
-// with the best load ratio, and those at which both edges' stretches end (docs/stands.md). Each is wholly
-// usable, its robots do not collide, and its ends are lifting points. A source whose edges do not face
-// each other on the outline itself is no_candidate. The cost is that of find_candidates(), and
-// O(stretches) for each pair.
+// with the best load ratio, and those at which both edges' stretches end (docs/stands.md); with positions
+// anywhere in the range also one at each of range_places in the longest of the standing_ranges(). Each is
+// wholly usable, its robots do not collide, and its ends are lifting points. Of several candidates of a
+// source `of_source` is the best one. A source whose edges do not face each other on the outline itself is
+// no_candidate. The cost is that of find_candidates(), and O(stretches of a times those of b) for each pair.
 class Stands;
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
-                                             double min_ratio, const Stands& stands);
+                                             double min_ratio, const Stands& stands,
+                                             Positions positions = Positions::best);
+
+// What robots with a size leave of the range of two edges, or of these moved inward: the parts in which
+// both robots can stand, each from its first place, 0, to its last, 1; in order along edge a. Their places
+// are lifting points. Whether the two robots collide is not asked. O(stretches of a times those of b).
+std::vector<PairRange> standing_ranges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
+                                       std::uint32_t b, double min_ratio, const Stands& stands);
+
+// The number of the longest of at least one ranges of two edges, by the ways on both edges; of those that
+// agree within `near` the first. O(their number).
+std::size_t longest_range(const std::vector<PairRange>& ranges, double near);
 
 }  // namespace evenlift

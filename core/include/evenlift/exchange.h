@@ -91,6 +91,14 @@ ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
                                std::vector<std::uint32_t> start, double min_margin,
                                const Stands* stands = nullptr);
 
+// The best exchange of one team alone; nothing if none makes the choice better. Like one round of
+// exchange_teams(), but for one team.
+std::optional<Exchange> best_exchange_of(const Polygon& polygon, const Vec2& centre,
+                                         const std::vector<Candidate>& candidates,
+                                         const std::vector<std::uint32_t>& taken,
+                                         std::uint32_t team, double min_margin,
+                                         const Stands* stands = nullptr);
+
 // The teams that the settings ask for, of a method that chooses among candidates: selected
 // (selection.h), and exchanged if they are to hold; then check_exchanges() must allow it. Returns
 // indices into `candidates`.

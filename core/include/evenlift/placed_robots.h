@@ -62,6 +62,10 @@ std::optional<RestOfRobots> single_failure(const Placement& placement, std::size
 // which it bears nothing itself. None if the others do not carry the object. O(m log m).
 std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot);
 
+// Where a team on the edges of this chord can stand, edge a being that of r1: their range, if they have
+// one; or with a size what it leaves of that (candidates.h). O(1), and O(stretches of a times those of b).
+std::vector<PairRange> ranges_of(const Placement& placement, const Chord& chord);
+
 // The placement with one team on another chord, where somebody moved it. Its teams are then not those
 // that were chosen: team_candidates is empty. O(n log n).
 Placement with_chord(Placement placement, std::size_t team, const Chord& chord);

@@ -36,7 +36,7 @@ struct Placement {
   std::optional<LoadSummary> loads;  // none without teams
   Closure closure;
   bool goal_reached = false;  // robots are placed, and with the goal to hold in form closure
-  bool search_ended = true;   // false for balanced robots that a search may still find or better
+  bool search_ended = true;   // false where a search or exchanges may still find better robots
 };
 
 // How far the search for balanced robots goes: to its end, or only to its start if that is quick
@@ -47,8 +47,8 @@ enum class Effort : std::uint8_t { whole, start };
 // Checks that settings are in their ranges (settings_text.h) and go together: "max" needs a method
 // that chooses among candidates, the goal to hold such a method or balanced robots, and these are
 // enough for the failures that they are to survive; robots with a size, and edges that must not be
-// touched, need a method that looks for places, and teams of them stand at the best places. The
-// error's place names the setting. O(1).
+// touched, need a method that looks for places.
+// The error's place names the setting. O(1).
 std::optional<InputError> check_settings(const Settings& settings);
 
 // The points of the boundary that the robots of all teams touch, in their row: where robots have hands,

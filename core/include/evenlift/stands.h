@@ -4,6 +4,7 @@
 // rectangle of its width from c to c - d n, and the lifting point is p = c - d n.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,6 +27,8 @@ enum class WhyUnusable : std::uint8_t {
   hand,    // the object is not deep enough for the hand, or not wide enough
   narrow,  // what is left between two other parts is shorter than the tolerance
 };
+
+inline constexpr std::size_t why_unusable_count = 6;
 
 // "no_go", "body" and so on, as in JSON. O(1).
 std::string_view name(WhyUnusable why);

@@ -29,6 +29,7 @@
 #include "evenlift/failures.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
+#include "evenlift/stands.h"
 
 namespace evenlift {
 
@@ -97,8 +98,10 @@ enum class StepKind : std::uint8_t {
   range,  // ranges: the places of an edge-pair that are even enough, and the two candidates there
   swap,   // exchanges of teams: who went where, and why that is better
   held,   // 1: no exchange makes them better
+  // Robots with a size, or edges that they must not touch:
+  stands,  // 1, after the centre of mass: which boundary they can use, and why not the rest
 };
-inline constexpr std::uint32_t step_kind_count = 41;
+inline constexpr std::uint32_t step_kind_count = 42;
 inline constexpr std::uint32_t most_failing = 16;
 
 // "pairs", "first_team"; "outcome", "second_order": as in JSON, lessons and links. O(1).
@@ -234,6 +237,7 @@ struct Progress {
   std::uint32_t swaps = 0;  // exchanges of teams that were made
   std::uint32_t cuts = 0;   // contacts whose normal lines have cut the regions
   bool closure = false;     // all that place() reports
+  bool stands = false;      // which boundary robots with a size can use
   bool operator==(const Progress&) const = default;
 };
 // Depends on k alone. Candidate c is known if `merged`, or else if first_source_of_candidate[c] <
@@ -286,8 +290,12 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
 struct RangeDetail {
   EdgePair pair;
   PairRange range;
-  std::array<Chord, 2> ends;                  // the most uneven that are allowed, or the section's
-  std::array<std::uint32_t, 2> candidates{};  // into placement.candidates
+  // The most uneven that are allowed, or the section's; of robots with a size the first and the last in the
+  // longest part of the range where they can stand.
+  std::array<Chord, 2> ends;
+  // Into placement.candidates. Of robots with a size the second may be no_index: the two of a team would
+  // collide there.
+  std::array<std::uint32_t, 2> candidates{};
 };
 // Of trace.ranges[index]. O(1).
 RangeDetail look_at_range(const Trace& trace, std::uint32_t index);
@@ -303,6 +311,24 @@ struct SwapDetail {
 };
 // Of trace.exchanges. O(n log n).
 SwapDetail look_at_swap(const Trace& trace, std::uint32_t index);
+
+// What robots with a size leave of the boundary.
+struct StandsDetail {
+  double boundary = 0;                            // its length
+  double usable = 0;                              // of that, where somebody can stand
+  std::array<double, why_unusable_count> lost{};  // the rest by its reason
+  // Contacts of robots that do not fit: for each reason but marks in the middle of its longest part, which
+  // is an index into the unusable ones of the stands. And of one that does, in the longest stretch. None
+  // where robots are points.
+  struct Misfit {
+    std::uint32_t part = 0;
+    LiftingPoint contact;
+  };
+  std::vector<Misfit> misfits;
+  std::optional<LiftingPoint> fits;
+};
+// Of traces of robots with a size, or with marked edges. O(n + parts).
+StandsDetail look_at_stands(const Trace& trace);
 
 // What became of two opposite vertices.
 struct OppositeDetail {
@@ -387,6 +413,7 @@ struct StepDetail {
   std::optional<OppositeDetail> opposite;  // opposite
   std::optional<RangeDetail> range;        // range
   std::optional<SwapDetail> swap;          // swap
+  std::optional<StandsDetail> stands;      // stands
   std::optional<TeamScores> scores;        // scores, team: by candidates
   Points base_before, base;  // scores, team, base: H without and with the team; start,
                              // exchange, and all that follows: likewise
@@ -443,6 +470,10 @@ enum class FigureKind : std::uint8_t {
   range,        // C and a stretch of an edge where robots may stand (area); item: edge
   range_end,    // chord at an end of a range; item: 0 or 1; value: ratio
   former,       // chord that a team left; item: candidate; value: ratio
+  unusable,     // a part of an edge; item: into the unusable ones of the stands
+  body,  // 1 point, the middle of a robot's body; item: the unusable part where it does not fit,
+         // none of one that fits; value: radius
+  hand,  // a robot's arm or hand, a segment or an area; item: likewise
 };
 std::string_view name(FigureKind kind);
 
@@ -475,8 +506,11 @@ enum class QuestionKind : std::uint8_t {
   nearer_end,     // outcome: which end is nearer to even? 0 or 1, of pair->ends
   winning_chord,  // scores: which candidate wins? an index of placement.candidates
   even_chord,     // completion, exchange: which chord do two robots take? of balanced->chords
+  // swap of one team, by turns:
+  leaving_team,      // which team goes elsewhere? its number from 0
+  coming_candidate,  // to which candidate? an index of placement.candidates
 };
-inline constexpr std::size_t question_kind_count = 3;
+inline constexpr std::size_t question_kind_count = 5;
 
 struct Question {
   QuestionKind kind = QuestionKind::nearer_end;
@@ -485,7 +519,11 @@ struct Question {
 // The question to ask before step detail.number is shown. Nothing if the step is not a choice.
 // O(1).
 std::optional<Question> question(const Trace& trace, const StepDetail& detail);
-// The chord that a choice of a question stands for. O(1).
+// All that can be answered, increasing: of coming_candidate the candidates that no team has, and at which
+// robots with a size would have room. O(K teams).
+std::vector<std::uint32_t> choices(const Trace& trace, const StepDetail& detail,
+                                   const Question& question);
+// The chord that a choice of a question stands for: of a team the one that it may leave. O(1).
 const Chord& chord_of_choice(const Trace& trace, const StepDetail& detail, const Question& question,
                              std::uint32_t choice);
 

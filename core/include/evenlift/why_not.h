@@ -96,4 +96,15 @@ WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, dou
 SetComparison compare_even_chord(const Trace& trace, const StepDetail& detail,
                                  std::uint32_t choice);
 
+// What another answer to a question about an exchange of teams would come to: the best exchange of another
+// team, or the same team at another candidate.
+struct OtherSwap {
+  std::uint32_t team = 0;
+  std::optional<std::uint32_t> candidate;  // none: no exchange of that team makes the choice better
+  HoldKeys keys;                           // of all teams, if there is a candidate
+};
+// A round of exchanges of one team at worst (exchange.h).
+OtherSwap compare_swap(const Trace& trace, const StepDetail& detail, const Question& question,
+                       std::uint32_t choice);
+
 }  // namespace evenlift

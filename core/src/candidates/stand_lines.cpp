@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "candidates/chord_range.h"
 #include "candidates/pair_candidate.h"
 #include "chords/section.h"
 #include "evenlift/tolerance.h"
@@ -11,62 +12,7 @@
 namespace evenlift {
 namespace {
 
-constexpr double least_ratio = 1e-12;  // below it a chord's other end is as good as nowhere
-
 double evenness(double q) { return q < 1 ? q : 1 / q; }
-
-// The chords between two lines by t along a. The ratio q = |C r_a| / |C r_b| is linear in t.
-class ChordRange {
- public:
-  ChordRange(const StandLine& a, const StandLine& b) : a_(a), b_(b) {
-    q0_ = -cross(a.start, b.along) / b.height;
-    slope_ = -cross(a.along, b.along) / b.height;
-  }
-
-  double q(double t) const { return q0_ + t * slope_; }
-
-  // The part of a stretch of a in which q is from `low` to `high`.
-  std::optional<Stretch> with_ratio(Stretch stretch, double low, double high) const {
-    for (const double bound : {low, high}) {
-      const double sign = bound == low ? 1 : -1;
-      const bool first = sign * (q(stretch.from) - bound) >= 0,
-                 last = sign * (q(stretch.to) - bound) >= 0;
-      if (!first && !last) return std::nullopt;
-      if (first && last) continue;
-      const double t = std::clamp((bound - q0_) / slope_, stretch.from, stretch.to);
-      (first ? stretch.to : stretch.from) = t;
-    }
-    return stretch;
-  }
-
-  // Where the chord at t along a ends on b, and the other way round.
-  double on_b(double t) const { return dot(-a_.at(t) / q(t) - b_.start, b_.along); }
-  double on_a(double t_b) const {
-    const Vec2 r_b = b_.at(t_b);
-    return dot(r_b * (a_.height / cross(r_b, a_.along)) - a_.start, a_.along);
-  }
-
-  // The part of a stretch of a, in which q is above 0, whose chords end in a stretch of b.
-  std::optional<Stretch> that_reach(const Stretch& stretch, const Stretch& of_b) const {
-    double t_low = stretch.from, t_high = stretch.to;
-    double low = on_b(t_low), high = on_b(t_high);
-    if (low > high) {
-      std::swap(low, high);
-      std::swap(t_low, t_high);
-    }
-    if (high < of_b.from || low > of_b.to) return std::nullopt;
-    if (low < of_b.from) t_low = std::clamp(on_a(of_b.from), stretch.from, stretch.to);
-    if (high > of_b.to) t_high = std::clamp(on_a(of_b.to), stretch.from, stretch.to);
-    return Stretch{std::min(t_low, t_high), std::max(t_low, t_high)};
-  }
-
-  double slope() const { return slope_; }
-  double q0() const { return q0_; }
-
- private:
-  const StandLine &a_, &b_;
-  double q0_ = 0, slope_ = 0;
-};
 
 Candidate make_candidate(const Vec2& centre, const StandLine& a, const StandLine& b, double t,
                          double q, CandidateKind kind) {
@@ -86,13 +32,12 @@ Candidate make_candidate(const Vec2& centre, const StandLine& a, const StandLine
 class Finder {
  public:
   Finder(const Vec2& centre, const StandLine& a, const StandLine& b, double min_ratio, double near)
-      : centre_(centre), a_(a), b_(b), range_(a, b), near_(near) {
-    const double least = std::max(min_ratio - tau, least_ratio);
-    for (const Stretch& of_a : a.usable)
-      if (const auto even = range_.with_ratio(of_a, least, 1 / least))
-        for (const Stretch& of_b : b.usable)
-          if (const auto piece = range_.that_reach(*even, of_b)) pieces_.push_back(*piece);
-  }
+      : centre_(centre),
+        a_(a),
+        b_(b),
+        range_(a, b),
+        near_(near),
+        pieces_(range_.pieces(min_ratio)) {}
 
   std::vector<Candidate> run() const {
     std::vector<Candidate> found;
@@ -115,8 +60,7 @@ class Finder {
 
   // The range in which the lines face each other, as far as anybody can stand on them.
   std::optional<Stretch> whole() const {
-    const auto seen = range_.with_ratio({a_.low, a_.high}, least_ratio, 1 / least_ratio);
-    return seen ? range_.that_reach(*seen, {b_.low, b_.high}) : std::nullopt;
+    return range_.common({a_.low, a_.high}, {b_.low, b_.high});
   }
 
   bool parallel() const {

@@ -40,6 +40,18 @@ std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre,
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
                                        const Vec2& centre, const EdgePair& pair, double min_ratio);
 
+// The parts of the lines' common range in which two robots can stand, if neither line passes within tau L
+// of C; see standing_ranges() (candidates.h). O(stretches of a times those of b).
+std::vector<PairRange> standing_ranges(const StandLine& a, const StandLine& b, double min_ratio,
+                                       double near);
+
+// The candidates that positions anywhere in the range add between two lines: two in their longest range,
+// of which each drops out if its load ratio is too low or its robots collide; none if the range is but one
+// place. O(stretches of a times those of b).
+std::vector<Candidate> standing_range_chords(const Stands& stands, const Vec2& centre,
+                                             const StandLine& a, const StandLine& b,
+                                             double min_ratio, double near);
+
 // Whether both robots of a candidate can stand there and do not collide. O(log n).
 bool can_stand(const Stands& stands, const Candidate& candidate);
 

@@ -1,7 +1,6 @@
 // The candidates of robots with a size.
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 #include "candidates/candidate_order.h"
@@ -17,35 +16,61 @@
 namespace evenlift {
 namespace {
 
-// What was found, before it is in order. Each candidate knows its source.
+// What was found, before it is in order: of each source the best candidate first. Until the end a
+// candidate's source is its number here.
 struct Found {
+  struct Origin {
+    std::uint32_t source;
+    bool in_range;  // because positions may be anywhere in the range
+  };
   std::vector<Candidate> candidates;
+  std::vector<Origin> origins;  // of each candidate
   std::uint32_t sources = 0;
-  void add(std::vector<Candidate> some, std::uint32_t source) {
-    for (Candidate& candidate : some) {
-      candidate.source = source;
+  void add(const std::vector<Candidate>& some, std::uint32_t source, bool in_range) {
+    for (const Candidate& candidate : some) {
       candidates.push_back(candidate);
+      candidates.back().source = static_cast<std::uint32_t>(origins.size());
+      origins.push_back({source, in_range});
     }
   }
 };
 
+// What is asked for.
+struct Wanted {
+  const Polygon& polygon;
+  Vec2 centre;
+  double min_ratio;
+  const Stands& stands;
+  Positions positions;
+  double near;
+};
+
+void add_pair(const Wanted& wanted, const EdgePair& pair, Found& found) {
+  const auto& [polygon, centre, min_ratio, stands, positions, near] = wanted;
+  found.add(standing_chords(polygon, stands, centre, pair, min_ratio), found.sources, false);
+  if (positions != Positions::range) return;
+  const auto a = stand_line(polygon, centre, stands, pair.a);
+  const auto b = stand_line(polygon, centre, stands, pair.b);
+  if (a && b)
+    found.add(standing_range_chords(stands, centre, *a, *b, min_ratio, near), found.sources, true);
+}
+
 // For hands without depth: the pairs of edges and the opposite vertices of the polygon itself.
-std::optional<InputError> find_on_outline(const Polygon& polygon, const Vec2& centre,
-                                          double min_ratio, const Stands& stands, Found& found) {
+std::optional<InputError> find_on_outline(const Wanted& wanted, Found& found) {
+  const auto& [polygon, centre, min_ratio, stands, positions, near] = wanted;
   const RadialView view(polygon, centre);
   const std::uint64_t pairs = count_edge_pairs(polygon, view);
   if (auto error = check_number(pairs, "edge-pairs")) return error;
   const auto opposite = find_opposite_vertices(polygon, centre, view, max_edge_pairs - pairs);
   if (!opposite) return too_many_opposite_vertices();
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) {
-    if (found.candidates.size() <= max_edge_pairs)
-      found.add(standing_chords(polygon, stands, centre, pair, min_ratio), found.sources);
+    if (found.candidates.size() <= max_edge_pairs) add_pair(wanted, pair, found);
     ++found.sources;
   });
   for (const OppositeVertices& two : *opposite) {
     const Candidate candidate = opposite_chord(polygon, centre, two);
     if (!stands.has_body() && reaches(candidate.chord, min_ratio) && can_stand(stands, candidate))
-      found.add({candidate}, found.sources);
+      found.add({candidate}, found.sources, false);
     ++found.sources;
   }
   return std::nullopt;
@@ -79,11 +104,18 @@ std::uint32_t number_of_pair(const std::vector<NumberedPair>& pairs, std::uint32
   return at != pairs.end() && at->edges == edges ? at->number : no_candidate;
 }
 
+void add_lines(const Wanted& wanted, const StandLine& a, const StandLine& b, std::uint32_t source,
+               Found& found) {
+  const auto& [polygon, centre, min_ratio, stands, positions, near] = wanted;
+  found.add(standing_chords(stands, centre, a, b, min_ratio, near), source, false);
+  if (positions == Positions::range)
+    found.add(standing_range_chords(stands, centre, a, b, min_ratio, near), source, true);
+}
+
 // For hands with depth: the edges, moved inward.
-std::optional<InputError> find_on_moved_edges(const Polygon& polygon, const Vec2& centre,
-                                              double min_ratio, const Stands& stands,
-                                              Found& found) {
-  const double near = near_distance(polygon.diagonal());
+std::optional<InputError> find_on_moved_edges(const Wanted& wanted, Found& found) {
+  const Polygon& polygon = wanted.polygon;
+  const Vec2& centre = wanted.centre;
   const RadialView view(polygon, centre);
   const std::uint64_t outline_pairs = count_edge_pairs(polygon, view);
   if (auto error = check_number(outline_pairs, "edge-pairs")) return error;
@@ -94,35 +126,57 @@ std::optional<InputError> find_on_moved_edges(const Polygon& polygon, const Vec2
   found.sources = static_cast<std::uint32_t>(numbers.size() + opposite->size());
   std::vector<StandLine> lines;
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge)
-    if (const auto line = stand_line(polygon, centre, stands, edge)) lines.push_back(*line);
+    if (const auto line = stand_line(polygon, centre, wanted.stands, edge)) lines.push_back(*line);
   std::uint64_t pairs = 0;
-  for_each_facing(lines, near, [&](std::uint32_t i, std::uint32_t j) {
-    found.add(standing_chords(stands, centre, lines[i], lines[j], min_ratio, near),
-              number_of_pair(numbers, lines[i].edge, lines[j].edge));
+  for_each_facing(lines, wanted.near, [&](std::uint32_t i, std::uint32_t j) {
+    add_lines(wanted, lines[i], lines[j], number_of_pair(numbers, lines[i].edge, lines[j].edge),
+              found);
     return ++pairs <= max_edge_pairs && found.candidates.size() <= max_edge_pairs;
   });
   return check_number(pairs, "pairs of edges, moved inward,");
 }
 
+// What became of each source.
+void note_sources(const Found& found, const std::vector<std::uint32_t>& became_of,
+                  Positions positions, TracedCandidates& traced) {
+  traced.of_source.assign(found.sources, no_candidate);
+  if (positions == Positions::range)
+    traced.ranges_of_source.assign(found.sources, {no_candidate, no_candidate});
+  for (std::size_t i = 0; i < found.origins.size(); ++i) {
+    const auto& [source, in_range] = found.origins[i];
+    if (source == no_candidate) continue;
+    std::uint32_t& of_pair = traced.of_source[source];
+    if (!in_range && of_pair == no_candidate) of_pair = became_of[i];
+    if (!in_range) continue;
+    auto& ranges = traced.ranges_of_source[source];
+    ranges[ranges[0] == no_candidate ? 0 : 1] = became_of[i];
+  }
+  for (auto& [first, last] : traced.ranges_of_source)
+    if (last < first) std::swap(first, last);
+}
+
 }  // namespace
 
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
-                                             double min_ratio, const Stands& stands) {
+                                             double min_ratio, const Stands& stands,
+                                             Positions positions) {
+  const double near = near_distance(polygon.diagonal());
+  const Wanted wanted{polygon, centre, min_ratio, stands, positions, near};
   Found found;
   const bool on_outline = stands.robot().depth == 0;
-  if (auto error = on_outline ? find_on_outline(polygon, centre, min_ratio, stands, found)
-                              : find_on_moved_edges(polygon, centre, min_ratio, stands, found))
+  if (auto error = on_outline ? find_on_outline(wanted, found) : find_on_moved_edges(wanted, found))
     return *error;
   if (auto error = check_number(found.candidates.size(), "candidates")) return *error;
   std::vector<Candidate> ordered = in_candidate_order(found.candidates);
-  std::vector<std::uint32_t> sources;
-  for (const Candidate& candidate : ordered) sources.push_back(candidate.source);
-  MergedCandidates merged = merge_duplicates(std::move(ordered), near_distance(polygon.diagonal()));
-  TracedCandidates traced{std::move(merged.candidates), {}};
-  traced.of_source.assign(found.sources, no_candidate);
-  // Of several candidates of one pair the first, by the number of its source alone.
-  for (std::size_t i = sources.size(); i-- > 0;)
-    if (sources[i] != no_candidate) traced.of_source[sources[i]] = merged.became[i];
+  std::vector<std::uint32_t> number;  // in `found`
+  for (const Candidate& candidate : ordered) number.push_back(candidate.source);
+  MergedCandidates merged = merge_duplicates(std::move(ordered), near);
+  std::vector<std::uint32_t> became_of(number.size());
+  for (std::size_t i = 0; i < number.size(); ++i) became_of[number[i]] = merged.became[i];
+  TracedCandidates traced{std::move(merged.candidates), {}, {}};
+  for (Candidate& candidate : traced.candidates)
+    candidate.source = found.origins[candidate.source].source;
+  note_sources(found, became_of, positions, traced);
   return traced;
 }
 

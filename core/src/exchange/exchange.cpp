@@ -28,6 +28,19 @@ std::vector<std::uint32_t> arranged(const std::vector<std::uint32_t>& before,
   return after;
 }
 
+// Each candidate that is not taken, with each of the parts that stay.
+std::vector<Trial> trials_with_others(const Choices& choices,
+                                      const std::vector<std::uint32_t>& taken) {
+  std::vector<char> is_taken(choices.size());
+  for (const std::uint32_t candidate : taken) is_taken[candidate] = 1;
+  std::vector<Trial> trials;
+  for (std::uint32_t candidate = 0; candidate < choices.size(); ++candidate)
+    for (std::uint32_t part = 0; is_taken[candidate] == 0 && part < choices.parts(); ++part)
+      if (choices.fit(candidate, choices.size() + part))
+        trials.push_back(choices.trial(candidate, choices.size() + part));
+  return trials;
+}
+
 class Exchanger {
  public:
   Exchanger(Choices& choices, std::vector<std::uint32_t> start) : choices_(choices) {
@@ -96,16 +109,8 @@ class Exchanger {
     return true;
   }
 
-  // Each candidate that is not taken, with each of the parts that stay.
   std::vector<Trial> with_others(const std::vector<std::uint32_t>& taken) const {
-    std::vector<char> is_taken(choices_.size());
-    for (const std::uint32_t candidate : taken) is_taken[candidate] = 1;
-    std::vector<Trial> trials;
-    for (std::uint32_t candidate = 0; candidate < choices_.size(); ++candidate)
-      for (std::uint32_t part = 0; is_taken[candidate] == 0 && part < choices_.parts(); ++part)
-        if (choices_.fit(candidate, choices_.size() + part))
-          trials.push_back(choices_.trial(candidate, choices_.size() + part));
-    return trials;
+    return trials_with_others(choices_, taken);
   }
 
   std::optional<Better> find(std::vector<Trial> trials) {
@@ -178,6 +183,21 @@ ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
   }
   Choices choices(polygon, centre, candidates, min_margin, stands);
   return Exchanger(choices, std::move(start)).run();
+}
+
+std::optional<Exchange> best_exchange_of(const Polygon& polygon, const Vec2& centre,
+                                         const std::vector<Candidate>& candidates,
+                                         const std::vector<std::uint32_t>& taken,
+                                         std::uint32_t team, double min_margin,
+                                         const Stands* stands) {
+  Choices choices(polygon, centre, candidates, min_margin, stands);
+  const HoldKeys now = choices.keys_of(choices.part_of(taken));
+  choices.set_parts({choices.part_of(taken, team)});
+  const auto best = exchange::best_trial(choices, trials_with_others(choices, taken), now);
+  if (!best) return std::nullopt;
+  Exchange exchange{ExchangeKind::single, {team}, taken, best->keys, best->decided_by};
+  exchange.taken[team] = best->trial.candidate;
+  return exchange;
 }
 
 std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,

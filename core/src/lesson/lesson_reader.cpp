@@ -144,6 +144,8 @@ class Reader {
       {"unit", &Reader::take_setting, Setting::unit},
       {"weight-unit", &Reader::take_setting, Setting::weight_unit},
       {"positions", &Reader::take_setting, Setting::positions},
+      {"robot", &Reader::take_setting, Setting::robot},
+      {"no-go", &Reader::take_setting, Setting::no_go},
       {"predict", &Reader::take_predict, {}},
   };
 

@@ -124,7 +124,8 @@ void choose_teams(Placement& placement, Effort effort) {
 Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
                                              const Settings& settings, const Stands* stands) {
   if (!stands) return find_candidates(polygon, centre, settings.min_ratio, settings.positions);
-  auto found = standing_candidates(polygon, centre, settings.min_ratio, *stands);
+  auto found =
+      standing_candidates(polygon, centre, settings.min_ratio, *stands, settings.positions);
   if (!found) return found.error();
   return std::move(found->candidates);
 }
@@ -154,17 +155,9 @@ std::vector<LiftingPoint> contact_points(const Placement& placement) {
 std::optional<InputError> check_settings(const Settings& settings) {
   if (auto error = check_ranges(settings)) return error;
   if (settings.method == Method::balanced) return check_balanced(settings);
-  if (!stands_anywhere(settings)) {
-    const Setting sized = settings.no_go.empty() ? Setting::robot : Setting::no_go;
-    if (!selects_candidates(settings.method))
-      return refused(
-          sized, "the metrics distributed and random take robots as points that stand anywhere");
-    if (settings.positions == Positions::range)
-      return refused(
-          Setting::positions,
-          "robots with a size, or with edges that they must not touch, stand at the best "
-          "places and at the ends of what they can use; leave the positions at best");
-  }
+  if (!stands_anywhere(settings) && !selects_candidates(settings.method))
+    return refused(settings.no_go.empty() ? Setting::robot : Setting::no_go,
+                   "the metrics distributed and random take robots as points that stand anywhere");
   if (settings.goal == Goal::hold && !selects_candidates(settings.method))
     return refused(Setting::goal,
                    "distributed and random teams choose by direction; teams by area, circle and "
@@ -212,6 +205,16 @@ Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robo
   placement.search_ended = search_ended;
   describe_grasp(placement);
   return placement;
+}
+
+std::vector<PairRange> ranges_of(const Placement& placement, const Chord& chord) {
+  const double min_ratio = placement.settings.min_ratio;
+  const Vec2& centre = placement.centre_of_mass;
+  if (placement.stands)
+    return standing_ranges(placement.polygon, centre, chord.r1.edge, chord.r2.edge, min_ratio,
+                           *placement.stands);
+  if (const auto range = range_of(placement.polygon, centre, chord, min_ratio)) return {*range};
+  return {};
 }
 
 Placement with_chord(Placement placement, std::size_t team, const Chord& chord) {

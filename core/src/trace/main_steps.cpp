@@ -45,7 +45,8 @@ std::vector<std::uint32_t> main_steps(const Trace& trace) {
   const auto add = [&](StepKind kind, std::uint32_t item) {
     if (const auto step = trace.find(kind, item)) steps.push_back(*step);
   };
-  for (const StepKind kind : {StepKind::polygon, StepKind::centre, StepKind::ray, StepKind::slopes})
+  for (const StepKind kind :
+       {StepKind::polygon, StepKind::centre, StepKind::stands, StepKind::ray, StepKind::slopes})
     add(kind, 0);
   const std::uint32_t pair = telling_pair(trace);
   for (const StepKind kind : {StepKind::sections, StepKind::outcome}) add(kind, pair);

@@ -142,8 +142,9 @@ void StepFigures::range() {
   for (std::uint32_t end = 0; end < 2; ++end)
     add(FigureKind::range_end, range.ends[end], end, range.ends[end].ratio);
   for (const std::uint32_t i : range.candidates)
-    add(FigureKind::candidate, placement_.candidates[i].chord, i,
-        placement_.candidates[i].chord.ratio);
+    if (i != no_index)
+      add(FigureKind::candidate, placement_.candidates[i].chord, i,
+          placement_.candidates[i].chord.ratio);
 }
 
 void StepFigures::swap() {

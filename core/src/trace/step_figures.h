@@ -52,6 +52,7 @@ class StepFigures : LookedAtStep {
   void range();
   void swap();
   void held();
+  void stands();
 
   // With C in front of all others.
   std::vector<Figure> take() &&;
@@ -71,6 +72,7 @@ class StepFigures : LookedAtStep {
   void add_even_chords();
   void add_completion();
   void add_teams(const std::vector<Team>& teams);
+  void add_body(const LiftingPoint& contact, std::optional<std::uint32_t> part);
 
   std::vector<Figure> figures_;
 };

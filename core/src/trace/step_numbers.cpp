@@ -107,7 +107,8 @@ void StepNumbers::range() {
   add("first_ratio", range.ends[0].ratio);
   add("last_ratio", range.ends[1].ratio);
   count("first_candidate", range.candidates[0] + std::size_t{1});
-  count("last_candidate", range.candidates[1] + std::size_t{1});
+  if (range.candidates[1] != no_index)
+    count("last_candidate", range.candidates[1] + std::size_t{1});
 }
 
 void StepNumbers::swap() {

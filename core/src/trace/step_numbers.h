@@ -58,6 +58,7 @@ class StepNumbers : LookedAtStep {
   void range();
   void swap();
   void held();
+  void stands();
 
   std::vector<Number> take() && { return std::move(numbers_); }
 

@@ -68,6 +68,7 @@ constexpr StepRow steps[] = {
     {StepKind::range,        "range",        &N::range,        &F::range},
     {StepKind::swap,         "swap",         &N::swap,         &F::swap},
     {StepKind::held,         "held",         &N::held,         &F::held},
+    {StepKind::stands,       "stands",       &N::stands,       &F::stands},
 };
 // clang-format on
 
@@ -86,7 +87,8 @@ constexpr std::string_view figure_names[] = {
     "translation", "lever",         "side",        "arm",
     "sum",         "middle",        "stand",       "mirrored",
     "even_chord",  "left",          "way",         "range",
-    "range_end",   "former"};
+    "range_end",   "former",        "unusable",    "body",
+    "hand"};
 
 }  // namespace
 

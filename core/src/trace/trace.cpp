@@ -149,6 +149,7 @@ std::uint64_t write_blocks(Trace& trace) {
   BlockWriter blocks(trace);
   for (const StepKind kind : {StepKind::polygon, StepKind::centroid, StepKind::centre})
     blocks.add(Chapter::object, {kind});
+  blocks.add(Chapter::object, {StepKind::stands}, placement.stands ? 1 : 0);
   write_blocks_of_method(trace, blocks);
   if (!placement.teams.empty()) {
     blocks.add(Chapter::loads, {StepKind::share}, trace.balanced() ? 0 : placement.teams.size());
@@ -185,9 +186,10 @@ std::optional<InputError> collect(Trace& trace) {
   auto opposite = opposite_vertices(trace.polygon, trace.centre);
   if (!opposite) return opposite.error();
   const Stands* stands = trace.placement.stands.get();
-  auto traced = stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands)
-                       : trace_candidates(trace.polygon, trace.centre, min_ratio,
-                                          trace.placement.settings.positions);
+  const Positions positions = trace.placement.settings.positions;
+  auto traced =
+      stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands, positions)
+             : trace_candidates(trace.polygon, trace.centre, min_ratio, positions);
   if (!traced) return traced.error();
   trace.rays = make_rays(trace.polygon, trace.centre, *chords);
   trace.pairs = *std::move(pairs);
@@ -196,7 +198,7 @@ std::optional<InputError> collect(Trace& trace) {
 
   for (std::uint32_t source = 0; source < traced->ranges_of_source.size(); ++source) {
     const auto& candidates = traced->ranges_of_source[source];
-    if (candidates[1] == no_candidate) continue;
+    if (candidates[0] == no_candidate) continue;
     trace.ranges.push_back(source);
     trace.candidates_of_range.push_back(candidates);
   }
@@ -264,7 +266,8 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
     if (auto error = trace_search(trace, length)) return *error;
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
-  if (exchanges_teams(placement.settings)) trace_exchanges(trace);
+  // Where the page has not exchanged them, during a drag, they are not exchanged here either.
+  if (exchanges_teams(placement.settings) && placement.search_ended) trace_exchanges(trace);
   trace.contacts = contacts(trace.polygon, contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;
@@ -330,6 +333,7 @@ Progress progress_at(const Trace& trace, std::uint32_t k) {
     return steps;
   };
   Progress progress;
+  progress.stands = number(StepKind::stands) > 0;
   progress.rays = number(StepKind::ray);
   progress.slopes = number(StepKind::slopes) > 0;
   progress.sections = number(StepKind::sections);

@@ -1,4 +1,4 @@
-// What one step shows beyond the trace itself, and which steps a learner could guess.
+// What one step shows beyond the trace itself.
 #include <algorithm>
 
 #include "evenlift/predicates.h"
@@ -62,6 +62,9 @@ StepDetail look_at(const Trace& trace, std::uint32_t k) {
     case StepKind::opposite:
       detail.opposite = look_at_opposite(trace, item);
       break;
+    case StepKind::stands:
+      detail.stands = look_at_stands(trace);
+      break;
     case StepKind::range:
       detail.range = look_at_range(trace, item);
       break;
@@ -87,37 +90,6 @@ StepDetail look_at(const Trace& trace, std::uint32_t k) {
       break;
   }
   return detail;
-}
-
-bool is_choice(const Trace& trace, std::uint32_t k) {
-  const Step step = trace.step(k);
-  if (step.kind == StepKind::scores)  // of one candidate there is no choice
-    return trace.placement.candidates.size() > step.item + std::size_t{1};
-  if (step.kind == StepKind::completion || step.kind == StepKind::exchange)
-    return look_at(trace, k).balanced->chords.size() > 1;
-  if (step.kind != StepKind::outcome) return false;
-  const Outcome outcome = look_at_pair(trace, step.item).outcome;
-  return outcome == Outcome::nearer_end || outcome == Outcome::too_uneven;
-}
-
-std::optional<Question> question(const Trace& trace, const StepDetail& detail) {
-  if (!is_choice(trace, detail.number)) return std::nullopt;
-  if (detail.pair) return Question{QuestionKind::nearer_end, detail.pair->nearer};
-  if (detail.balanced) return Question{QuestionKind::even_chord, detail.balanced->chosen};
-  return Question{QuestionKind::winning_chord, detail.scores->ranking.front()};
-}
-
-const Chord& chord_of_choice(const Trace& trace, const StepDetail& detail, const Question& question,
-                             std::uint32_t choice) {
-  switch (question.kind) {
-    case QuestionKind::nearer_end:
-      return detail.pair->ends[choice];
-    case QuestionKind::even_chord:
-      return detail.balanced->chords[choice];
-    case QuestionKind::winning_chord:
-      break;
-  }
-  return trace.placement.candidates[choice].chord;
 }
 
 }  // namespace evenlift

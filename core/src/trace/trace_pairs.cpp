@@ -79,8 +79,14 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
 RangeDetail look_at_range(const Trace& trace, std::uint32_t index) {
   RangeDetail detail;
   detail.pair = trace.pairs[trace.ranges[index]];
-  detail.range =
-      *range_of(trace.polygon, trace.centre, detail.pair, trace.placement.settings.min_ratio);
+  const double min_ratio = trace.placement.settings.min_ratio;
+  if (const Stands* stands = trace.placement.stands.get()) {
+    const auto ranges = standing_ranges(trace.polygon, trace.centre, detail.pair.a, detail.pair.b,
+                                        min_ratio, *stands);
+    detail.range = ranges[longest_range(ranges, near_distance(trace.polygon.diagonal()))];
+  } else {
+    detail.range = *range_of(trace.polygon, trace.centre, detail.pair, min_ratio);
+  }
   detail.ends = {chord_at(trace.centre, detail.range, detail.range.first),
                  chord_at(trace.centre, detail.range, detail.range.last)};
   detail.candidates = trace.candidates_of_range[index];

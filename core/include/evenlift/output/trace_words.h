@@ -44,6 +44,10 @@ std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer);
 // What two robots on another of the even chords would come to. As compare_even_chord().
 std::string even_chord_text(const Trace& trace, const StepDetail& detail, std::uint32_t choice);
 
+// What another answer to a question about an exchange of teams would come to. As compare_swap().
+std::string other_swap_text(const Trace& trace, const StepDetail& detail, const Question& question,
+                            std::uint32_t choice);
+
 // What a figure is, shown when the pointer is over it: "candidate 4, ratio 0.951", "team 2, robot
 // 1: 15.7 of 100". O(1).
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure);

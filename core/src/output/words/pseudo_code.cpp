@@ -5,6 +5,7 @@
 #include <span>
 
 #include "evenlift/output/trace_words.h"
+#include "evenlift/stands.h"
 #include "output/words/step_words.h"
 
 namespace evenlift {
@@ -17,6 +18,8 @@ struct Line {
 
 constexpr Line head[] = {
     {Statement::centre, "C := the centre of mass given, or else the centroid of P"}};
+constexpr Line with_a_size[] = {
+    {Statement::stands, "use only those parts of the boundary at which a robot can stand"}};
 constexpr Line by_candidates[] = {
     {Statement::each_vertex, "for each vertex v, in the order in which C sees them"},
     {Statement::each_hit, "  for each boundary point r straight across C: note the chord v r"},
@@ -101,6 +104,7 @@ std::vector<Line> program(const Settings& settings) {
   const std::span<const Line> loads =
       method == Method::balanced ? std::span<const Line>(equal_loads) : loads_of_teams;
   std::vector<Line> lines(std::begin(head), std::end(head));
+  if (!stands_anywhere(settings)) lines.push_back(with_a_size[0]);
   lines.insert(lines.end(), selection.begin(), selection.end());
   lines.insert(lines.end(), loads.begin(), loads.end());
   lines.insert(lines.end(), std::begin(tail), std::end(tail));

@@ -4,21 +4,13 @@
 #include "evenlift/output/words.h"
 #include "output/words/listed.h"
 #include "output/words/step_captions.h"
+#include "output/words/swap_answers.h"
 
 namespace evenlift {
 namespace {
 
 std::string margin_in_text(const std::optional<double>& margin) {
   return margin ? written(margin_text(*margin)) : std::string("none");
-}
-
-// Two shares with as many decimals as tell them apart.
-std::array<std::string, 2> told_apart(double a, double b) {
-  constexpr int most_decimals = 6;
-  int decimals = 0;
-  while (decimals < most_decimals && a != b && percentage(a, decimals) == percentage(b, decimals))
-    ++decimals;
-  return {percentage(a, decimals), percentage(b, decimals)};
 }
 
 std::string numbers_from_1(const std::vector<std::uint32_t>& numbers) {
@@ -31,10 +23,20 @@ std::string numbers_from_1(const std::vector<std::uint32_t>& numbers) {
 
 std::string StepCaptions::range() const {
   const RangeDetail& range = *detail_.range;
-  return fill(
-      "A team need not stand at the best place of edges # and #: anywhere between these two chords its load ratio is at least #. A sixteenth from either end the range offers candidates # and #.",
-      {counted_from_1(range.pair.a), counted_from_1(range.pair.b), least(),
-       counted_from_1(range.candidates[0]), counted_from_1(range.candidates[1])});
+  const Piece a = counted_from_1(range.pair.a), b = counted_from_1(range.pair.b);
+  const auto [first, last] = range.candidates;
+  const std::string where = fill(
+      placement_.stands
+          ? "A team need not stand at the best place of edges # and #: anywhere between these two chords robots of this size can stand with a load ratio of at least #. "
+          : "A team need not stand at the best place of edges # and #: anywhere between these two chords its load ratio is at least #. ",
+      {a, b, least()});
+  if (last == no_index)
+    return where +
+           fill(
+               "A sixteenth from one end it offers candidate #; from the other end the team's two robots would collide there.",
+               {counted_from_1(first)});
+  return where + fill("A sixteenth from either end the range offers candidates # and #.",
+                      {counted_from_1(first), counted_from_1(last)});
 }
 
 std::string StepCaptions::moves_of_swap() const {

@@ -56,6 +56,7 @@ class StepCaptions : LookedAtStep {
   std::string range() const;
   std::string swap() const;
   std::string held() const;
+  std::string stands() const;
 
  private:
   Piece load(double value) const;

@@ -37,6 +37,7 @@ class StepFormulas : LookedAtStep {
   std::string many() const;
   std::string rest() const;
   std::string exchange() const;
+  std::string stands() const;
 
  private:
   Piece load(double value) const;

@@ -85,6 +85,7 @@ constexpr StepRow steps[] = {
     {StepKind::range,        &C::range,        &F::none,       always<S::range>},
     {StepKind::swap,         &C::swap,         &F::none,       always<S::swap>},
     {StepKind::held,         &C::held,         &F::none,       always<S::swap>},
+    {StepKind::stands,       &C::stands,       &F::stands,     always<S::stands>},
 };
 // clang-format on
 
@@ -133,6 +134,10 @@ std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {
       return detail.balanced->rest.size() == 1 ? "p1 is the place that is taken." : "";
     case StepKind::exchange:
       return "M is the middle between the last two of the robots that come.";
+    case StepKind::stands:
+      return formula(trace, detail).empty()
+                 ? ""
+                 : "c is where a robot touches an edge, n points outwards there; s is the middle of its body, and p where it lifts.";
     case StepKind::coverage:
       return "P is the object, and H the lifting base.";
     case StepKind::closure:

@@ -4,6 +4,7 @@
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
 #include "output/words/listed.h"
+#include "output/words/swap_answers.h"
 #include "output/words/trace_text.h"
 
 namespace evenlift {
@@ -77,6 +78,12 @@ std::string loaded(const Trace& trace, const Figure& figure) {
   return text;
 }
 
+// Why nobody stands at a part of the boundary.
+std::string why_unusable(const Trace& trace, std::uint32_t part) {
+  const Stands& stands = *trace.placement.stands;
+  return unusable_in_words(stands.unusable()[part].why, stands.robot());
+}
+
 // What the step asks that shows which chord two balanced robots take.
 std::string chord_question(const Trace& trace, const StepDetail& detail) {
   const BalancedDetail& balanced = *detail.balanced;
@@ -99,6 +106,7 @@ std::string question_text(const Trace& trace, const StepDetail& detail, const Qu
   if (question.kind == QuestionKind::nearer_end)
     return "None of the chords between these two sections is even. Which end is nearer to it?";
   if (question.kind == QuestionKind::even_chord) return chord_question(trace, detail);
+  if (detail.swap) return swap_question(detail, question);
   return fill("Which candidate does team # take? The one that #.",
               {counted_from_1(detail.step.item), aim(trace, detail.scores->rule)});
 }
@@ -333,6 +341,13 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
     case FigureKind::former:
       return fill("Candidate #, which a team left, load ratio #",
                   {item, ratio_text(figure.value, least)});
+    case FigureKind::unusable:
+      return fill("Edge #: #", {counted_from_1(trace.placement.stands->unusable()[index].edge),
+                                why_unusable(trace, index)});
+    case FigureKind::body:
+    case FigureKind::hand:
+      return figure.item ? fill("No robot: #", {why_unusable(trace, index)})
+                         : std::string("A robot that fits");
   }
   return {};
 }

@@ -1,0 +1,68 @@
+// What the step of robots with a size says.
+#include <string>
+
+#include "evenlift/output/words.h"
+#include "evenlift/stands.h"
+#include "output/words/step_captions.h"
+#include "output/words/step_formulas.h"
+
+namespace evenlift {
+namespace {
+
+std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot) {
+  const std::string lost = percentage(share);
+  switch (why) {
+    case WhyUnusable::no_go:
+      return fill("# are marked, and no robot may touch them", {lost});
+    case WhyUnusable::body:
+      return fill("at # a body of radius # would meet another part of the boundary",
+                  {lost, exact(robot.radius)});
+    case WhyUnusable::arm:
+      return fill("at # an arm of reach # would cross the object", {lost, exact(robot.reach)});
+    case WhyUnusable::corner:
+      return fill("at # a hand of width # would stick out beyond a corner",
+                  {lost, exact(robot.width)});
+    case WhyUnusable::hand:
+      return robot.depth > 0
+                 ? fill("at # a hand of depth # would stick out", {lost, exact(robot.depth)})
+                 : fill("at # a hand of width # would stick out", {lost, exact(robot.width)});
+    case WhyUnusable::narrow:
+      break;
+  }
+  return fill("# are too short for a robot between their neighbours", {lost});
+}
+
+}  // namespace
+
+std::string StepCaptions::stands() const {
+  const StandsDetail& stands = *detail_.stands;
+  const RobotSize& robot = placement_.stands->robot();
+  std::string text = fill("Robots take room: of the boundary # can be used.",
+                          {percentage(stands.usable / stands.boundary)});
+  std::string reasons;
+  for (std::size_t why = 0; why < why_unusable_count; ++why) {
+    if (!(stands.lost[why] > 0)) continue;
+    reasons +=
+        (reasons.empty() ? " " : "; ") +
+        lost_in_words(static_cast<WhyUnusable>(why), stands.lost[why] / stands.boundary, robot);
+  }
+  if (!reasons.empty()) {
+    reasons[1] = reasons[1] == 'a' ? 'A' : reasons[1];
+    text += reasons + ".";
+  }
+  const double apart = 2 * robot.radius + robot.gap;
+  if (apart > 0) text += fill(" The middles of two robots stay at least # apart.", {exact(apart)});
+  return text;
+}
+
+std::string StepFormulas::stands() const {
+  const RobotSize& robot = placement_.stands->robot();
+  std::string text;
+  const double away = robot.radius + robot.reach;
+  if (away > 0) text = fill("s = c + (radius + reach) n = c + # n", {exact(away)});
+  if (robot.depth > 0)
+    text += fill("#p = c − depth n = c − # n", {text.empty() ? "" : ", ", exact(robot.depth)});
+  return text;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,57 @@
+// Questions about exchanges of teams, and what another answer would come to.
+#include "output/words/swap_answers.h"
+
+#include "evenlift/output/trace_words.h"
+#include "evenlift/output/words.h"
+#include "evenlift/why_not.h"
+#include "output/words/trace_text.h"
+
+namespace evenlift {
+namespace {
+
+// A choice of teams against the one that was made.
+std::string against_the_best(const HoldKeys& other, const HoldKeys& best) {
+  if (other.level == 0 && best.level > 0) return "the robots would not hold the object";
+  if (other.level < best.level) return "they would hold the object less firmly";
+  const auto coverage = told_apart(other.coverage, best.coverage);
+  if (better_by(best, other) == HoldKey::coverage)
+    return fill("the lifting base would cover # of the object, instead of #",
+                {coverage[0], coverage[1]});
+  if (better_by(best, other) == HoldKey::ratios)
+    return "hold and coverage would be the same, but the teams would share their loads less evenly";
+  return "all would be the same, and of such exchanges the first in order is made";
+}
+
+}  // namespace
+
+std::array<std::string, 2> told_apart(double a, double b) {
+  constexpr int most_decimals = 6;
+  int decimals = 0;
+  while (decimals < most_decimals && a != b && percentage(a, decimals) == percentage(b, decimals))
+    ++decimals;
+  return {percentage(a, decimals), percentage(b, decimals)};
+}
+
+std::string swap_question(const StepDetail& detail, const Question& question) {
+  constexpr const char* aim =
+      "so that the hold becomes as firm as can be, and then the lifting base as wide?";
+  const SwapDetail& swap = *detail.swap;
+  if (question.kind == QuestionKind::leaving_team)
+    return fill("One team goes to another candidate. Which team, #", {aim});
+  return fill("Team # leaves candidate #. To which candidate does it go, #",
+              {counted_from_1(swap.teams[0]), counted_from_1(swap.from[0]), aim});
+}
+
+std::string other_swap_text(const Trace& trace, const StepDetail& detail, const Question& question,
+                            std::uint32_t choice) {
+  const OtherSwap other = compare_swap(trace, detail, question, choice);
+  const Piece team = counted_from_1(other.team);
+  if (!other.candidate) return fill("No other candidate of team # makes it better.", {team});
+  const std::string so = against_the_best(other.keys, detail.swap->after);
+  return fill(question.kind == QuestionKind::leaving_team
+                  ? "The best that team # could do is candidate #: then #."
+                  : "With team # at candidate # #.",
+              {team, counted_from_1(*other.candidate), so});
+}
+
+}  // namespace evenlift

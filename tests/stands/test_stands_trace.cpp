@@ -1,0 +1,151 @@
+// The step of the trace that says which boundary robots with a size can use.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "evenlift/lesson.h"
+#include "evenlift/main_steps.h"
+#include "evenlift/output/json.h"
+#include "evenlift/output/trace_words.h"
+#include "evenlift/placement.h"
+#include "evenlift/trace.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "stands/stand_oracle.h"
+
+using namespace evenlift;
+
+namespace {
+
+Trace trace_of(Document document) {
+  const auto placed = place(document);
+  REQUIRE(placed.ok());
+  auto trace = make_trace(*placed);
+  REQUIRE(trace.ok());
+  return *std::move(trace);
+}
+
+Document sized(const std::string& name, const RobotSize& parts, std::vector<EdgePart> no_go = {}) {
+  Document document = corpus::polygon(name);
+  const double d = Polygon::create(document.vertices)->diagonal();
+  document.settings.robot = {parts.radius * d, parts.reach * d, parts.depth * d, parts.width * d,
+                             parts.gap * d};
+  document.settings.no_go = std::move(no_go);
+  return document;
+}
+
+double number_of(const Trace& trace, const StepDetail& detail, std::string_view name) {
+  for (const Number& number : numbers(trace, detail))
+    if (number.name == name) return number.value;
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("traces of points have no step about stands", "[stands][trace]") {
+  for (const Method method : {Method::area, Method::balanced, Method::distributed}) {
+    Document document = corpus::polygon("boomerang");
+    document.settings.method = method;
+    const Trace trace = trace_of(document);
+    CHECK(trace.count(StepKind::stands) == 0);
+    CHECK_FALSE(progress_at(trace, trace.size() - 1).stands);
+    for (const std::string_view line : pseudo_code(document.settings))
+      CHECK(line.find("a robot can stand") == std::string_view::npos);
+  }
+}
+
+TEST_CASE("the step about stands says how much is lost to each reason", "[stands][trace]") {
+  const RobotSize sizes[] = {{0.03, 0, 0, 0, 0},
+                             {0.02, 0.02, 0, 0.04, 0.01},
+                             {0.02, 0.01, 0.05, 0.03, 0},
+                             {0, 0, 0, 0, 0}};
+  int misfits = 0, reasons = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    if (corpus::polygon(name).vertices.size() > 60) continue;
+    for (const RobotSize& size : sizes) {
+      const Document document = sized(name, size, {{1, 0.25, 0.5}});
+      const auto placed = place(document);
+      if (!placed) continue;
+      INFO(name << ", radius " << size.radius);
+      const Trace trace = trace_of(document);
+      REQUIRE(trace.count(StepKind::stands) == 1);
+      const std::uint32_t k = *trace.find(StepKind::stands, 0);
+      CHECK(trace.step(k - 1).kind == StepKind::centre);
+      CHECK_FALSE(progress_at(trace, k - 1).stands);
+      CHECK(progress_at(trace, k).stands);
+      const std::vector<std::uint32_t> main = main_steps(trace);
+      CHECK(std::find(main.begin(), main.end(), k) != main.end());
+      const StepDetail detail = look_at(trace, k);
+      // All but the bits before the vertices.
+      double sum = number_of(trace, detail, "usable");
+      for (const char* why : {"no_go", "body", "arm", "corner", "hand", "narrow"}) {
+        const double share = number_of(trace, detail, why);
+        sum += share;
+        reasons += share > 0;
+      }
+      CHECK(sum == Approx(1).margin(1e-6));
+      CHECK(number_of(trace, detail, "no_go") > 0);
+      const Stands& stands = *trace.placement.stands;
+      const testing::StandOracle oracle(trace.polygon, document.settings.robot,
+                                        document.settings.no_go);
+      const auto verdict = [&](const LiftingPoint& contact) {
+        const Vec2 &p = trace.polygon.edge_start(contact.edge),
+                   &q = trace.polygon.edge_end(contact.edge);
+        return oracle.at(contact.edge, dot(contact.position - p, q - p) / dot(q - p, q - p));
+      };
+      for (const auto& [part, contact] : detail.stands->misfits) {
+        CHECK(stands.unusable()[part].edge == contact.edge);
+        CHECK(verdict(contact) != testing::StandOracle::Verdict::stands);
+        ++misfits;
+      }
+      CHECK(detail.stands->fits.has_value() == stands.has_body());
+      if (detail.stands->fits)
+        CHECK(verdict(*detail.stands->fits) != testing::StandOracle::Verdict::cannot);
+      const std::vector<Figure> shown = figures(trace, detail);
+      const auto parts = std::count_if(shown.begin(), shown.end(), [](const Figure& figure) {
+        return figure.kind == FigureKind::unusable;
+      });
+      CHECK(static_cast<std::size_t>(parts) == stands.unusable().size());
+      for (const Figure& figure : shown) {
+        const std::string text = figure_text(trace, detail, figure);
+        CHECK_FALSE(text.empty());
+        CHECK(text.find('#') == std::string::npos);
+        if (figure.kind == FigureKind::body) CHECK(figure.value == document.settings.robot.radius);
+      }
+      const std::string text = caption(trace, detail);
+      CHECK(text.find("Robots take room: of the boundary ") == 0);
+      CHECK(text.find("are marked, and no robot may touch them") != std::string::npos);
+      CHECK(text.find('#') == std::string::npos);
+      CHECK(formula(trace, detail).empty() == !stands.has_body());
+      CHECK(formula_letters(trace, detail).empty() == !stands.has_body());
+      CHECK(pseudo_code(document.settings)[pseudo_line(trace, detail)].find("can stand") !=
+            std::string_view::npos);
+    }
+  }
+  CHECK(misfits > 100);
+  CHECK(reasons > 300);
+}
+
+TEST_CASE("the step about stands is told of balanced robots, too, and has an address",
+          "[stands][trace][lesson]") {
+  Document document = sized("boomerang", {0.03, 0.01, 0.02, 0.02, 0});
+  document.settings.method = Method::balanced;
+  document.settings.robots = 4;
+  const Trace trace = trace_of(document);
+  const auto found = find_step(trace, at::Kind{StepKind::stands, 0});
+  REQUIRE(found);
+  const auto lesson = parse_lesson(
+      "title: T\npolygon: boomerang\nrobot: r=2,depth=1\nno-go: 1:0-0.5\n\n[stands]\nWords.\n");
+  REQUIRE(lesson.ok());
+  CHECK(find_step(trace, lesson->steps[0].address) == found);
+  const auto told = lesson_document(*lesson, corpus::polygon("boomerang"));
+  REQUIRE(told.ok());
+  CHECK(told->settings.robot == RobotSize{2, 0, 1, 0, 0});
+  CHECK(told->settings.no_go.size() == 1);
+  const StepDetail detail = look_at(trace, *found);
+  CHECK(detail.step.chapter == Chapter::object);
+  CHECK(formula(trace, detail).find("s = c + (radius + reach) n") == 0);
+  CHECK(formula(trace, detail).find("p = c − depth n") != std::string::npos);
+  CHECK(caption(trace, detail).find(" The middles of two robots stay at least ") !=
+        std::string::npos);
+}
