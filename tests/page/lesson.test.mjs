@@ -667,3 +667,18 @@ test("a step looks the same, whether the lesson began at it or came to it", asyn
   await begun.done();
   await come.done();
 });
+
+test("on a phone on its side the player is one row, and the object has the room", async () => {
+  const page = await browser.open({ viewport: { width: 740, height: 360 }, hasTouch: true, isMobile: true });
+  await load(page, asset("horseshoe"));
+  await page.keyboard.press("b");
+  await idle(page);
+  const [step, line] = [await control(page, "Next step"), await control(page, "timeline")];
+  assert.ok(Math.abs(step.middle[1] - line.middle[1]) < 4, "buttons and timeline in one row");
+  const high = await page.evaluate(() => {
+    const all = evenlift.state().polygon.map(([x, y]) => evenlift.view.to_screen(x, y).y);
+    return Math.max(...all) - Math.min(...all);
+  });
+  assert.ok(high >= 100, `${high} of 360`);
+  await page.done();
+});

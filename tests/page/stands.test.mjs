@@ -53,6 +53,7 @@ test("the brush marks edges with the mouse, and undo takes it back", async () =>
   const [[edge, begin, end, why]] = (await state(page)).unusable;
   assert.deepEqual([edge, why], [1, "no_go"]);
   assert.ok(Math.abs(begin - 0.3) < 0.05 && Math.abs(end - 0.7) < 0.05, `${begin} to ${end}`);
+  assert.match((await state(page)).no_go, /^1:0\.\d{1,4}-0\.\d{1,4}$/, "numbers that a person can read in the panel");
   await page.keyboard.press("Control+z");
   await idle(page);
   assert.equal((await state(page)).unusable, undefined);

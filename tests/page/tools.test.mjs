@@ -1,7 +1,7 @@
 // Drawing, taking hold of the whole, comparing, what tips, capacity: what a person does on the canvas.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, drag, drawsNothing, idle, load, phone, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, controlIfShown, drag, drawsNothing, idle, load, phone, press, sharedBrowser, state, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -176,4 +176,27 @@ test("the sample of the thesis says that it can still move, and how", async () =
   await idle(page);
   await page.waitForFunction(() => /It can still/.test(document.getElementById("summary").textContent));
   await page.done();
+});
+
+test("the tool's bar has what fits beside the drawing; the rest is in the toolbar's menu", async () => {
+  // [width, height, whether the bar has the switches]
+  for (const [width, height, inBar] of [[1280, 800, true], [900, 1000, true], [360, 740, false], [740, 360, false], [320, 568, false]]) {
+    const finger = width < 800 || height < 500;
+    const page = await opened({ viewport: { width, height }, hasTouch: finger, isMobile: finger });
+    await page.keyboard.press("v");
+    const bar = (name) => controlIfShown(page, name);
+    const remove = await bar("Remove vertex");
+    assert.ok(remove.x >= 0 && remove.x + remove.width <= width);
+    const chip = await bar("Snap to axis");
+    assert.equal(chip !== null, inBar, `${width} by ${height}`);
+    if (chip) assert.ok(chip.x + chip.width <= (await bar("fold")).x, "not under the panel");
+    if (!inBar) {
+      await press(page, "more");
+      await press(page, "Snap to grid");
+      await press(page, "more");
+      const on = await page.getByRole("menuitemradio", { name: "Snap to grid" }).or(page.locator('#mirror [aria-label="Snap to grid"]')).first().getAttribute("aria-checked");
+      assert.ok(on === null || on === "true", String(on));
+    }
+    await page.done();
+  }
 });

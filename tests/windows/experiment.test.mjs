@@ -207,7 +207,7 @@ test("where no team can be placed it says so, and measures balanced robots", asy
   assert.equal((await state(page)).teams.length, 0);
   const window = await openWindow(page, "experiment");
   await window.getByRole("button", { name: "Compare", exact: true }).click();
-  await window.getByText("No chord through the centre of mass has this load ratio: the algorithm can place no team here, so only balanced robots were measured.").waitFor();
+  await window.getByText("No chord through the centre of mass is this even: the algorithm can place no team here, so only balanced robots were measured.").waitFor();
   await window.locator(".plot svg").nth(3).waitFor();
   assert.deepEqual(await window.locator("figure .legend").allTextContents(), ["balanced", "balanced", "balanced", "balanced"]);
   await page.done();

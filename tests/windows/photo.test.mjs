@@ -18,8 +18,8 @@ const dropPicture = (page, { name = "table.png", type = "image/png", width = 400
     dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
   }, [name, type, width, height]);
 
-async function withPhoto(options) {
-  const page = await browser.open();
+async function withPhoto(options, screen) {
+  const page = await browser.open(screen);
   await idle(page);
   await dropPicture(page, options);
   await page.locator("#photo").waitFor();
@@ -75,8 +75,9 @@ test("it moves with the view, and the link does not hold it", async () => {
 
 test("two points and their distance set the scale, and what is traced has it", async () => {
   const page = await withPhoto();
-  const { left, top, width, height } = await boxOf(page);
   await page.getByRole("button", { name: "Set scale" }).click();
+  await idle(page);
+  const { left, top, width, height } = await boxOf(page);
   await page.mouse.click(left + width * 0.25, top + height / 2);
   await page.mouse.click(left + width * 0.75, top + height / 2);
   await page.getByLabel("Distance", { exact: true }).first().fill("2,5");
@@ -94,6 +95,38 @@ test("two points and their distance set the scale, and what is traced has it", a
   assert.ok(Math.abs(Math.abs(polygon[1][0] - polygon[0][0]) - 3) < 0.03, JSON.stringify(polygon));
   await page.done();
 });
+
+for (const [width, height] of [[320, 568], [360, 740], [740, 360]]) {
+  test(`at ${width} by ${height} the picture is seen beside its card, and all of the card can be had`, async () => {
+    const page = await withPhoto({}, { viewport: { width, height }, hasTouch: true, isMobile: true });
+    const card = page.locator("#photo");
+    // The share of the picture that neither the card nor a control of the canvas covers.
+    const seen = () => page.evaluate(() => {
+      const picture = document.getElementById("backdrop").getBoundingClientRect(), over = document.querySelector(".seat-card")?.getBoundingClientRect();
+      const boxes = ["Close the shape", "Cancel", "Snap to grid", "Snap to axis", "Coordinates"].map((name) => evenlift.view.control(name)).filter(Boolean)
+        .map(({ x, y, width: w, height: h }) => ({ left: x - 8, top: y - 8, right: x + w + 8, bottom: y + h + 8 }));
+      let free = 0;
+      for (let i = 0; i < 400; ++i) {
+        const x = picture.left + picture.width * ((i % 20) + 0.5) / 20, y = picture.top + picture.height * (Math.floor(i / 20) + 0.5) / 20;
+        free += [over, ...boxes].every((b) => !b || x < b.left || x > b.right || y < b.top || y > b.bottom);
+      }
+      return free / 400;
+    });
+    assert.ok(await seen() >= 0.5, `with the card: ${await seen()}`);
+    await card.getByRole("button", { name: "Set scale" }).tap();
+    await idle(page);
+    assert.equal(await card.count(), 0, "no card covers the points that are to be pressed");
+    await page.keyboard.press("Escape");
+    await card.waitFor();
+    await card.getByRole("button", { name: "More …" }).tap();
+    for (const name of ["Set", "Remove", "Less"]) await card.getByRole("button", { name, exact: true }).waitFor();
+    const place = await card.boundingBox();
+    assert.ok(place.y >= 0 && place.x + place.width <= width && place.y + place.height <= height, JSON.stringify(place));
+    await card.getByRole("button", { name: "Remove" }).tap();
+    assert.equal(await page.locator("#backdrop").count(), 0);
+    await page.done();
+  });
+}
 
 test("opacity, removal, and the way back by Open", async () => {
   const page = await withPhoto();

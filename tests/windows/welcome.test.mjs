@@ -18,7 +18,7 @@ const box = (page, selector) => page.locator(selector).evaluate((e) => {
 });
 const apart = (a, b) => a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
 
-for (const [width, height, touch] of [[320, 568, true], [390, 844, true], [844, 390, true], [820, 1180, true], [1440, 900, false], [3840, 2160, false]]) {
+for (const [width, height, touch] of [[320, 568, true], [390, 844, true], [740, 360, true], [844, 390, true], [1024, 768, false], [820, 1180, true], [1440, 900, false], [3840, 2160, false]]) {
   test(`at ${width} by ${height} the card covers neither the object nor a control`, async () => {
     const page = await browser.open({ first: true, viewport: { width, height }, hasTouch: touch, isMobile: touch });
     await idle(page);
@@ -37,6 +37,11 @@ for (const [width, height, touch] of [[320, 568, true], [390, 844, true], [844, 
     });
     assert.ok(things.length > 6);
     for (const thing of things) assert.ok(apart(place, thing), `${JSON.stringify(place)} covers ${JSON.stringify(thing)}`);
+    const [one, other] = await page.evaluate(() => evenlift.state().teams[0].ends.map((at) => [...evenlift.view.to_screen(...at)]));
+    const between = Math.hypot(one[0] - other[0], one[1] - other[1]);
+    assert.ok(between >= 84, `the object is to be seen between its robots: ${between} pixels`);
+    const sentence = await box(page, "#welcome p");
+    assert.ok(sentence.bottom - sentence.top < 64, "the sentence is no column of words");
     const targets = await page.locator("#welcome button").evaluateAll((all) => all.map((b) => b.getBoundingClientRect().height));
     if (touch) assert.ok(Math.min(...targets) >= 44, String(targets));
     assert.equal(await page.evaluate(() => document.activeElement.id !== "welcome" && document.activeElement.closest("#welcome") === null), true, "it takes no focus");

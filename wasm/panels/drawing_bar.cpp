@@ -3,22 +3,30 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "tools/drawing.h"
+#include "ui/dropdown.h"
 #include "ui/widgets.h"
 
 namespace evenlift::view {
 namespace {
 
-void snap_chips(const Ui& ui) {
+float snap_chips_width() {
+  return switch_chip_width("Snap to grid") + 6 + switch_chip_width("Snap to axis");
+}
+
+template <typename Switch>
+void snap_switches(const Ui& ui, Switch one, void (*between)()) {
   Snap snap = ui.state.snap;
-  if (switch_chip(ui, "Snap to grid", snap.grid)) {
-    snap.grid = !snap.grid;
-    ui.push(SetSnap{snap});
-  }
-  ImGui::SameLine(0, 6);
-  if (switch_chip(ui, "Snap to axis", snap.axis)) {
-    snap.axis = !snap.axis;
-    ui.push(SetSnap{snap});
-  }
+  bool changed = false;
+  if (one("Snap to grid", snap.grid)) snap.grid = !snap.grid, changed = true;
+  between();
+  if (one("Snap to axis", snap.axis)) snap.axis = !snap.axis, changed = true;
+  if (changed) ui.push(SetSnap{snap});
+}
+
+void snap_chips(const Ui& ui) {
+  snap_switches(
+      ui, [&](const char* label, bool on) { return switch_chip(ui, label, on); },
+      [] { ImGui::SameLine(0, 6); });
 }
 
 bool word_button(const Ui& ui, const char* label, bool enabled, bool strong = false) {
@@ -89,11 +97,25 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
   if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
 }
 
+bool has_tool_bar(const AppState& state) {
+  if (state.screen.embed) return false;
+  const bool held = state.held.kind != Pick::Kind::none;
+  return state.tool != Tool::parts || (state.selected && !held);
+}
+
+bool snaps_in_menu(const Ui& ui) {
+  const bool little_room = ui.layout.low || (!ui.layout.wide && ui.state.tool != Tool::draw);
+  return little_room && ui.state.tool != Tool::mark && has_tool_bar(ui.state);
+}
+
+void draw_snap_choices(const Ui& ui) {
+  snap_switches(
+      ui, [&](const char* label, bool on) { return choice(ui, label, nullptr, on); }, [] {});
+}
+
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
-  if (state.screen.embed) return;
-  const bool held = state.held.kind != Pick::Kind::none;
-  if (state.tool == Tool::parts && (!state.selected || held)) return;
+  if (!has_tool_bar(state)) return;
   const Rect& at = ui.layout.toolbar;
   begin_card(ui, "tool bar", {at.left, at.bottom + 8, at.right, at.bottom + 160},
              {.fixed_width = false, .padding = 8});
@@ -105,9 +127,11 @@ void draw_tool_bar(const Ui& ui) {
     return draw_marking_bar(ui), end_card(ui);
   else
     draw_vertex_bar(ui);
-  const bool fields = state.tool == Tool::draw && !state.drawing.points.empty() && ui.layout.wide;
-  if (ui.layout.wide && (!fields || at.width() >= 840)) ImGui::SameLine(0, 12);
-  snap_chips(ui);
+  const double end = static_cast<double>(ImGui::GetItemRectMax().x + snap_chips_width()) + 12 + 8;
+  const bool fits = end <= at.right;
+  if (fits) ImGui::SameLine(0, 12);
+  if (fits || !snaps_in_menu(ui))
+    snap_chips(ui);  // in a row of their own if there is height for it
   end_card(ui);
 }
 

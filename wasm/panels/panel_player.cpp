@@ -169,7 +169,8 @@ void draw_player(const Ui& ui) {
                        text_size(Face::label, "Step " + place_in_words(ui.state)).x + place_gap +
                        8 + speed_width(size) + 12 + switch_chip_width("Predict first") + 6 +
                        switch_chip_width("All steps");
-  if (width < 8 * size) return draw_player_row(ui);
+  if (width < 8 * size || ui.layout.player.height() < 2 * static_cast<double>(size))
+    return draw_player_row(ui);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 4));
   draw_timeline(ui, width);
   draw_transport(ui, size);

@@ -45,6 +45,9 @@ void draw_player_row(const Ui& ui);
 // What floats by itself.
 void draw_toolbar(const Ui& ui);
 void draw_tool_bar(const Ui& ui);
+// Whether the toolbar's menu has what the tool's bar has no room for, and its rows there.
+bool snaps_in_menu(const Ui& ui);
+void draw_snap_choices(const Ui& ui);
 // The next edge's length and angle, to be typed; while at least one vertex is drawn.
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
 void draw_view_tools(const Ui& ui);

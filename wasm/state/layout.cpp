@@ -19,8 +19,9 @@ Rect room_in(const Rect& free, double beside, double above, double below) {
           free.bottom - std::min(below, most)};
 }
 
-// Two pictures share the free room; each has a caption at its top.
-void split(Layout& l, bool compared, double beside, double above, double below) {
+// Two pictures share the free room above a card at its foot; each has a caption at its top.
+void split(Layout& l, double foot, bool compared, double beside, double above, double below) {
+  l.free.bottom -= foot;
   l.first = l.free;
   if (!compared) {
     l.room = room_in(l.free, beside, above, below);
@@ -59,7 +60,7 @@ Layout embedded(const AppState& state) {
   seat_player(l, screen.width - l.margin,
               walkthrough_is_open(state) ? std::min(screen.height * 0.52, most)
                                          : l.control + 2 * l.bar_padding);
-  split(l, false, 72, 44, 48);
+  split(l, screen.foot, false, 72, 44, 48);
   return l;
 }
 
@@ -71,7 +72,7 @@ Layout presenting(const AppState& state) {
   l.free = {0, 0, screen.width, screen.height};
   seat_player(l, screen.width - l.margin,
               std::clamp(screen.height * 0.36, std::min(240.0, screen.height * 0.5), 400.0));
-  split(l, false, 88, 56, 84);
+  split(l, screen.foot, false, 88, 56, 84);
   return l;
 }
 
@@ -79,7 +80,8 @@ Layout wide(const AppState& state) {
   Layout l;
   const Screen& screen = state.screen;
   l.control = screen.finger ? 44 : 32;
-  if (screen.height < least_height_for_tools) l.margin = 8;
+  l.low = screen.height < least_height_for_tools;
+  if (l.low) l.margin = 8;
   const double width = state.panel_open ? panel_width : rail_width + l.control - 32;
   l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin,
              screen.height - l.margin};
@@ -87,12 +89,13 @@ Layout wide(const AppState& state) {
   const double tools_width = 5 * l.control + zoom_width + 2 + 8 + 13 + 16;
   const double foot = screen.height - l.margin;
   l.tools = {l.margin, foot - bar_height(l), l.margin + tools_width, foot};
-  if (screen.height < least_height_for_tools) l.tools = {l.margin, foot, l.margin, foot};
+  if (l.low) l.tools = {l.margin, foot, l.margin, foot};
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
-  if (walkthrough_is_open(state)) seat_player(l, l.panel.left - l.margin, l.control * 2 + 24);
+  if (walkthrough_is_open(state))
+    seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   if (state.tool == Tool::transform)
     l.free.top += l.control + 60;  // the tool's bar, and the turning knob
-  split(l, state.second_method.has_value(), 88, 56, 84);
+  split(l, screen.foot, state.second_method.has_value(), 88, 56, 84);
   return l;
 }
 
@@ -118,14 +121,14 @@ Layout narrow(const AppState& state) {
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
   // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots.
-  if (screen.height < least_height_beside_sheet || state.sheet != Sheet::closed ||
-      state.second_method)
+  l.low = screen.height < least_height_beside_sheet;
+  if (l.low || state.sheet != Sheet::closed || state.second_method)
     l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
-  split(l, state.second_method.has_value(), 60, 52, 52);
+  split(l, screen.foot, state.second_method.has_value(), 60, 52, 52);
   return l;
 }
 
-Layout without_card(const AppState& state) {
+Layout in_mode(const AppState& state) {
   const Screen& screen = state.screen;
   if (state.presenting) return presenting(state);
   if (screen.embed) return embedded(state);
@@ -137,9 +140,7 @@ Layout without_card(const AppState& state) {
 }  // namespace
 
 Layout layout(const AppState& state) {
-  Layout l = without_card(state);
-  const double foot = state.screen.foot;
-  for (Rect* rect : {&l.free, &l.first, &l.second, &l.room}) rect->bottom -= foot;
+  Layout l = in_mode(state);
   const double side = std::clamp(l.room.width() - 120, 0.0, state.screen.side);
   for (Rect* rect : {&l.free, &l.first, &l.room, &l.tools, &l.player}) rect->left += side;
   l.tools.right += side;
@@ -158,11 +159,11 @@ Camera fitting_camera(const AppState& state) {
 }
 
 Rect card_seat(const AppState& state) {
-  const Layout l = without_card(state);
+  const Layout l = in_mode(state);
   constexpr double least = 520;  // beside the tools of the view
   const double right = l.free.right - l.margin;
   if (state.screen.embed || state.presenting)
-    return {l.margin, l.free.top, right, l.free.bottom - l.margin};
+    return {l.margin, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
   if (!l.wide) return {l.margin, l.free.top, l.tools.left - l.margin, l.tools.bottom};
   if (right - l.tools.right - l.margin >= least)
     return {l.tools.right + l.margin, l.free.top, right, l.tools.bottom};

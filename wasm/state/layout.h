@@ -13,6 +13,7 @@ struct Layout {
   double control = 32;     // height of a control: more under a finger
   double margin = 16;      // between panels and the canvas's edge
   double bar_padding = 8;  // between the controls of a bar and its edge
+  bool low = false;        // little height: what is asked for seldom is in the toolbar's menu
   Rect panel;              // panel or sheet
   // While the walkthrough is open; on a narrow screen it is in the sheet; in an <iframe> always.
   Rect player;

@@ -14,7 +14,7 @@ Vec2 vertex_on_screen(const AppState& state, std::size_t i) {
   return state.camera.to_screen(vertices[i == vertices.size() ? 0 : i]);
 }
 
-// The part of the segment a b within a disc, from 0 to 1.
+// The part of the segment a b within a disc, from 0 to 1; widened to four decimals, since marks are read and typed as text.
 std::optional<Stretch> within_disc(const Vec2& a, const Vec2& b, const Vec2& middle,
                                    double radius) {
   const double size = length(b - a);
@@ -23,8 +23,9 @@ std::optional<Stretch> within_disc(const Vec2& a, const Vec2& b, const Vec2& mid
   const double at = dot(middle - a, along), aside = cross(along, middle - a);
   if (std::fabs(aside) >= radius) return std::nullopt;
   const double half = std::sqrt((radius - aside) * (radius + aside));
-  const Stretch part{std::clamp((at - half) / size, 0.0, 1.0),
-                     std::clamp((at + half) / size, 0.0, 1.0)};
+  constexpr double steps = 1e4;
+  const Stretch part{std::clamp(std::floor((at - half) / size * steps) / steps, 0.0, 1.0),
+                     std::clamp(std::ceil((at + half) / size * steps) / steps, 0.0, 1.0)};
   return part.from < part.to ? std::optional(part) : std::nullopt;
 }
 

@@ -12,7 +12,7 @@ const manyPolygons = { weight: 100, mostTeams: 1000 };
 // What is missing if the algorithm can place no team on the polygon.
 function withoutTeams({ figures }) {
   if (figures.some(({ series }) => series.some(({ method }) => method !== "balanced"))) return "";
-  return "No chord through the centre of mass has this load ratio: the algorithm can place no team here, "
+  return "No chord through the centre of mass is this even: the algorithm can place no team here, "
     + (figures.length > 0 ? "so only balanced robots were measured." : "and there are no balanced robots either, so nothing was measured.");
 }
 
@@ -27,7 +27,7 @@ export async function show(page, { start = false, source = "this" } = {}) {
     name: "experiment",
     title: "Compare methods",
     body: [el("div", { class: "scroll" }, view.form, view.problem, view.running, view.said, view.results), view.footer],
-    focus: view.start,
+    focus: view.form.querySelector(":checked"),  // at its beginning, also where not all of it is seen; Enter compares
     closed: () => view.close(),
   });
   if (root) view.connect(root, start);

@@ -21,7 +21,7 @@ export function closingButton(name, attributes, act) {
 }
 
 // Shows a card of these elements, in place of one that is open. `title` is its name for those who do not see it. `closed(byPerson)` is called when it goes.
-// Returns { root, close }.
+// Returns { root, close, seat }; seat() is for a card that has become higher or lower.
 export async function openCard(page, { name, title, body, closed, focus = false }) {
   await ensureStyles();
   open?.close();
@@ -64,6 +64,6 @@ export async function openCard(page, { name, title, body, closed, focus = false 
     close(true);
   });
   if (focus) root.querySelector("button").focus({ preventScroll: true });
-  open = { root, close };
+  open = { root, close, seat };
   return open;
 }

@@ -9,12 +9,14 @@ import { show as showWelcome } from "./welcome.js";
 
 const link = (file, text) => el("a", { href: new URL(file, import.meta.url).href, target: "_blank", rel: "noopener" }, text);
 
-// Documentation that lies beside the page.
+// Documentation that lies beside the page (assets/docs_html.py).
 const docs = [
-  ["docs-lessons.txt", "How to write a lesson"],
-  ["docs-page.txt", "The page: links, embedding, scripting"],
-  ["docs-algorithm.txt", "The algorithm, stage by stage"],
-  ["docs-link-format.txt", "The format of links"],
+  ["docs-lessons.html", "How to write a lesson"],
+  ["docs-page.html", "The page: links, embedding, scripting"],
+  ["docs-algorithm.html", "The algorithm, stage by stage"],
+  ["docs-stands.html", "Robots with a size, and where they can stand"],
+  ["docs-who-bears-what.html", "Who bears what, and what may go wrong"],
+  ["docs-link-format.html", "The format of links"],
 ];
 
 export async function show(page) {

@@ -72,7 +72,7 @@ class Editor {
     this.aboutSample = el("select", { class: "field", "aria-label": "Sample polygon", onchange: () => this.#insertSample() },
       option("", "About a sample …"), ...Object.keys(samples).map((name) => option(name, name)));
     this.save = button("Save as a file", { class: "button primary", onclick: () => this.#save() }, "save");
-    this.help = el("a", { class: "second", href: new URL("docs-lessons.txt", import.meta.url).href, target: "_blank", rel: "noopener" }, "How to write a lesson");
+    this.help = el("a", { class: "second", href: new URL("docs-lessons.html", import.meta.url).href, target: "_blank", rel: "noopener" }, "How to write a lesson");
   }
 
   // The list of texts with which one can begin.

@@ -86,7 +86,7 @@ function pixelAt(program, x, y) {
 function twoPoints(page) {
   return new Promise((done) => {
     const points = [];
-    const sheet = el("div", { id: "measure", role: "presentation" });
+    const sheet = el("div", { id: "measure", role: "application", "aria-label": "Two points of the picture", tabindex: "-1" });
     const leave = new AbortController();
     const end = (result) => {
       leave.abort();
@@ -108,11 +108,12 @@ function twoPoints(page) {
       end();
     }, { capture: true, signal: leave.signal });
     document.getElementById("canvas").after(sheet);
+    sheet.focus({ preventScroll: true });  // the canvas would take Esc for itself
   });
 }
 
-// A field for a length; `set` takes it over.
-function lengthField(page, label, value, set) {
+// A field for a length and its button, of a class; `set` takes it over.
+function lengthField(page, label, value, set, of = "") {
   const field = el("input", { class: "field", type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": label, size: "8" });
   field.value = value;
   const take = () => {
@@ -121,7 +122,7 @@ function lengthField(page, label, value, set) {
     return set(length);
   };
   field.addEventListener("keydown", (event) => event.key === "Enter" && take());
-  return [el("label", { class: "row" }, label, field), button("Set", { onclick: take })];
+  return [el("label", { class: `row ${of}` }, label, field), button("Set", { class: `button ${of}`, onclick: take })];
 }
 
 async function openControls(page) {
@@ -136,7 +137,8 @@ async function openControls(page) {
     page.notice("Press two points on the picture whose distance you know. Esc gives up.", false);
     const pixels = await twoPoints(page);
     page.notice("", false);
-    if (!pixels || !photo) return;
+    if (!photo) return;
+    if (!pixels) return openControls(page);
     const scaled = (length) => {
       scaleTo(page, pixels, length);
       openControls(page);
@@ -145,11 +147,18 @@ async function openControls(page) {
       el("p", {}, "How far apart are the two points?"), el("div", { class: "ways" }, ...lengthField(page, "Distance", "", scaled))] });
     root.querySelector("input").focus({ preventScroll: true });
   };
-  await openCard(page, { name: "photo", title: "Picture behind the drawing", body: [
-    el("p", {}, `“${photo.name}” lies behind the drawing. It stays on this device, is in no link or file, and is gone with this page.`),
-    el("div", { class: "ways" }, opacity, button("Set scale", { title: "Press two points and type their distance", onclick: measure }),
-      ...lengthField(page, "Width", tidy(photo.unit * image.naturalWidth), (length) => scaleTo(page, image.naturalWidth, length)),
-      closingButton("Remove", {}, () => remove(page)))] });
+  // Where there is little room, the card is small until somebody wants more of it.
+  const more = button("More …", { class: "button more", "aria-expanded": "false", onclick: () => {
+    const whole = card.root.classList.toggle("whole");
+    more.setAttribute("aria-expanded", String(whole));
+    more.textContent = whole ? "Less" : "More …";
+    card.seat();
+  } });
+  const card = await openCard(page, { name: "photo", title: "Picture behind the drawing", body: [
+    el("p", {}, `“${photo.name}” lies behind the drawing. `, el("span", { class: "second" }, "It stays on this device, is in no link or file, and is gone with this page.")),
+    el("div", { class: "ways" }, opacity, closingButton("Set scale", { title: "Press two points and type their distance" }, measure),
+      ...lengthField(page, "Width", tidy(photo.unit * image.naturalWidth), (length) => scaleTo(page, image.naturalWidth, length), "seldom"),
+      closingButton("Remove", { class: "button seldom" }, () => remove(page)), more)] });
 }
 
 export const hasPhoto = () => photo !== undefined;

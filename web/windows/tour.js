@@ -71,7 +71,9 @@ const stops = [
     anyway: true,
   }, {
     title: "The shape",
-    words: "Drag a vertex, or C. A double click on an edge adds a vertex, and Delete removes the one that is selected; Undo takes all of it back.",
+    words: matchMedia("(pointer: coarse)").matches
+      ? "Drag a vertex, or C. A double tap on an edge adds a vertex; a vertex that you tap has a button that removes it. Undo takes all of it back."
+      : "Drag a vertex, or C. A double click on an edge adds a vertex, and Delete removes the one that is selected; Undo takes all of it back.",
     box: (here) => here.around([here.vertex], 18),
   }, {
     title: "Lessons",

@@ -25,7 +25,7 @@ constexpr Line by_candidates[] = {
     {Statement::each_hit, "  for each boundary point r straight across C: note the chord v r"},
     {Statement::sort_chords, "sort the chords by slope"},
     {Statement::each_pair, "for each pair of edges a, b that face each other across C"},
-    {Statement::sections, "  a', b' := the parts that do; they end at two of the chords"},
+    {Statement::sections, "  a', b' := the parts of a and b that face each other"},
     {Statement::parallel, "  if a' and b' are parallel: chord := the one between their middles"},
     {Statement::bisecting, "  else if C bisects a chord between a' and b': chord := that one"},
     {Statement::nearer_end, "  else: chord := the one at the end with the larger load ratio"},

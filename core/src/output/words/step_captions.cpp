@@ -17,7 +17,7 @@ const char* score_in_words(Method method) {
     case Method::circle:
       return "the area of the circles inscribed in the triangles between H and its ends";
     case Method::distance:
-      return "by how much it shortens the arms with which weight at the vertices would tip the object";
+      return "by how much it reduces the leverage of weight placed on the vertices";
     case Method::area:
     case Method::distributed:
     case Method::random:
@@ -266,7 +266,7 @@ std::string StepCaptions::directions() const {
       {with_decimals(180 / pi * open_directions_rad(trace_.polygon, trace_.centre), 1)});
 }
 
-// "Candidate 6 has 571.7, candidate 5 520.6, candidate 2 394.9."
+// "Candidate 6 has 571.7, candidate 5 has 520.6, candidate 2 has 394.9."
 std::string StepCaptions::ranking(const TeamScores& scores) const {
   constexpr std::size_t most = 3;
   std::string text;
@@ -276,7 +276,7 @@ std::string StepCaptions::ranking(const TeamScores& scores) const {
     if (i > 0 && !score.eligible) break;
     text += i == 0 ? "Candidate " : ", candidate ";
     text += written(counted_from_1(order[i]));
-    text += i > 0 ? " "
+    text += i > 0 ? " has "
             : scores.rule == Rule::longest_even || scores.rule == Rule::longest
                 ? " has a length of "
             : scores.rule == Rule::most_even ? " has a load ratio of "

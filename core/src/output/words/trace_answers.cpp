@@ -24,7 +24,7 @@ const char* aim(const Trace& trace, Rule rule) {
     case Method::circle:
       return "adds the largest inscribed circles";
     case Method::distance:
-      return "shortens the arms that tip the object by most";
+      return "reduces the leverage of weight on the vertices most";
     case Method::area:
     case Method::distributed:
     case Method::random:
@@ -104,7 +104,7 @@ std::string chord_question(const Trace& trace, const StepDetail& detail) {
 
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question) {
   if (question.kind == QuestionKind::nearer_end)
-    return "None of the chords between these two sections is even. Which end is nearer to it?";
+    return "None of the chords between these two sections is even. Which end is more even?";
   if (question.kind == QuestionKind::even_chord) return chord_question(trace, detail);
   if (detail.swap) return swap_question(detail, question);
   return fill("Which candidate does team # take? The one that #.",
