@@ -21,7 +21,8 @@ Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before) {
   ++so_far.placements;
   if (before && before->vertices() == document.vertices)
-    return place(before->polygon, document.centre_of_mass, document.settings, Effort::start);
+    return place(before->polygon, document.centre_of_mass, document.settings, Effort::start,
+                 document.moved);
   return place(document, Effort::start);
 }
 
@@ -33,6 +34,8 @@ Result<Trace> compute_trace(const Placement& placement, HistoryLength length) {
 Computed computed() { return so_far; }
 
 Result<Opened> opened(Document document) {
+  // A lesson shows teams where they were found.
+  if (document.settings.step) document.moved.teams.clear();
   Result<Placement> placement = compute_placement(document);
   if (!placement) return placement.error();
   return Opened{std::move(document), std::move(placement).value(), std::nullopt};

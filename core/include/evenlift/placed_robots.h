@@ -62,9 +62,9 @@ std::optional<RestOfRobots> single_failure(const Placement& placement, std::size
 // which it bears nothing itself. None if the others do not carry the object. O(m log m).
 std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot);
 
-// The placement with one team on another chord, where somebody moved it. Its teams are then not those
-// that were chosen: team_candidates is empty. O(n log n).
-Placement with_chord(Placement placement, std::size_t team, const Chord& chord);
+// The placement with its teams on these of its candidates, such as the best choice of optimum.h, in place of
+// those that the method chose. O(n log n).
+Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates);
 
 // The placement while the robot with this number fails, for pictures and words. All robots are still
 // in their row; H, coverage, closure and loads are those of the others, who share the weight by

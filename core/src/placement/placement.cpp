@@ -7,10 +7,12 @@
 #include "evenlift/balanced.h"
 #include "evenlift/exchange.h"
 #include "evenlift/hull.h"
+#include "evenlift/moved.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings_text.h"
 #include "evenlift/tolerance.h"
+#include "placement/describe.h"
 
 namespace evenlift {
 namespace {
@@ -61,12 +63,6 @@ void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& point
   placement.closure =
       analyse_closure(polygon, placement.centre_of_mass, touched(placement, points));
   placement.goal_reached = reaches_goal(placement);
-}
-
-// Fills in everything that follows from the teams.
-void describe_grasp(Placement& placement) {
-  placement.loads = summarize_loads(placement.teams);
-  describe_grasp(placement, lifting_points(placement.teams));
 }
 
 // Gives the robots these loads, in their row.
@@ -147,6 +143,11 @@ std::optional<InputError> check_balanced(const Settings& settings) {
 
 }  // namespace
 
+void describe_grasp(Placement& placement) {
+  placement.loads = summarize_loads(placement.teams);
+  describe_grasp(placement, lifting_points(placement.teams));
+}
+
 std::vector<LiftingPoint> contact_points(const Placement& placement) {
   return touched(placement, lifting_points(placement.teams));
 }
@@ -178,11 +179,12 @@ Result<Placement> place(const Document& document, Effort effort) {
   if (auto error = check_settings(document.settings)) return *error;
   auto polygon = Polygon::create(document.vertices);
   if (!polygon) return polygon.error();
-  return place(*std::move(polygon), document.centre_of_mass, document.settings, effort);
+  return place(*std::move(polygon), document.centre_of_mass, document.settings, effort,
+               document.moved);
 }
 
 Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
-                        const Settings& settings, Effort effort) {
+                        const Settings& settings, Effort effort, const Moved& moved) {
   if (auto error = check_settings(settings)) return *error;
   const auto centre = check_centre_of_mass(polygon, centre_of_mass);
   if (!centre) return centre.error();
@@ -201,7 +203,9 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   placement.settings = settings;
   placement.candidates = std::move(*candidates);
   placement.requested_teams = requested_teams(placement);
-  choose_teams(placement, effort);
+  // Where all robots were moved nobody need look for them.
+  if (moved.robots.empty()) choose_teams(placement, effort);
+  if (moved.any()) return with_moved(std::move(placement), moved);
   describe_grasp(placement);
   return placement;
 }
@@ -210,16 +214,18 @@ Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robo
                       bool search_ended) {
   placement.teams = {team_of(placement, robots)};
   placement.search_ended = search_ended;
+  placement.moved = {};
   describe_grasp(placement);
   return placement;
 }
 
-Placement with_chord(Placement placement, std::size_t team, const Chord& chord) {
+Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates) {
   std::vector<Chord> chords;
-  for (const Team& each : placement.teams) chords.push_back(chord_of(each));
-  chords[team] = chord;
+  chords.reserve(candidates.size());
+  for (const std::uint32_t i : candidates) chords.push_back(placement.candidates[i].chord);
   placement.teams = distribute_weight(chords, placement.settings.weight);
-  placement.team_candidates.clear();
+  placement.team_candidates = std::move(candidates);
+  placement.moved = {};
   describe_grasp(placement);
   return placement;
 }
