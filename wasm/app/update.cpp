@@ -51,6 +51,9 @@ void adopt(AppState& state, Result<Placement> placement) {
   if (placement) {
     state.plan_due |= !state.placement || !same_plan(*state.placement, *placement) ||
                       state.placement->settings.capacity != placement->settings.capacity;
+    // The view makes room for larger robots.
+    state.fit_due |=
+        state.camera_follows && !(state.placed.settings.robot == settings(state).robot);
     state.placement = std::move(placement).value();
     state.placed = state.document;
     state.refusal.reset();
