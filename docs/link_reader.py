@@ -18,7 +18,7 @@ OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "ti
 # What a record's payload is read as, by its tag; the other tags are those of later programs.
 RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int),
            6: ("positions", str), 7: ("com_radius", float), 8: ("capacity", float), 9: ("robot", str), 10: ("no_go", str),
-           11: ("units", str), 18: ("halo", str)}
+           11: ("units", str), 18: ("halo", str), 19: ("moved", str)}
 DOUBLES = 23  # the scale that numbers every double
 
 
@@ -176,7 +176,7 @@ def read_records(coder, settings):
         if tag not in RECORDS:
             raise LinkError(f"the link was made by a newer evenlift: record {tag}")
         length = coder.integer(20)
-        if length > {9: 160, 10: 64000}.get(tag, 32):
+        if length > {9: 160, 10: 64000, 19: 64000}.get(tag, 32):
             raise LinkError("a record that is too long")
         text = bytes(coder.uniform(256) for _ in range(length)).decode("ascii", "strict")
         name, kind = RECORDS[tag]

@@ -8,6 +8,7 @@
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
+#include "evenlift/settings_text.h"
 #include "options.h"
 #include "pose_options.h"
 #include "robustness_text.h"
@@ -87,6 +88,7 @@ std::string facts(const Placement& placement, const Robustness& robustness) {
     if (exchanges_teams(settings))
       lines.emplace_back("Goal", placement.goal_reached ? "hold" : "hold, not reached");
   }
+  if (placement.moved.any()) lines.emplace_back("Moved by hand", moved_text(placement.moved));
   lines.emplace_back("Centre of mass", point_in_words(placement.centre_of_mass,
                                                       coordinate_decimals(placement.vertices())));
   for (const Fact& fact : facts_in_words(placement)) lines.emplace_back(fact.label, fact.value);

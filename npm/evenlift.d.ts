@@ -181,6 +181,8 @@ export interface Placement {
   min_margin?: number;
   apart?: number | null;
   survive?: number;
+  /** Of a link with robots that somebody moved by hand. */
+  moved?: string;
   /** Not there with no team. */
   robustness?: Robustness;
   /** With `failures`. */

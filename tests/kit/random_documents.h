@@ -34,7 +34,7 @@ inline bool same_polygon(const Document& a, const Document& b) {
 }
 
 inline bool same_document(const Document& a, const Document& b) {
-  return same_polygon(a, b) && a.settings == b.settings &&
+  return same_polygon(a, b) && a.settings == b.settings && a.moved == b.moved &&
          bits_of(a.settings.weight) == bits_of(b.settings.weight) &&
          bits_of(a.settings.com_radius) == bits_of(b.settings.com_radius) &&
          bits_of(a.settings.min_ratio) == bits_of(b.settings.min_ratio);

@@ -80,3 +80,48 @@ test("marks are typed for those who do not paint", async () => {
   assert.ok(await control(page, "mark edges"));
   await page.done();
 });
+
+test("the radius has a slider, for the pointer and for keys, and is typed, too", async () => {
+  const page = await browser.open({ viewport: { width: 1280, height: 1300 } });
+  await load(page, asset("square"));
+  await press(page, "robot size");
+  await idle(page);
+  const { x, width, middle: [, y] } = await control(page, "radius");
+  await drag(page, [x + 9, y], [x + width / 2, y]);
+  await idle(page);
+  const radius = async () => (await state(page)).robot?.radius ?? 0;
+  const slid = await radius();
+  assert.ok(slid >= 60 && slid <= 80, `${slid}: half of a tenth of 1414`);
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal(await radius(), 0, "a drag is one step of undo");
+  // Those who do not see the canvas have it as a slider of HTML.
+  const slider = page.getByRole("slider", { name: "Radius of a robot, as a slider" });
+  await slider.focus();
+  await page.keyboard.press("ArrowRight");
+  await idle(page);
+  assert.equal(await radius(), 1);
+  await press(page, "robot radius");
+  await idle(page);
+  await page.keyboard.press("Control+a");
+  await page.keyboard.type("200");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal(await radius(), 200, "more than the slider has");
+  await page.done();
+});
+
+test("the view that fits leaves room for the robots' bodies", async () => {
+  const page = await browser.open();
+  await load(page, asset("square"));
+  await set(page, { robot: "r=90", metric: "balanced", robots: 4 });
+  await idle(page);
+  const { robots } = await state(page);
+  for (const { stand: [sx, sy] } of robots) {
+    const [px, py] = await toScreen(page, [sx, sy]);
+    const [rim] = await toScreen(page, [sx + 90, sy]);
+    const r = rim - px;
+    assert.ok(px - r > 0 && py - r > 60 && py + r < 800, `${[px, py, r]}`);
+  }
+  await page.done();
+});

@@ -15,7 +15,7 @@ const column = async (root, file, index) => {
 };
 
 const polygons = (root) => textsOf(path.join(root, "assets/polygons"));
-const links = (root) => column(root, "links_version_1.txt", 0);
+const links = async (root) => [...await column(root, "links_version_1.txt", 0), ...await column(root, "links_version_2.txt", 0)];
 
 const written = [
   "POLYGON ((0 0, 160 0, 160 90, 90 90, 90 60, 0 60, 0 0))",

@@ -320,6 +320,44 @@ TEST_CASE("the size of robots and marked edges read back in every bit", "[link]"
   }
 }
 
+TEST_CASE("robots that were moved read back in every bit", "[link]") {
+  Rng rng(9);
+  for (int i = 0; i < 1000; ++i) {
+    Document document = random_document(rng, 14);
+    const bool balanced = i % 2 == 0;
+    if (balanced) document.settings.method = Method::balanced;
+    const auto point = [&] {
+      const auto edge = static_cast<std::uint32_t>(rng.below(max_vertices));
+      return EdgePoint{edge, rng.uniform()};
+    };
+    const std::uint64_t most = balanced ? most_robots : most_moved_teams;
+    for (std::uint64_t k = i < 2 ? most : rng.below(5); k > 0; --k) {
+      if (balanced) {
+        document.moved.robots.push_back(point());
+        continue;
+      }
+      const auto before = document.moved.teams.empty() ? 0 : document.moved.teams.back().team + 1;
+      const auto team = before + static_cast<std::uint32_t>(rng.below(9));
+      const EdgePoint end = point();
+      document.moved.teams.push_back({team, end, point().edge});
+    }
+    const std::string link = encode(document);
+    const Document back = decode(link);
+    REQUIRE(back.moved == document.moved);
+    REQUIRE(encode(back) == link);
+  }
+  // Those of another method are not held.
+  Document document = thesis_sample();
+  const std::string link = encode(document);
+  document.moved.robots = {{0, 0.5}};
+  CHECK(encode(document) == link);
+  document.moved.teams = {{0, {0, 0.5}, 3}};
+  CHECK(encode_refusal(document).message == "robots that were moved by hand stand where none can");
+  document.moved.robots.clear();
+  document.moved.teams[0].end.part = 2;
+  CHECK_FALSE(encode_link(document).ok());
+}
+
 TEST_CASE("what version 1 holds is written as version 1", "[link]") {
   Rng rng(3);
   for (int i = 0; i < 500; ++i) CHECK(encode(random_document(rng, 14)).starts_with("1."));
@@ -415,12 +453,19 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{10, "3:0-1"}},  // the whole edge
            {{10, "3:0.5"}},
            {{18, ""}},
+           {{19, ""}},
+           {{19, "3:0.5"}},  // of balanced robots
+           {{1, "6"}, {19, "1@3:0.5/2"}},
+           {{19, "1@3:0.50/2"}},
+           {{19, "2@3:0.5/2,1@3:0.5/2"}},
+           {{1, "6"}, {19, "3:-0"}},
+           {{1, "6"}, {19, "3:0.5" + std::string(70000, '0')}},
            {{18, "yes"}},
            {{1, "6"}, {4, std::string(33, '1')}},
            {{1, std::string(40000, '6')}}}) {
     CHECK(refusal(link_with(records, true)).code == ErrorCode::bad_link);
   }
-  for (const unsigned later : {17u, 19u, 255u}) {
+  for (const unsigned later : {17u, 20u, 255u}) {
     for (const bool ends : {true, false}) {
       const InputError error = refusal(link_with({{1, "6"}, {later, "anything"}}, ends));
       CHECK(error.code == ErrorCode::unknown_version);
@@ -455,6 +500,7 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
     CHECK(name(settings.positions) == held.value("positions", "best"));
     CHECK(robot_text(settings.robot) == held.value("robot", "none"));
     CHECK(no_go_text(settings.no_go) == held.value("no_go", "none"));
+    CHECK(moved_text(document.moved) == held.value("moved", ""));
     CHECK(settings.min_margin == held.value("min_margin", 0.05));
     CHECK(settings.weight == held["weight"].get<double>());
     REQUIRE(settings.goal.has_value() == held.contains("goal"));

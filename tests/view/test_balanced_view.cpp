@@ -6,6 +6,7 @@
 #include "app/search.h"
 #include "app/update.h"
 #include "evenlift/balanced.h"
+#include "evenlift/link.h"
 #include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
 #include "kit/catch.h"
@@ -208,7 +209,7 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
   const std::uint32_t edge = before[0].edge;
   const Vec2 along = vertices[(edge + 1) % vertices.size()] - vertices[edge];
   give(state, MoveRobot{0, before[0].position + along * 0.02});
-  REQUIRE(state.by_hand);
+  REQUIRE(by_hand(state));
   const std::vector<LiftingPoint> now = shown(state);
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -218,12 +219,38 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
   const double size = state.placement->polygon.diagonal();
   CHECK((sum / 3 - state.placement->centre_of_mass).norm() < 1e-9 * size);
   CHECK(state.placement->loads->spread == 0);
-  CHECK_FALSE(state.history.can_undo());
-  CHECK(link_lacks_in_words(state) == "It does not hold where robots were moved by hand.");
+  CHECK(state.history.undoes() == Edit::robots_moved);
+  CHECK(link_lacks_in_words(state).empty());
   CHECK_FALSE(state.search.under_way);
+  // A drag is one step of undo.
+  give(state, MoveRobot{0, before[0].position + along * 0.03});
+  give(state, EndEdit{});
+  const std::string moved = robots_text(shown(state));
+  give(state, MoveRobot{0, before[0].position + along * 0.04});
+  give(state, EndEdit{});
+  CHECK(state.history.depth() == 2);
+  give(state, Undo{});
+  CHECK(robots_text(shown(state)) == moved);
+  CHECK_FALSE(state.search.under_way);
+  // Their weight is another, and they stay where they are.
+  Settings heavier = settings(state);
+  heavier.weight = 300;
+  give(state, SetSettings{heavier});
+  CHECK(robots_text(shown(state)) == moved);
+  CHECK(state.placement->loads->max == Approx(100));
+  give(state, Undo{});
+  // The link brings them back.
+  AppState again;
+  start_with(again, placed(decode_link(*encode_link(state.placed)).value()), std::nullopt);
+  CHECK(robots_text(shown(again)) == moved);
+  CHECK(by_hand(again));
+  CHECK_FALSE(again.search.under_way);
 
   give(state, ResetRobots{});
-  CHECK_FALSE(state.by_hand);
+  CHECK_FALSE(by_hand(state));
+  give(state, Undo{});
+  CHECK(robots_text(shown(state)) == moved);
+  give(state, Redo{});
   take_robots(state, state.search.number, last_robots(state), true);
   CHECK(robots_text(shown(state)) == found);
 }

@@ -7,6 +7,7 @@
 
 #include "app/update.h"
 #include "evenlift/generate.h"
+#include "evenlift/link.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
@@ -58,7 +59,7 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
     give(state, MoveRobot{2, wanted.r1.edge == state.placement->teams[1].robots[0].point.edge
                                  ? wanted.r1.position
                                  : wanted.r2.position});
-    REQUIRE(state.by_hand);
+    REQUIRE(by_hand(state));
     const Team& team = state.placement->teams[1];
     CHECK(team.ratio == Approx(wanted.ratio).epsilon(1e-9));
     CHECK(team.ratio >= 0.8 - 1e-9);
@@ -66,16 +67,35 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
           Approx(state.placement->settings.weight / 3).epsilon(1e-12));
     CHECK(place_of(state, 0, 0) == other);
   }
-  CHECK_FALSE(state.history.can_undo());
-  CHECK(link_lacks_in_words(state) == "It does not hold where robots were moved by hand.");
+  CHECK(state.history.undoes() == Edit::robots_moved);
+  CHECK(link_lacks_in_words(state).empty());
   CHECK(explain(state, pick).reason.empty());
   // Far beyond an end of its range it stops there.
   give(state, MoveRobot{2, state.placement->centre_of_mass + Vec2(1e-3, 1e6)});
   CHECK(state.placement->teams[1].ratio >= 0.8 - 1e-9);
+  give(state, EndEdit{});
+  const Vec2 last = place_of(state, 1, 0);
   give(state, ResetRobots{});
-  CHECK_FALSE(state.by_hand);
+  CHECK_FALSE(by_hand(state));
   CHECK(place_of(state, 1, 0) == was);
   CHECK(summary(state) == before);
+  give(state, Undo{});
+  CHECK(place_of(state, 1, 0) == last);
+  give(state, Undo{});
+  CHECK(place_of(state, 1, 0) == was);
+  CHECK_FALSE(state.history.can_undo());
+  give(state, Redo{});
+  CHECK(place_of(state, 1, 0) == last);
+  // Another edit puts them back, and undo brings them again.
+  Settings fewer = settings(state);
+  fewer.teams = 2;
+  give(state, SetSettings{fewer});
+  CHECK_FALSE(by_hand(state));
+  give(state, Undo{});
+  CHECK(place_of(state, 1, 0) == last);
+  AppState again;
+  start_with(again, placed(decode_link(*encode_link(state.placed)).value()), std::nullopt);
+  CHECK(place_of(again, 1, 0) == last);
 }
 
 TEST_CASE("a team of robots with a size goes where they can stand, and not into others",
@@ -114,11 +134,16 @@ TEST_CASE("steps are those of teams where they were found", "[view][ranges]") {
   AppState state = state_in_ranges();
   const Vec2 was = place_of(state, 1, 0);
   give(state, MoveRobot{2, was + 0.01 * (state.placement->centre_of_mass - was) + Vec2(3, 3)});
-  REQUIRE(state.by_hand);
+  REQUIRE(by_hand(state));
   give(state, OpenWalkthrough{});
-  CHECK_FALSE(state.by_hand);
+  CHECK_FALSE(by_hand(state));
   CHECK(place_of(state, 1, 0) == was);
+  CHECK(state.history.undoes() == Edit::robots_reset);
   CHECK(state.walkthrough.trace->count(StepKind::range) > 3);
+  // Undo leaves the lesson, in which they would stand elsewhere.
+  give(state, Undo{});
+  CHECK(by_hand(state));
+  CHECK_FALSE(walkthrough_is_open(state));
 }
 
 TEST_CASE("teams at their best places stay where they are", "[view][ranges]") {
@@ -127,7 +152,7 @@ TEST_CASE("teams at their best places stay where they are", "[view][ranges]") {
              std::nullopt);
   CHECK_FALSE(can_take_robot(state, {Pick::Kind::robot, 1, 0, place_of(state, 1, 0)}));
   give(state, MoveRobot{2, state.placement->centre_of_mass});
-  CHECK_FALSE(state.by_hand);
+  CHECK_FALSE(by_hand(state));
 }
 
 TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "[view][ranges]") {
@@ -260,10 +285,38 @@ TEST_CASE("a robot is dragged along its range with the pointer, and drawn with i
   // Around C, to one side and to the other: one of the two ways is open.
   for (const double turn : {0.05, -0.05})
     page.drag(place_of(state, team, 0), c + (at - c) + turn * left_normal(at - c));
-  CHECK(state.by_hand);
+  CHECK(by_hand(state));
   CHECK(state.document.vertices == document.vertices);
   CHECK(state.placement->teams[team].ratio >= 0.8 - 1e-9);
   CHECK(length(place_of(state, team, 0) - at) > 0);
   page.open(document);
-  CHECK_FALSE(page.app.state.by_hand);
+  CHECK_FALSE(by_hand(page.app.state));
+}
+
+TEST_CASE("a robot on a vertex is taken there while its card is open", "[view][ranges]") {
+  Page page;
+  Document document;
+  document.vertices = {{0, 0}, {400, 0}, {400, 200}, {0, 200}};
+  document.settings.positions = Positions::range;
+  document.settings.min_ratio = 0.5;
+  page.open(document);
+  page.frame();
+  const AppState& state = page.app.state;
+  const Vec2 corner = place_of(state, 0, 0), c = state.placement->centre_of_mass;
+  REQUIRE(std::find(document.vertices.begin(), document.vertices.end(), corner) !=
+          document.vertices.end());
+  const Vec2 to = corner + 0.3 * left_normal(corner - c);
+  // Without the card it is the vertex that goes along.
+  page.drag(corner, corner + Vec2(-8, -8));
+  CHECK_FALSE(by_hand(state));
+  CHECK(state.document.vertices != document.vertices);
+  page.open(document);
+  page.frame();
+  page.click(corner);
+  REQUIRE(state.explanation);
+  page.drag(corner, to);
+  CHECK(state.document.vertices == document.vertices);
+  CHECK(by_hand(state));
+  CHECK(length(place_of(state, 0, 0) - corner) > 10);
+  CHECK(state.history.undoes() == Edit::robots_moved);
 }

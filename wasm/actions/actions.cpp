@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "evenlift/moved.h"
 #include "state/layout.h"
 #include "state/method.h"
 #include "tools/drawing.h"
@@ -188,7 +189,8 @@ void nudge(const AppState& s, Commands& out) {
   if (transforming(s)) return out.push_back(moved_polygon(s, x, y));
   if (on_robot(s)) {
     const Vec2 along = Vec2(x, y) * (grid_step(s.camera) / 10);
-    return out.push_back(MoveRobot{*s.explanation->robot, s.explanation->at + along});
+    out.push_back(MoveRobot{*s.explanation->robot, s.explanation->at + along});
+    return out.push_back(EndEdit{});
   }
   const double step = grid_step(s.camera) / (s.snap.grid ? 1 : 10);
   const Vec2 to = s.document.vertices[*s.selected] + Vec2(x * step, y * step);

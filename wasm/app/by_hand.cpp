@@ -1,18 +1,13 @@
 #include "app/by_hand.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/outlook.h"
 #include "app/search.h"
-#include "evenlift/balanced.h"
-#include "evenlift/candidates.h"
-#include "evenlift/placed_robots.h"
+#include "evenlift/moved.h"
 #include "evenlift/plane.h"
 #include "evenlift/stands.h"
 #include "state/browser.h"
-#include "tools/pick.h"
 #include "walkthrough/explain.h"
 
 namespace evenlift::view {
@@ -40,84 +35,64 @@ void follow_card(AppState& state) {
   state.explanation = explain(state, {Pick::Kind::robot, team, static_cast<int>(robot), at});
 }
 
-// Shows a placement whose robots somebody moved.
-void show_moved(AppState& state, Placement placement) {
-  drop_search(state);
-  state.placement = std::move(placement);
-  state.by_hand = true;
-  ++state.revision;
-  forget_failures(state);
-  renew_outlook(state);
-  renew_failures(state);
-  follow_card(state);
-  browser::summary_changed();
+// A team's robots are numbered by which of them is left: the one that is held may become the other.
+void follow_grip(AppState& state, std::size_t number, std::size_t now) {
+  if (number == now) return;
+  const auto turn = [&](std::size_t& robot) {
+    if (robot == number)
+      robot = now;
+    else if (robot == now)
+      robot = number;
+  };
+  if (state.explanation && state.explanation->robot) turn(*state.explanation->robot);
+  const auto [team, robot] = find_robot(state.placement->teams, now);
+  if (state.held.kind == Pick::Kind::robot && state.held.index == team)
+    state.held.end = static_cast<int>(robot);
 }
 
-// The place of a range at which C sees the robot on edge a in a direction, or the nearest one.
-double place_towards(const PairRange& range, const Vec2& direction) {
-  const double first = cross(range.a0, direction), last = cross(range.a1, direction);
-  // C sees the edge under less than 180 degrees, so the two differ in sign where it sees the place.
-  const double x = first == last ? range.first : first / (first - last);
-  const bool ahead = dot((1 - x) * range.a0 + x * range.a1, direction) > 0;
-  if (ahead) return std::clamp(x, range.first, range.last);
-  return std::fabs(first) < std::fabs(last) ? range.first : range.last;
+// The number of a moved team's robot whose edge is kept.
+std::size_t number_of(const Placement& placement, const MovedTeam& team) {
+  const std::vector<Robot>& robots = placement.teams[team.team].robots;
+  return team.team * robots.size() + (robots[0].point.edge == team.end.edge ? 0 : 1);
 }
 
-// The chord of the ranges whose robot on edge a is seen from C nearest to a direction.
-std::optional<Chord> chord_towards(const std::vector<PairRange>& ranges, const Vec2& centre,
-                                   const Vec2& direction) {
-  std::optional<Chord> nearest;
-  double best = 0;
-  for (const PairRange& range : ranges) {
-    const double x = place_towards(range, direction);
-    const Vec2 offset = (1 - x) * range.a0 + x * range.a1;
-    const double cosine = dot(offset, direction) / length(offset);
-    if (nearest && cosine <= best) continue;
-    nearest = chord_at(centre, range, x);
-    best = cosine;
-  }
-  return nearest;
-}
-
-bool any_collide(const Placement& placement) {
-  return placement.stands && placement.stands->any_collide(lifting_points(placement.teams));
-}
-
-// A team goes along its range, so far as its chord stays even enough, and robots with a size can stand
-// there without meeting others.
-void move_team(AppState& state, std::size_t number, const Vec2& to) {
-  const Placement& placement = *state.placement;
-  const auto [team, robot] = find_robot(placement.teams, number);
-  const Vec2& centre = placement.centre_of_mass;
-  Chord chord = chord_of(placement.teams[team]);
-  // Edge a of the range is that of the robot.
-  if (robot == 1) std::swap(chord.r1, chord.r2);
-  if (!(length(to - centre) > 0)) return;
-  const auto towards = chord_towards(ranges_of(placement, chord), centre, to - centre);
-  if (!towards) return;
-  state.closed_to.reset();
-  Placement moved = with_chord(placement, team, *towards);
-  if (!any_collide(moved)) return show_moved(state, std::move(moved));
-  if (state.held.kind == Pick::Kind::robot)
-    state.closed_to = nearest_on_outline(placement.vertices(), to);
+const MovedTeam* find_team(const Moved& moved, std::size_t team) {
+  for (const MovedTeam& each : moved.teams)
+    if (each.team == team) return &each;
+  return nullptr;
 }
 
 }  // namespace
 
-void move_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
-  if (state.refusal || !state.placement || state.placement->teams.empty()) return;
-  Placement& placement = *state.placement;
-  if (can_move_teams(placement)) return move_team(state, robot, to);
-  if (placement.settings.method != Method::balanced) return;
-  const BalancedProblem problem(placement.polygon, placement.centre_of_mass, placement.settings);
-  const LiftingPoint wanted = nearest_on_outline(placement.vertices(), to);
-  const auto robots = move_robot(problem, lifting_points(placement.teams), robot, wanted);
+std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   state.closed_to.reset();
-  if (!robots) {
-    if (state.held.kind == Pick::Kind::robot) state.closed_to = wanted;
-    return;
-  }
-  show_moved(state, with_robots(std::move(placement), *robots, true));
+  if (state.refusal || !state.placement || state.placement->teams.empty()) return std::nullopt;
+  const Placement& placement = *state.placement;
+  if (can_move_teams(placement)) return moved_along_range(placement, robot, to);
+  if (placement.settings.method != Method::balanced) return std::nullopt;
+  auto moved = moved_along_outline(placement, robot, nearest_on_outline(placement.vertices(), to));
+  if (!moved) refuse_by_hand(state, to);
+  return moved;
+}
+
+void refuse_by_hand(AppState& state, const Vec2& to) {
+  if (state.held.kind == Pick::Kind::robot)
+    state.closed_to = nearest_on_outline(state.placement->vertices(), to);
+}
+
+void show_moved(AppState& state, std::size_t robot, Placement placement) {
+  drop_search(state);
+  state.placement = std::move(placement);
+  state.document.moved = state.placed.moved = state.placement->moved;
+  ++state.revision;
+  forget_failures(state);
+  const auto [team, end] = find_robot(state.placement->teams, robot);
+  if (const MovedTeam* moved = find_team(state.document.moved, team))
+    follow_grip(state, robot, number_of(*state.placement, *moved));
+  renew_outlook(state);
+  renew_failures(state);
+  follow_card(state);
+  browser::document_changed();
 }
 
 }  // namespace evenlift::view

@@ -9,6 +9,7 @@
 #include "app/search.h"
 #include "evenlift/document.h"
 #include "evenlift/link.h"
+#include "evenlift/moved.h"
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
 #include "evenlift/polygon.h"
@@ -43,7 +44,6 @@ void part_methods(AppState& state, Method former) {
 void adopt(AppState& state, Result<Placement> placement) {
   ++state.revision;
   drop_search(state);
-  state.by_hand = false;
   state.explanation.reset();
   forget_failures(state);
   part_methods(state, state.placed.settings.method);
@@ -51,6 +51,9 @@ void adopt(AppState& state, Result<Placement> placement) {
   if (placement) {
     state.plan_due |= !state.placement || !same_plan(*state.placement, *placement) ||
                       state.placement->settings.capacity != placement->settings.capacity;
+    // The view makes room for larger robots.
+    state.fit_due |=
+        state.camera_follows && !(state.placed.settings.robot == settings(state).robot);
     state.placement = std::move(placement).value();
     state.placed = state.document;
     state.refusal.reset();
@@ -94,6 +97,7 @@ void renew_second(AppState& state) {
   if (!state.second_method) return;
   if (state.second_method == balanced) drop_search(state);
   Document document = state.placed;
+  document.moved = {};
   const std::uint32_t teams = placed_teams(state);
   // So that both methods have as many teams.
   if (!document.settings.teams && document.settings.method != balanced)
@@ -137,7 +141,9 @@ void follow_up(AppState& state) {
   renew_failures(state);
 }
 
-void recompute(AppState& state) {
+// Places the document anew. Robots that were moved by hand go back, unless they are to stay.
+void recompute(AppState& state, bool robots_stay = false) {
+  if (!robots_stay) state.document.moved = {};
   adopt(state, compute_placement(state.document, state.placement, haste(state)));
   follow_up(state);
   follow_placement(state);
@@ -170,6 +176,17 @@ void begin_edit(AppState& state, bool live, Edit edit) {
 // Whether balanced robots are to hold as firmly.
 bool same_margin(const Settings& a, const Settings& b) {
   return a.min_margin == b.min_margin && a.apart == b.apart && a.survive == b.survive;
+}
+
+// Whether robots stand at the same places with both.
+bool stand_alike(Settings a, const Settings& b) {
+  a.weight = b.weight;
+  a.overlays = b.overlays;
+  a.step = b.step;
+  a.capacity = b.capacity;
+  a.com_radius = b.com_radius;
+  a.units = b.units;
+  return a == b;
 }
 
 // The setting that differs, if it is only one.
@@ -344,6 +361,18 @@ void change_beside(AppState& state, bool live, Edit edit, const Change& change) 
   browser::document_changed();
 }
 
+// One step of undo, unless no robot was moved.
+void put_robots_back(AppState& state) {
+  if (!state.document.moved.any()) return;
+  begin_edit(state, false, Edit::robots_reset);
+  recompute(state);
+}
+
+// The steps of a lesson are those of teams where they were found.
+void put_teams_back(AppState& state) {
+  if (!state.document.moved.teams.empty()) put_robots_back(state);
+}
+
 // Undo and redo. Those who cannot see what changed are told.
 void step_back(AppState& state, History::Recalled recalled, const char* what) {
   Document& document = recalled.document;
@@ -356,6 +385,8 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   else
     document.settings.step = state.document.settings.step;
   document.settings.overlays = state.document.settings.overlays;  // neither are the overlays
+  // A lesson would show teams elsewhere.
+  if (!document.moved.teams.empty()) document.settings.step.reset();
   state.document = std::move(document);
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);
@@ -393,8 +424,9 @@ struct Applier {
   void operator()(const SetSettings& c) const {
     if (c.settings == state.document.settings) return;
     begin_edit(state, c.live, edit_between(settings(state), c.settings));
+    const bool robots_stay = stand_alike(c.settings, settings(state));
     state.document.settings = c.settings;
-    recompute(state);
+    recompute(state, robots_stay);
   }
   void operator()(const MoveVertex& c) const {
     if (c.vertex >= state.document.vertices.size() || state.document.vertices[c.vertex] == c.to)
@@ -451,7 +483,7 @@ struct Applier {
     recompute(state);
   }
   void operator()(const EndEdit&) const {
-    if (!state.edit_open) return renew_failures(state);  // a robot was moved by hand
+    if (!state.edit_open) return;
     state.edit_open = false;
     if (state.camera_follows && !centre_is_shown(state)) state.fit_due = true;
     const std::optional<Placement>& placement = state.placement;
@@ -459,10 +491,15 @@ struct Applier {
     trace_whole_search(state);
     follow_up(state);
   }
-  void operator()(const MoveRobot& c) const { move_by_hand(state, c.robot, c.to); }
-  void operator()(const ResetRobots&) const {
-    if (state.by_hand) recompute(state);
+  void operator()(const MoveRobot& c) const {
+    const std::optional<Moved> moved = moved_by_hand(state, c.robot, c.to);
+    if (!moved || *moved == state.document.moved) return;
+    Result<Placement> placement = with_moved(*state.placement, *moved);
+    if (!placement) return refuse_by_hand(state, c.to);  // two robots would meet
+    begin_edit(state, true, Edit::robots_moved);
+    show_moved(state, c.robot, std::move(placement).value());
   }
+  void operator()(const ResetRobots&) const { put_robots_back(state); }
   void operator()(const Undo&) const {
     if (state.history.can_undo())
       step_back(state, state.history.undo(state.document, beside(state)), "Undone: ");
@@ -517,8 +554,7 @@ struct Applier {
   }
   void operator()(const FinishDrawing&) const { finish_drawing(state); }
   void operator()(const OpenWalkthrough&) const {
-    // The steps are those of teams where they were found.
-    if (state.by_hand && settings(state).method != Method::balanced) recompute(state);
+    put_teams_back(state);
     open_walkthrough(state);
   }
   void operator()(const CloseWalkthrough&) const { leave_lesson(state); }
@@ -551,6 +587,7 @@ struct Applier {
   void operator()(const LeaveScript&) const { leave_script(state); }
   void operator()(const ShowAllSteps& c) const { show_all_steps(state, c.all); }
   void operator()(const SetPresenting& c) const {
+    if (c.on && !walkthrough_is_open(state)) put_teams_back(state);
     if (c.on) open_walkthrough(state);
     state.presenting = c.on && walkthrough_is_open(state);
     browser::show_full_screen(state.presenting);
@@ -725,6 +762,7 @@ bool places_nothing(const AppState& state, const Document& edited) {
 std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t> step) {
   std::optional<Trace> made;
   if (step && !walkthrough_is_open(state)) {
+    put_teams_back(state);
     Result<Trace> trace = compute_trace(*state.placement);
     if (!trace) return trace.error();
     made = std::move(trace).value();

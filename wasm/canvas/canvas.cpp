@@ -10,6 +10,7 @@
 #include "canvas/hint.h"
 #include "canvas/painter.h"
 #include "evenlift/candidates.h"
+#include "evenlift/moved.h"
 #include "tools/pick.h"
 #include "walkthrough/walkthrough.h"
 

@@ -45,7 +45,7 @@ void preferences_changed() { evenlift_preferences_changed(); }
 void copy_address(std::string_view link) { evenlift_copy_address(std::string(link).c_str()); }
 void open_dialog(Dialog dialog) {
   constexpr const char* names[] = {"samples", "open", "save",  "table",    "lessons", "experiment",
-                                   "curves",  "keys", "about", "glossary", "welcome"};
+                                   "curves",  "keys", "about", "glossary", "welcome", "optimum"};
   evenlift_open_dialog(names[static_cast<std::size_t>(dialog)]);
 }
 void show_cursor(Cursor cursor) {

@@ -61,11 +61,14 @@ void draw_compare(const Ui& ui) {
     choices.push_back({m.label, m.about});
     of_choice.push_back(m.method);
   }
+  choices.push_back({"Optimum …", "the best choice of as many teams"});
   choices.push_back({"All methods …", "in charts, by the number of teams"});
   const auto chosen = dropdown(ui, "compared", "Compare with", choices, current, width);
   if (!chosen) return;
   if (*chosen + 1 == choices.size())
     ui.push(OpenDialog{browser::Dialog::curves});
+  else if (*chosen + 2 == choices.size())
+    ui.push(OpenDialog{browser::Dialog::optimum});
   else
     ui.push(Compare{*chosen == 0 ? std::nullopt : std::optional<Method>(of_choice[*chosen - 1])});
 }

@@ -17,8 +17,6 @@ struct SizeRow {
   const char *label, *about, *id, *spoken, *setting;
 };
 constexpr SizeRow rows[] = {
-    {&RobotSize::radius, "Radius", "Of the robot's round body", "robot radius", "Radius of a robot",
-     "robot_radius"},
     {&RobotSize::reach, "Reach", "Of the arm, from the body's rim to where it touches the object",
      "robot reach", "Reach of a robot's arm", "robot_reach"},
     {&RobotSize::depth, "Hand's depth", "How far the hand goes beneath the object, where it lifts",
@@ -29,10 +27,31 @@ constexpr SizeRow rows[] = {
      "Gap between two robots", "robot_gap"},
 };
 
+double size_of_object(const Ui& ui) {
+  return ui.state.placement ? ui.state.placement->polygon.diagonal() : 100;
+}
+
 // A step of a size: a hundredth of the object, rounded to one digit.
 double step_of(const Ui& ui) {
-  const double size = ui.state.placement ? ui.state.placement->polygon.diagonal() : 100;
-  return std::pow(10.0, std::floor(std::log10(size / 50)));
+  return std::pow(10.0, std::floor(std::log10(size_of_object(ui) / 50)));
+}
+
+// Up to a tenth of the object, which few places have room for; more can be typed.
+void draw_radius(const Ui& ui) {
+  Settings changed = settings(ui.state);
+  const double radius = changed.robot.radius, coarse = step_of(ui), step = coarse / 10;
+  const double most = std::floor(size_of_object(ui) / 10 / coarse) * coarse;
+  const float width = labelled(ui, "Radius", "Of the robot's round body"), number = 60;
+  const SliderResult moved = slider(ui, "radius", "Radius of a robot, as a slider",
+                                    std::min(radius, most), 0, most, step, width - number);
+  ImGui::SameLine(0, 0);
+  number_field(ui, "robot radius", "Radius of a robot", "robot_radius",
+               plain(moved.changed ? moved.value : radius), number, ui.theme.text);
+  if (moved.changed) {
+    changed.robot.radius = moved.value;
+    ui.push(SetSettings{changed, true});
+  }
+  if (moved.released) ui.push(EndEdit{});
 }
 
 void draw_row(const Ui& ui, const SizeRow& row) {
@@ -87,6 +106,7 @@ void draw_robot_size(const Ui& ui) {
                   ImGui::GetContentRegionAvail().x, useful))
     ui.push(SetRobotOpen{!open});
   if (!open) return;
+  draw_radius(ui);
   for (const SizeRow& row : rows) draw_row(ui, row);
   draw_marks_row(ui);
   if (state.placement && state.placement->stands && !state.refusal)

@@ -109,7 +109,7 @@ void draw_robots_stepper(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width =
       labelled(ui, "Robots", "Any number, odd ones included; all of them bear the same");
-  const float reset = ui.state.by_hand ? 64.0f : 0.0f;
+  const float reset = by_hand(ui.state) ? 64.0f : 0.0f;
   const int by =
       stepper(ui, "robots", std::to_string(changed.robots), width - reset - (reset > 0 ? 8 : 0),
               {.can_lower = changed.robots > fewest_robots(changed),
@@ -160,7 +160,7 @@ void draw_teams_stepper(const Ui& ui) {
   const float width = labelled(
                   ui, "Teams",
                   "Two robots each, at the two ends of a chord through the centre of mass"),
-              for_all = 52, reset = ui.state.by_hand ? 64 : 0;
+              for_all = 52, reset = by_hand(ui.state) ? 64 : 0;
   const std::uint32_t shown = all ? placed_teams(ui.state) : *changed.teams;
   const float stepper_width =
       width - (can_have_all ? for_all + 8 : 0) - (reset > 0 ? reset + 8 : 0);

@@ -184,8 +184,7 @@ std::string link_lacks_in_words(const AppState& state) {
   for (const auto& [lacks, what] :
        {std::pair(state.load_model != LoadModel::plan, "which loads are shown"),
         {failing(state) != nullptr, "that a robot fails"},
-        {state.second_method.has_value(), "the comparison"},
-        {state.by_hand, "where robots were moved by hand"}})
+        {state.second_method.has_value(), "the comparison"}})
     if (lacks) lacking += (lacking.empty() ? "It does not hold " : ", nor ") + std::string(what);
   return lacking.empty() ? lacking : lacking + ".";
 }

@@ -34,7 +34,8 @@ enum class Dialog : std::uint8_t {
   keys,
   about,
   glossary,
-  welcome
+  welcome,
+  optimum
 };
 void open_dialog(Dialog dialog);
 

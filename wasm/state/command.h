@@ -47,7 +47,7 @@ struct Undo {};
 struct Redo {};
 
 // Moves a balanced robot along the outline, and its neighbours follow; or a team along its range, with
-// the robot. This changes the placement and not the document, so it is no step of undo.
+// the robot. It is always live.
 struct MoveRobot {
   std::size_t robot;  // its number, team after team
   Vec2 to;            // the robot goes to the nearest point of the outline

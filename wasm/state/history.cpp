@@ -30,7 +30,9 @@ constexpr const char* words[] = {"opened a polygon",
                                  "changed how well the centre of mass is known",
                                  "changed where teams may stand",
                                  "changed the size of the robots",
-                                 "changed what robots may not touch"};
+                                 "changed what robots may not touch",
+                                 "moved robots by hand",
+                                 "put the robots back"};
 static_assert(std::size(words) == edit_count);
 
 }  // namespace
@@ -38,22 +40,22 @@ static_assert(std::size(words) == edit_count);
 const char* in_words(Edit edit) { return words[static_cast<std::size_t>(edit)]; }
 
 History::Entry History::remember(const Document& document, const Beside& beside, Edit edit) const {
-  for (const std::vector<Entry>* entries : {&past_, &future_}) {
-    if (!entries->empty() && *entries->back().vertices == document.vertices) {
-      return {
-          entries->back().vertices, document.centre_of_mass, document.settings, beside, edit, {}};
-    }
-  }
-  return {std::make_shared<const Points>(document.vertices),
+  std::shared_ptr<const Points> vertices;
+  for (const std::vector<Entry>* entries : {&past_, &future_})
+    if (!vertices && !entries->empty() && *entries->back().vertices == document.vertices)
+      vertices = entries->back().vertices;
+  if (!vertices) vertices = std::make_shared<const Points>(document.vertices);
+  return {std::move(vertices),
           document.centre_of_mass,
           document.settings,
+          document.moved,
           beside,
           edit,
           {}};
 }
 
 Document History::recall(const Entry& entry) {
-  return {*entry.vertices, entry.centre_of_mass, entry.settings};
+  return {*entry.vertices, entry.centre_of_mass, entry.settings, entry.moved};
 }
 
 // The edit leads from one document to the other, so it goes along in both directions.

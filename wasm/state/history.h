@@ -37,9 +37,11 @@ enum class Edit : std::uint8_t {
   com_radius,
   positions,
   robot_size,
-  marks
+  marks,
+  robots_moved,
+  robots_reset
 };
-inline constexpr std::size_t edit_count = 23;
+inline constexpr std::size_t edit_count = 25;
 
 // "moved a vertex". O(1).
 const char* in_words(Edit edit);
@@ -93,6 +95,7 @@ class History {
     std::shared_ptr<const Points> vertices;
     std::optional<Vec2> centre_of_mass;
     Settings settings;
+    Moved moved;
     Beside beside;
     Edit edit = Edit::settings;
     std::string link;  // once it was written

@@ -147,14 +147,28 @@ Layout layout(const AppState& state) {
   return l;
 }
 
+namespace {
+
+// Robots with a size stand around the object. Where they are larger than it, they may be cut off.
+void add_bodies(Points& shown, const Settings& settings) {
+  const RobotSize& robot = settings.robot;
+  const bool placed = settings.method == Method::balanced || selects_candidates(settings.method);
+  if (!placed || !(robot.radius > 0) || shown.empty()) return;
+  const Box box = bounding_box(shown);
+  const double out = std::min(2 * robot.radius + robot.reach, box.diagonal());
+  shown.push_back(box.low - Vec2(out, out));
+  shown.push_back(box.high + Vec2(out, out));
+}
+
+}  // namespace
+
 Camera fitting_camera(const AppState& state) {
   const Rect room = layout(state).room;
   if (state.backdrop && state.tool == Tool::draw)
     return fit({state.backdrop->low, state.backdrop->high}, room);
-  const std::optional<Vec2>& centre = state.document.centre_of_mass;
-  if (!centre) return fit(state.document.vertices, room);
   Points shown = state.document.vertices;
-  shown.push_back(*centre);
+  if (state.document.centre_of_mass) shown.push_back(*state.document.centre_of_mass);
+  add_bodies(shown, settings(state));
   return fit(shown, room);
 }
 

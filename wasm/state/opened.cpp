@@ -17,12 +17,10 @@ Result<Opened> opened(Result<Document> document) {
 }
 
 // The check of a polygon is spared if it is known.
-Result<Placement> placed(const Document& document, const Settings& settings, const Polygon* known) {
+Result<Placement> placed(const Document& document, const Polygon* known) {
   if (known && known->vertices() == document.vertices)
-    return place(*known, document.centre_of_mass, settings, Effort::start);
-  Document with_settings = document;
-  with_settings.settings = settings;
-  return place(with_settings, Effort::start);
+    return place(*known, document.centre_of_mass, document.settings, Effort::start, document.moved);
+  return place(document, Effort::start);
 }
 
 // t teams are exchanged among K candidates in at most about t^3 K times 0.6 microseconds, and 1.6 times
@@ -48,13 +46,14 @@ Result<Placement> compute_placement(const Document& document,
   ++so_far.placements;
   const Settings& settings = document.settings;
   const Polygon* known = before ? &before->polygon : nullptr;
-  if (!exchanges_teams(settings)) return placed(document, settings, known);
-  Settings as_selected = settings;
-  as_selected.goal = Goal::cover;
-  Result<Placement> selected = placed(document, as_selected, known);
+  if (!exchanges_teams(settings)) return placed(document, known);
+  Document as_selected = document;
+  as_selected.settings.goal = Goal::cover;
+  as_selected.moved = {};
+  Result<Placement> selected = placed(as_selected, known);
   if (!selected) return selected;
   const double most = haste == Haste::drag ? most_in_a_drag : most_at_rest;
-  if (exchange_cost(*selected) <= most) return placed(document, settings, &selected->polygon);
+  if (exchange_cost(*selected) <= most) return placed(document, &selected->polygon);
   if (auto error = check_exchanges(selected->candidates.size(), settings.teams.value_or(max_teams),
                                    selected->stands.get()))
     return *error;
@@ -73,6 +72,8 @@ Result<Trace> compute_trace(const Placement& placement, HistoryLength length) {
 Computed computed() { return so_far; }
 
 Result<Opened> opened(Document document) {
+  // A lesson shows teams where they were found.
+  if (document.settings.step) document.moved.teams.clear();
   Result<Placement> placement = compute_placement(document);
   if (!placement) return placement.error();
   return Opened{std::move(document), std::move(placement).value(), std::nullopt};

@@ -127,7 +127,6 @@ struct AppState {
   std::optional<Failure> failure;                     // the robot that somebody let fail
   bool motion = true;  // changes are animated, except with reduced motion
   Search search;
-  bool by_hand = false;  // somebody moved the robots from where they were found
   std::optional<LiftingPoint>
       closed_to;  // where the robot is wanted that is dragged, if the others
                   // cannot follow it there
@@ -178,6 +177,11 @@ inline const Placement& shown_placement(const AppState& state, bool second = fal
 inline const Outlook& shown_outlook(const AppState& state, bool second = false) {
   if (second) return state.second_outlook;
   return failing(state) ? failing(state)->outlook : state.outlook;
+}
+
+// Whether somebody moved robots of the first picture from where they were found. O(1).
+inline bool by_hand(const AppState& state) {
+  return state.placement && state.placement->moved.any();
 }
 
 // The settings in force. O(1).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evenlift/moved.h"
 #include "evenlift/output/picture.h"
 #include "evenlift/plane.h"
 
@@ -94,6 +95,14 @@ Pick candidate_at(const AppState& state, const Placement& placement, const Vec2&
 
 namespace {
 
+// Whether the card about this robot is open.
+bool is_asked_about(const AppState& state, const Pick& pick) {
+  if (pick.kind != Pick::Kind::robot || !state.explanation || state.explanation->second)
+    return false;
+  const std::size_t in_team = shown_placement(state).teams.front().robots.size();
+  return state.explanation->robot == pick.index * in_team + static_cast<std::size_t>(pick.end);
+}
+
 // CSS pixels between the ring and its grip.
 double grip_stands_off(const AppState& state) { return state.screen.finger ? 40 : 28; }
 
@@ -132,8 +141,10 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
   if (placement) {
     const Pick robot = robot_at(state, *placement, screen);
     const auto away = [&](const Pick& p) { return distance(state.camera.to_screen(p.at), screen); };
+    // On a vertex the robot whose card is open comes first: so it can be taken there.
+    const bool first = !second && is_asked_about(state, robot) && can_take_robot(state, robot);
     if (robot.kind != Pick::Kind::none &&
-        (found.kind == Pick::Kind::none || away(robot) < away(found)))
+        (found.kind == Pick::Kind::none || first || away(robot) < away(found)))
       found = robot;
   }
   if (found.kind == Pick::Kind::none) found = edge_at(state, screen);
@@ -145,11 +156,6 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
   }
   found.second = second;
   return found;
-}
-
-bool can_move_teams(const Placement& placement) {
-  return placement.settings.positions == Positions::range &&
-         selects_candidates(placement.settings.method);
 }
 
 bool can_take_robot(const AppState& state, const Pick& pick) {

@@ -5,13 +5,11 @@
 
 namespace evenlift::view {
 
-// What is at `screen`, in CSS pixels. The nearest vertex, centre of mass or robot comes first; then
+// What is at `screen`, in CSS pixels. The nearest vertex, centre of mass or robot comes first, and a robot
+// that can be moved before the vertex on which it stands while its card is open; then
 // edges, chords, candidates that are shown, and last the object. In the picture of the second method robots and chords
 // are that method's. O(vertices + teams).
 Pick pick(const AppState& state, const Vec2& screen, bool second = false);
-
-// Whether the teams of a placement can be moved along their ranges: they may stand anywhere in them.
-bool can_move_teams(const Placement& placement);
 
 // Whether what was picked is a robot that can be moved by hand: a balanced one that two others can
 // follow, or one of a team that may stand anywhere in its range.

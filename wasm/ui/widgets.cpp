@@ -425,7 +425,9 @@ SliderResult slider(const Ui& ui, const char* id, const char* label, double valu
         std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - from) / (to - from)), 0.0, 1.0);
     // Steps are decimals: dividing two integers gives the double nearest to the one shown.
     const double steps = std::round(1 / step);
-    const double wanted = std::round(track.value(share) * steps) / steps;
+    const double at = track.value(share);
+    const double wanted =
+        step < 1 ? std::round(at * steps) / steps : std::min(std::round(at / step) * step, high);
     result.changed = wanted != value;
     result.value = wanted;
   }

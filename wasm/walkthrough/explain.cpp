@@ -142,7 +142,7 @@ Explanation explain(const AppState& state, const Pick& pick) {
     return explanation;
   }
   // A placement whose trace would be too long is explained by its numbers alone.
-  const bool moved = !pick.second && state.by_hand;  // and not where the algorithm put them
+  const bool moved = !pick.second && by_hand(state);  // and not where the algorithm put them
   std::optional<Result<Trace>> made;
   if (!moved) made = compute_trace(placement);
   const Trace* trace = made && *made ? &**made : nullptr;

@@ -1,4 +1,5 @@
-// A worker that measures polygons for the window of experiments (experiment.js), so that the page stays smooth.
+// A worker that measures polygons for the window of experiments (experiment.js), and compares with the optimum
+// (../windows/optimum.js), so that the page stays smooth.
 import createModule from "./experiment_core.js";
 import { Program } from "../page/program.js";
 
@@ -8,6 +9,10 @@ const tasks = {
   begin: (program, { minRatio, samples, weight, mostTeams, mostBalanced }) => program.text("experiment_begin", minRatio, samples, weight, mostTeams, mostBalanced),
   measure: (program, { set, name, text, method }) => program.text("experiment_measure", set, name, text, method),
   refuse: (program, { set, name, problem }) => program.text("experiment_refuse", set, name, problem),
+  optimum(program, { link, seconds }) {
+    const lines = program.text("optimum_compare", link, seconds);
+    return { lines, pictures: lines.startsWith("problem") ? [] : [0, 1].map((best) => program.text("optimum_picture", best)) };
+  },
   results(program, { parts, onePolygon }) {
     for (const part of parts) if (!program.number("experiment_add", part)) throw new Error("a part cannot be read");
     return JSON.parse(program.text("experiment_results", onePolygon ? 1 : 0));

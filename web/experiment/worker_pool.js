@@ -38,6 +38,22 @@ class PooledWorker {
   }
 }
 
+// The answer of a worker of its own to one task; its work ends if `signal` aborts.
+export function askWorker(task, given, signal) {
+  return underWay(askOne(task, given, signal));
+}
+
+async function askOne(task, given, signal) {
+  const worker = new PooledWorker();
+  signal.addEventListener("abort", () => worker.end(signal.reason), { once: true });
+  try {
+    signal.throwIfAborted();
+    return await worker.ask(task, given);
+  } finally {
+    worker.end(new Error("ended"));
+  }
+}
+
 // One processor is left to the page. Each worker has memory of its own, so there are at most four.
 const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
 

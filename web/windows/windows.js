@@ -8,6 +8,7 @@ export { show as keys } from "./keys.js";
 export { beginFromAddress } from "./lesson_source.js";
 export { show as lessons } from "./lessons.js";
 export { newVersion } from "./new_version.js";
+export { show as optimum } from "./optimum.js";
 export { show as open, take } from "./open.js";
 export { show as save } from "./save.js";
 export { show as table } from "./table.js";

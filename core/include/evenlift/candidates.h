@@ -80,6 +80,9 @@ Chord chord_at(const Vec2& centre, const PairRange& range, double x);
 // of the two edges is called a. O(1).
 double place_at(const PairRange& range, double s);
 
+// The place of the range at which C sees the end on edge a in a direction, or the one nearest to it. O(1).
+double place_towards(const PairRange& range, const Vec2& direction);
+
 // The two range candidates of a pair are at place_at(range, s) for these s. At the very ends of the
 // range robots would often stand on corners, where they hold nothing.
 inline constexpr double range_places[] = {1.0 / 16, 15.0 / 16};

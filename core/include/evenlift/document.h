@@ -25,6 +25,7 @@ inline constexpr std::uint32_t least_robots = 2;          // balanced
 inline constexpr std::uint32_t most_robots = 64;          // balanced
 inline constexpr std::uint32_t most_survived = 30;        // 2 F + 3 robots survive F failures
 inline constexpr std::size_t most_no_go = 1000;           // parts of edges that must not be touched
+inline constexpr std::size_t most_moved_teams = 1000;     // by hand
 
 // How teams are chosen (algorithm.md, Selection; thesis 3.3 and 5.2).
 enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced };
@@ -136,10 +137,37 @@ Goal goal_of(const Settings& settings);
 // Whether teams of two are exchanged until they hold (exchange.h). O(1).
 bool exchanges_teams(const Settings& settings);
 
+// A point of an edge, as a part of its length from its first vertex, 0 .. 1.
+struct EdgePoint {
+  std::uint32_t edge = 0;  // from 0
+  double part = 0;
+  bool operator==(const EdgePoint&) const = default;
+};
+
+// A team of two that somebody moved along its range: its chord goes from a point of one edge through C to
+// another edge.
+struct MovedTeam {
+  std::uint32_t team = 0;  // from 0
+  EdgePoint end;
+  std::uint32_t opposite = 0;  // the other edge, from 0
+  bool operator==(const MovedTeam&) const = default;
+};
+
+// Robots that somebody moved by hand from where the method puts them: balanced ones, all of them in their
+// row by the points that they touch; or teams of two, each at most once and in ascending order. At most
+// one of the two is there. moved.h says where they may stand.
+struct Moved {
+  std::vector<EdgePoint> robots;  // at most most_robots
+  std::vector<MovedTeam> teams;   // at most most_moved_teams
+  bool any() const { return !robots.empty() || !teams.empty(); }
+  bool operator==(const Moved&) const = default;
+};
+
 struct Document {
   Points vertices;                     // in the order given, either orientation
   std::optional<Vec2> centre_of_mass;  // none means the centroid of the area
   Settings settings;
+  Moved moved = {};
 };
 
 }  // namespace evenlift

@@ -66,9 +66,9 @@ std::optional<SpringLoads> springs_without(const Placement& placement, std::size
 // one; or with a size what it leaves of that (candidates.h). O(1), and O(stretches of a times those of b).
 std::vector<PairRange> ranges_of(const Placement& placement, const Chord& chord);
 
-// The placement with one team on another chord, where somebody moved it. Its teams are then not those
-// that were chosen: team_candidates is empty. O(n log n).
-Placement with_chord(Placement placement, std::size_t team, const Chord& chord);
+// The placement with its teams on these of its candidates, such as the best choice of optimum.h, in place of
+// those that the method chose. O(n log n).
+Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates);
 
 // The placement while the robot with this number fails, for pictures and words. All robots are still
 // in their row; H, coverage, closure and loads are those of the others, who share the weight by

@@ -36,6 +36,7 @@ struct Placement {
   std::optional<LoadSummary> loads;  // none without teams
   Closure closure;
   bool goal_reached = false;  // robots are placed, and with the goal to hold in form closure
+  Moved moved = {};           // robots that somebody moved from where the method puts them
   bool search_ended = true;   // false where a search or exchanges may still find better robots
 };
 
@@ -63,7 +64,8 @@ Result<Placement> place(const Document& document, Effort effort = Effort::whole)
 // The same for a polygon that is checked already: who moves its centre of mass or changes settings
 // need not pay for the check, which takes two thirds of the time for a coast of 20,000 vertices.
 Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
-                        const Settings& settings, Effort effort = Effort::whole);
+                        const Settings& settings, Effort effort = Effort::whole,
+                        const Moved& moved = {});
 
 // The placement with other balanced robots, which a search found or somebody placed. Their centroid
 // must be C. O(n log n).

@@ -80,12 +80,22 @@ InputError setting_error(Setting setting);
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
 // hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text and any
 // value out of range is an error and changes nothing. loads and failed are no settings of a document
-// and always an error. O(bytes).
+// and always an error. All but weight, overlays, step, com_radius, capacity, unit and weight_unit say where
+// robots stand: they put robots that were moved by hand back. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
 // The texts of two settings as read_setting() takes them. O(bytes).
 std::string robot_text(const RobotSize& robot);
 std::string no_go_text(const std::vector<EdgePart>& no_go);
+
+// Robots that were moved by hand, as text: balanced ones each as EDGE:PART, teams as TEAM@EDGE:PART/EDGE,
+// numbers from 1 and parts from 0 to 1, with commas between them, such as "3:0.25,5:0.5,9:1" or
+// "2@3:0.25/9"; without any, nothing. And back: nothing if the text is none of the two. O(bytes).
+std::string moved_text(const Moved& moved);
+std::optional<Moved> read_moved(std::string_view text);
+
+// Whether their numbers are within their bounds, and teams in ascending order. O(robots).
+bool is_moved(const Moved& moved);
 
 // The number of the robot that fails, from 1, from text: a whole number, or "none", which is 0. O(bytes).
 std::optional<std::uint64_t> read_failed(std::string_view text);

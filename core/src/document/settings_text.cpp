@@ -295,6 +295,22 @@ bool read(Setting setting, std::string_view text, Document& document) {
   return false;
 }
 
+// Whether the setting has a say in where robots stand.
+bool places_robots(Setting setting) {
+  switch (setting) {
+    case Setting::weight:
+    case Setting::overlays:
+    case Setting::step:
+    case Setting::capacity:
+    case Setting::com_radius:
+    case Setting::unit:
+    case Setting::weight_unit:
+      return false;
+    default:
+      return true;
+  }
+}
+
 }  // namespace
 
 std::string_view name(Setting setting) { return entry(setting).name; }
@@ -314,8 +330,9 @@ InputError setting_error(Setting setting) {
 }
 
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document) {
-  if (read(setting, text, document)) return std::nullopt;
-  return setting_error(setting);
+  if (!read(setting, text, document)) return setting_error(setting);
+  if (places_robots(setting)) document.moved = {};
+  return std::nullopt;
 }
 
 std::optional<std::uint64_t> read_failed(std::string_view text) {

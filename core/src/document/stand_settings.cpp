@@ -18,17 +18,6 @@ constexpr NamedSize sizes[] = {{"r", &RobotSize::radius},
                                {"width", &RobotSize::width},
                                {"gap", &RobotSize::gap}};
 
-// Calls read(word) for each word between commas until one of them is refused. Returns whether none is.
-template <class Read>
-bool for_each_word(std::string_view text, Read read) {
-  while (true) {
-    const std::size_t comma = text.find(',');
-    if (!read(text.substr(0, comma))) return false;
-    if (comma == std::string_view::npos) return true;
-    text.remove_prefix(comma + 1);
-  }
-}
-
 const NamedSize* size_of_name(std::string_view name) {
   for (const NamedSize& size : sizes)
     if (size.name == name) return &size;

@@ -8,6 +8,17 @@
 
 namespace evenlift {
 
+// Calls read(word) for each word between commas until one of them is refused. Returns whether none is.
+template <class Read>
+bool for_each_word(std::string_view text, Read read) {
+  while (true) {
+    const std::size_t comma = text.find(',');
+    if (!read(text.substr(0, comma))) return false;
+    if (comma == std::string_view::npos) return true;
+    text.remove_prefix(comma + 1);
+  }
+}
+
 // Each returns whether the text is a value of its setting, and changes the setting only then. O(bytes).
 bool read_size(std::string_view text, double& size);
 bool read_robot(std::string_view text, RobotSize& robot);

@@ -37,6 +37,7 @@ class JsonShapes {
   std::optional<InputError> take_balanced(Document& document) const;
   std::optional<InputError> take_beyond(Document& document) const;
   std::optional<InputError> take_stands(Document& document) const;
+  std::optional<InputError> take_moved(Document& document) const;
   std::optional<InputError> take_doubt(Document& document) const;
   std::optional<InputError> take_settings(Document& document);
   std::optional<InputError> take_overlays(Index overlays, Settings& settings) const;
@@ -165,7 +166,20 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
     if (const auto at = tree_.member(0, name); is(at, Kind::string))
       if (auto wrong = set(setting, *at, tree_.text(*at))) return wrong;
   if (auto wrong = take_stands(document)) return wrong;
+  if (auto wrong = take_moved(document)) return wrong;
   return take_doubt(document);
+}
+
+// Where robots were moved by hand. This comes after the settings, which put robots back.
+std::optional<InputError> JsonShapes::take_moved(Document& document) const {
+  const auto at = tree_.member(0, "moved");
+  if (!is(at, Kind::string)) return std::nullopt;
+  auto moved = read_moved(tree_.text(*at));
+  if (!moved)
+    return error(*at, ErrorCode::bad_setting,
+                 "the robots that were moved are such as 3:0.25,5:0.5,9:1 or 2@3:0.25/9");
+  document.moved = *std::move(moved);
+  return std::nullopt;
 }
 
 // The robots' size and the marked edges.

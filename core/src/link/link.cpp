@@ -74,6 +74,10 @@ std::optional<InputError> check_linkable(const Document& document) {
     const Place place{Place::Kind::centre_of_mass, 0, 0, {}};
     if (auto error = check_point(*document.centre_of_mass, place)) return error;
   }
+  if (!is_moved(document.moved)) {
+    return InputError{
+        ErrorCode::bad_setting, "robots that were moved by hand stand where none can", {}};
+  }
   return check_ranges(document.settings);
 }
 

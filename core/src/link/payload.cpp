@@ -129,7 +129,7 @@ Document document_of(const Content& content) {
 }  // namespace
 
 LinkVersion version_for(const Document& document) {
-  return records_of(document.settings).empty() ? LinkVersion::one : LinkVersion::two;
+  return records_of(document).empty() ? LinkVersion::one : LinkVersion::two;
 }
 
 Digits encode_payload(const Document& document) {
@@ -137,7 +137,7 @@ Digits encode_payload(const Document& document) {
   bool first = true;
   for (QuantizedPolygon& candidate : likely_encodings(document.vertices)) {
     Content content{document.settings, std::move(candidate.quantized), document.centre_of_mass,
-                    version_for(document), records_of(document.settings)};
+                    version_for(document), records_of(document)};
     Digits digits = encode_in(candidate.encoding, content);
     if (first || digits.size() < best.size()) best = std::move(digits);
     first = false;
@@ -159,7 +159,7 @@ Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits
   // In each encoding a document has one link only. So no two links mean the same, and nothing can
   // hide in a link.
   content.quantized = quantize(encoding.scale, document.vertices);
-  content.records = records_of(document.settings);
+  content.records = records_of(document);
   if (version_for(document) != version) return NoPayload{};
   const Digits again = encode_in(encoding, content);
   if (!std::equal(again.begin(), again.end(), digits.begin(), digits.end())) return NoPayload{};

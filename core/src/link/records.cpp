@@ -88,13 +88,27 @@ void add_goal_of_teams(Records& records, const Settings& settings) {
   add_min_margin(records, settings);
 }
 
+// Whether robots were moved that the method places.
+bool has_moved(const Document& document) {
+  const Moved& moved = document.moved;
+  return document.settings.method == Method::balanced ? !moved.robots.empty()
+                                                      : !moved.teams.empty();
+}
+
+bool take_moved(const std::string& text, Document& document) {
+  auto moved = read_moved(text);
+  if (moved) document.moved = *std::move(moved);
+  return moved.has_value();
+}
+
 }  // namespace
 
 bool is_known(Tag tag) {
-  return tag == Tag::halo || tag == Tag::units || setting_of(tag).has_value();
+  return tag == Tag::halo || tag == Tag::units || tag == Tag::moved || setting_of(tag).has_value();
 }
 
-Records records_of(const Settings& settings) {
+Records records_of(const Document& document) {
+  const Settings& settings = document.settings;
   Records records;
   if (settings.method == Method::balanced)
     add_balanced(records, settings);
@@ -109,6 +123,7 @@ Records records_of(const Settings& settings) {
   if (!settings.no_go.empty()) records.push_back({Tag::no_go, no_go_text(settings.no_go)});
   if (!(settings.units == Units{})) records.push_back({Tag::units, units_text(settings.units)});
   if (settings.overlays.halo) records.push_back({Tag::halo, shown});
+  if (has_moved(document)) records.push_back({Tag::moved, moved_text(document.moved)});
   return records;
 }
 
@@ -124,8 +139,10 @@ bool take_records(const Records& records, Document& document) {
       document.settings.overlays.halo = true;
       continue;
     }
-    if (record.tag == Tag::units) {
-      if (!take_units(record.payload, document)) return false;
+    if (record.tag == Tag::units || record.tag == Tag::moved) {
+      const bool units = record.tag == Tag::units;
+      if (!(units ? take_units(record.payload, document) : take_moved(record.payload, document)))
+        return false;
       continue;
     }
     if (record.tag == Tag::robots) document.settings.method = Method::balanced;

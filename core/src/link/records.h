@@ -29,6 +29,7 @@ enum class Tag : std::uint8_t {
   no_go = 10,
   units = 11,  // of lengths and of weights, with a comma before the latter
   halo = 18,   // an overlay, which has no setting of its own
+  moved = 19,  // robots that were moved by hand
   // Reserved.
   cargo = 12,
   holes = 13,
@@ -44,8 +45,9 @@ struct Record {
 };
 using Records = std::vector<Record>;
 
-// The records that these settings need; none if a link of version 1 can hold all of them. O(1).
-Records records_of(const Settings& settings);
+// The records that the document needs; none if a link of version 1 can hold all of it. O(robots that were
+// moved).
+Records records_of(const Document& document);
 
 // Takes over what the records say, which must be of known tags. Returns whether each of them has a
 // value that its setting may have. O(bytes).
@@ -59,6 +61,7 @@ bool is_known(Tag tag);
 // The longest payload that a writer makes, in bytes: a number has at most 24. O(1).
 constexpr std::size_t longest_value(Tag tag) {
   if (tag == Tag::robot) return 5 * 32;
+  if (tag == Tag::moved) return 64 * most_moved_teams;
   return tag == Tag::no_go ? 64 * most_no_go : 32;
 }
 

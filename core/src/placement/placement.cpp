@@ -7,10 +7,12 @@
 #include "evenlift/balanced.h"
 #include "evenlift/exchange.h"
 #include "evenlift/hull.h"
+#include "evenlift/moved.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings_text.h"
 #include "evenlift/tolerance.h"
+#include "placement/describe.h"
 
 namespace evenlift {
 namespace {
@@ -63,12 +65,6 @@ void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& point
   placement.goal_reached = reaches_goal(placement);
 }
 
-// Fills in everything that follows from the teams.
-void describe_grasp(Placement& placement) {
-  placement.loads = summarize_loads(placement.teams);
-  describe_grasp(placement, lifting_points(placement.teams));
-}
-
 // Gives the robots these loads, in their row.
 void take_loads(Placement& placement, const std::vector<double>& loads) {
   std::size_t number = 0;
@@ -86,10 +82,11 @@ void take_loads(Placement& placement, const std::vector<double>& loads) {
 // Of all robots but one.
 LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
   LoadSummary summary = *summarize_loads(placement.teams);
-  std::vector<double> others = planned_loads(placement.teams);
-  others.erase(others.begin() + static_cast<std::ptrdiff_t>(robot));
-  summary.min = *std::min_element(others.begin(), others.end());
-  summary.mean = placement.settings.weight / static_cast<double>(others.size());
+  const std::vector<double> loads = planned_loads(placement.teams);
+  summary.min = summary.max;
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    if (i != robot) summary.min = std::min(summary.min, loads[i]);
+  summary.mean = placement.settings.weight / static_cast<double>(loads.size() - 1);
   summary.spread = summary.max - summary.min;
   return summary;
 }
@@ -148,6 +145,11 @@ std::optional<InputError> check_balanced(const Settings& settings) {
 
 }  // namespace
 
+void describe_grasp(Placement& placement) {
+  placement.loads = summarize_loads(placement.teams);
+  describe_grasp(placement, lifting_points(placement.teams));
+}
+
 std::vector<LiftingPoint> contact_points(const Placement& placement) {
   return touched(placement, lifting_points(placement.teams));
 }
@@ -171,11 +173,12 @@ Result<Placement> place(const Document& document, Effort effort) {
   if (auto error = check_settings(document.settings)) return *error;
   auto polygon = Polygon::create(document.vertices);
   if (!polygon) return polygon.error();
-  return place(*std::move(polygon), document.centre_of_mass, document.settings, effort);
+  return place(*std::move(polygon), document.centre_of_mass, document.settings, effort,
+               document.moved);
 }
 
 Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
-                        const Settings& settings, Effort effort) {
+                        const Settings& settings, Effort effort, const Moved& moved) {
   if (auto error = check_settings(settings)) return *error;
   const auto centre = check_centre_of_mass(polygon, centre_of_mass);
   if (!centre) return centre.error();
@@ -194,7 +197,9 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   placement.settings = settings;
   placement.candidates = std::move(*candidates);
   placement.requested_teams = requested_teams(placement);
-  choose_teams(placement, effort);
+  // Where all robots were moved nobody need look for them.
+  if (moved.robots.empty()) choose_teams(placement, effort);
+  if (moved.any()) return with_moved(std::move(placement), moved);
   describe_grasp(placement);
   return placement;
 }
@@ -203,6 +208,7 @@ Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robo
                       bool search_ended) {
   placement.teams = {team_of(placement, robots)};
   placement.search_ended = search_ended;
+  placement.moved = {};
   describe_grasp(placement);
   return placement;
 }
@@ -217,12 +223,13 @@ std::vector<PairRange> ranges_of(const Placement& placement, const Chord& chord)
   return {};
 }
 
-Placement with_chord(Placement placement, std::size_t team, const Chord& chord) {
+Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates) {
   std::vector<Chord> chords;
-  for (const Team& each : placement.teams) chords.push_back(chord_of(each));
-  chords[team] = chord;
+  chords.reserve(candidates.size());
+  for (const std::uint32_t i : candidates) chords.push_back(placement.candidates[i].chord);
   placement.teams = distribute_weight(chords, placement.settings.weight);
-  placement.team_candidates.clear();
+  placement.team_candidates = std::move(candidates);
+  placement.moved = {};
   describe_grasp(placement);
   return placement;
 }

@@ -242,6 +242,12 @@ void trace_exchanges(Trace& trace) {
 }  // namespace
 
 Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
+  // The steps are those of teams where they were found.
+  if (!placement.moved.teams.empty()) {
+    const auto found = place(placement.polygon, placement.centre_of_mass, placement.settings);
+    if (!found) return found.error();
+    return make_trace(*found, length);
+  }
   Trace trace{.placement = placement,
               .polygon = placement.polygon,
               .centre = placement.centre_of_mass,

@@ -111,6 +111,10 @@ void add_beyond(std::vector<json::Member>& members, const Settings& settings) {
     members.push_back({"min_margin", json::number(settings.min_margin)});
 }
 
+void add_moved(std::vector<json::Member>& members, const Moved& moved) {
+  if (moved.any()) members.push_back({"moved", json::text(moved_text(moved))});
+}
+
 std::string robot_json(const RobotSize& robot) {
   return json::object({{"radius", json::number(robot.radius)},
                        {"reach", json::number(robot.reach)},
@@ -181,6 +185,7 @@ std::string placement_json(const Placement& placement, bool with_candidates,
     add_balanced(members, settings);
   else
     add_beyond(members, settings);
+  add_moved(members, placement.moved);
   if (placement.stands) {
     members.push_back({"robot", robot_json(settings.robot)});
     members.push_back({"no_go", json::text(no_go_text(settings.no_go))});
@@ -214,6 +219,7 @@ std::string document_json(const Document& document) {
   add_units(members, settings.units);
   if (exchanges_teams(settings)) members.push_back({"goal", json::text(name(Goal::hold))});
   if (settings.method != Method::balanced) add_beyond(members, settings);
+  add_moved(members, document.moved);
   return json::long_object(members, 0) + "\n";
 }
 

@@ -1,0 +1,256 @@
+#include "evenlift/moved.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "evenlift/balanced.h"
+#include "evenlift/candidates.h"
+#include "evenlift/placed_robots.h"
+#include "evenlift/settings_text.h"
+#include "evenlift/stands.h"
+#include "evenlift/tolerance.h"
+#include "placement/describe.h"
+
+namespace evenlift {
+namespace {
+
+InputError refused(std::string why) {
+  return {ErrorCode::bad_setting, std::move(why), {Place::Kind::option, 0, 0, "moved"}};
+}
+
+std::string numbered(const char* word, std::size_t index) {
+  return word + (" " + std::to_string(index + 1));
+}
+
+// --- Points of edges
+
+Vec2 position_of(const Polygon& polygon, const EdgePoint& point) {
+  // Exact at both ends.
+  return (1 - point.part) * polygon.edge_start(point.edge) +
+         point.part * polygon.edge_end(point.edge);
+}
+
+EdgePoint edge_point(const Polygon& polygon, std::uint32_t edge, const Vec2& at) {
+  constexpr double decimals = 1e12;
+  const Vec2 &a = polygon.edge_start(edge), &b = polygon.edge_end(edge);
+  const double part = std::clamp(dot(at - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+  return {edge, std::round(part * decimals) / decimals + 0.0};
+}
+
+// --- Balanced robots
+
+LiftingPoint lifting_point(const Placement& placement, const EdgePoint& contact) {
+  const LiftingPoint touched{position_of(placement.polygon, contact), contact.edge};
+  return placement.stands ? placement.stands->lifting_point(touched) : touched;
+}
+
+std::optional<InputError> check_balanced(const Placement& placement,
+                                         const std::vector<LiftingPoint>& robots) {
+  Vec2 sum = Vec2::Zero();
+  for (const LiftingPoint& robot : robots) sum += robot.position - placement.centre_of_mass;
+  if (length(sum) >
+      near_distance(placement.polygon.diagonal()) * static_cast<double>(robots.size()))
+    return refused("the centroid of the robots is not the centre of mass");
+  const Stands* stands = placement.stands.get();
+  if (!stands) return std::nullopt;
+  for (std::size_t i = 0; i < robots.size(); ++i)
+    if (!stands->can_lift(robots[i])) return refused(numbered("robot", i) + " has no room there");
+  if (stands->any_collide(robots)) return refused("two robots get into each other's way");
+  return std::nullopt;
+}
+
+Result<Placement> with_balanced(Placement placement, const std::vector<EdgePoint>& contacts) {
+  const std::size_t number = placement.settings.robots;
+  if (placement.settings.method != Method::balanced || contacts.size() != number)
+    return refused("there are " + std::to_string(contacts.size()) +
+                   " balanced robots, but others were asked for");
+  std::vector<LiftingPoint> robots;
+  for (const EdgePoint& contact : contacts) {
+    if (contact.edge >= placement.vertices().size())
+      return refused("there is no " + numbered("edge", contact.edge));
+    robots.push_back(lifting_point(placement, contact));
+  }
+  if (auto error = check_balanced(placement, robots)) return *std::move(error);
+  return with_robots(std::move(placement), robots, true);
+}
+
+// --- Teams of two
+
+// A chord with its end on edge `a` before that on edge `b`, whichever is left.
+struct Turned {
+  std::uint32_t a = 0, b = 0;
+  Chord chord;
+  Vec2 on_a = Vec2::Zero(), on_b = Vec2::Zero();
+};
+
+// The cosine of the angle between two directions.
+double closeness(const Vec2& direction, const Vec2& wanted) {
+  return dot(direction, wanted) / (length(direction) * length(wanted));
+}
+
+// The chord on two edges whose end on `a` is nearest to a direction from C; nothing if no chord on them is
+// even enough.
+std::optional<Turned> towards(const Placement& placement, std::uint32_t a, std::uint32_t b,
+                              const Vec2& direction) {
+  Chord ends;
+  ends.r1.edge = a;
+  ends.r2.edge = b;
+  const Vec2& centre = placement.centre_of_mass;
+  std::optional<Turned> nearest;
+  for (const PairRange& range : ranges_of(placement, ends)) {
+    const Chord chord = chord_at(centre, range, place_towards(range, direction));
+    const bool a_is_left = chord.r1.edge == a;
+    const Turned turned{a, b, chord, a_is_left ? chord.r1.position : chord.r2.position,
+                        a_is_left ? chord.r2.position : chord.r1.position};
+    if (!nearest ||
+        closeness(turned.on_a - centre, direction) > closeness(nearest->on_a - centre, direction))
+      nearest = turned;
+  }
+  return nearest;
+}
+
+// The edges on which a lifting point is: two at a vertex.
+struct EdgesAt {
+  std::array<std::uint32_t, 2> edges{};
+  std::size_t count = 1;
+};
+
+EdgesAt edges_at(const Polygon& polygon, std::uint32_t edge, const Vec2& at) {
+  const double near = near_distance(polygon.diagonal());
+  const auto n = static_cast<std::uint32_t>(polygon.vertices().size());
+  EdgesAt found{{edge, edge}, 1};
+  if (length(at - polygon.edge_start(edge)) <= near)
+    found = {{edge, edge == 0 ? n - 1 : edge - 1}, 2};
+  else if (length(at - polygon.edge_end(edge)) <= near)
+    found = {{edge, static_cast<std::uint32_t>(polygon.next(edge))}, 2};
+  return found;
+}
+
+// The chord nearest to a direction on the edges of the present one, and on those that meet them at a vertex
+// on which it ends.
+std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
+                                 const Vec2& direction) {
+  const Vec2& centre = placement.centre_of_mass;
+  constexpr double rounding = 1e-12;
+  double best = closeness(now.on_a - centre, direction) + rounding;
+  std::optional<Turned> next;
+  const EdgesAt at_a = edges_at(placement.polygon, now.a, now.on_a),
+                at_b = edges_at(placement.polygon, now.b, now.on_b);
+  for (std::size_t i = 0; i < at_a.count; ++i)
+    for (std::size_t k = 0; k < at_b.count; ++k) {
+      auto turned = towards(placement, at_a.edges[i], at_b.edges[k], direction);
+      const double close = turned ? closeness(turned->on_a - centre, direction) : best;
+      if (close <= best) continue;
+      best = close;
+      next = std::move(turned);
+    }
+  return next;
+}
+
+// What is kept of a team's new chord. Its own point is on the edge of the robot that was moved.
+MovedTeam kept(const Placement& placement, std::size_t team, const Turned& turned) {
+  return {static_cast<std::uint32_t>(team), edge_point(placement.polygon, turned.a, turned.on_a),
+          turned.b};
+}
+
+Result<Chord> moved_chord(const Placement& placement, const MovedTeam& moved) {
+  const std::size_t n = placement.vertices().size();
+  if (moved.team >= placement.teams.size())
+    return refused("there is no " + numbered("team", moved.team));
+  for (const std::uint32_t edge : {moved.end.edge, moved.opposite})
+    if (edge >= n) return refused("there is no " + numbered("edge", edge));
+  const Vec2 at = lifting_point(placement, moved.end).position;
+  const Vec2 direction = at - placement.centre_of_mass;
+  std::optional<Turned> turned;
+  if (length(direction) > 0 && moved.end.edge != moved.opposite)
+    turned = towards(placement, moved.end.edge, moved.opposite, direction);
+  if (!turned || length(turned->on_a - at) > near_distance(placement.polygon.diagonal()))
+    return refused(numbered("team", moved.team) + " is not within its range there");
+  return turned->chord;
+}
+
+Result<Placement> with_teams(Placement placement, const std::vector<MovedTeam>& teams) {
+  if (!can_move_teams(placement))
+    return refused("teams are moved along their ranges only, with the positions range");
+  std::vector<Chord> chords;
+  for (const Team& team : placement.teams) chords.push_back(chord_of(team));
+  for (const MovedTeam& moved : teams) {
+    const auto chord = moved_chord(placement, moved);
+    if (!chord) return chord.error();
+    chords[moved.team] = *chord;
+  }
+  placement.teams = distribute_weight(chords, placement.settings.weight);
+  if (placement.stands && placement.stands->any_collide(lifting_points(placement.teams)))
+    return refused("two robots get into each other's way");
+  placement.team_candidates.clear();
+  describe_grasp(placement);
+  return placement;
+}
+
+}  // namespace
+
+bool can_move_teams(const Placement& placement) {
+  return placement.settings.positions == Positions::range &&
+         selects_candidates(placement.settings.method) && placement.search_ended;
+}
+
+std::optional<Moved> moved_along_outline(const Placement& placement, std::size_t robot,
+                                         const LiftingPoint& to) {
+  if (placement.settings.method != Method::balanced || placement.teams.empty()) return std::nullopt;
+  const BalancedProblem problem(placement.polygon, placement.centre_of_mass, placement.settings);
+  const auto robots = move_robot(problem, lifting_points(placement.teams), robot, to);
+  if (!robots) return std::nullopt;
+  Moved moved;
+  for (const LiftingPoint& each : *robots)
+    moved.robots.push_back(
+        edge_point(placement.polygon, each.edge,
+                   placement.stands ? placement.stands->contact(each) : each.position));
+  return moved;
+}
+
+std::optional<Moved> moved_along_range(const Placement& placement, std::size_t robot,
+                                       const Vec2& to) {
+  const Vec2 direction = to - placement.centre_of_mass;
+  if (!can_move_teams(placement) || robot >= count_robots(placement.teams) ||
+      !(length(direction) > 0))
+    return std::nullopt;
+  const auto [number, end] = find_robot(placement.teams, robot);
+  const LiftingPoint &own = placement.teams[number].robots[end].point,
+                     &other = placement.teams[number].robots[1 - end].point;
+  Turned now{own.edge, other.edge, chord_of(placement.teams[number]), own.position, other.position};
+  bool moved = false;
+  // Each edge is passed once at most, since the chord only comes nearer to the direction.
+  for (std::size_t steps = 0; steps <= 2 * placement.vertices().size(); ++steps) {
+    auto next = next_chord(placement, now, direction);
+    if (!next) break;
+    now = *std::move(next);
+    moved = true;
+  }
+  if (!moved) return std::nullopt;
+  Moved all = placement.moved;
+  const MovedTeam team = kept(placement, number, now);
+  const auto at =
+      std::lower_bound(all.teams.begin(), all.teams.end(), team,
+                       [](const MovedTeam& a, const MovedTeam& b) { return a.team < b.team; });
+  if (at != all.teams.end() && at->team == team.team)
+    *at = team;
+  else
+    all.teams.insert(at, team);
+  return all.teams.size() <= most_moved_teams ? std::optional(std::move(all)) : std::nullopt;
+}
+
+Result<Placement> with_moved(Placement placement, const Moved& moved) {
+  if (!moved.any()) return placement;
+  if (!is_moved(moved)) return refused("a robot stands on no point of an edge");
+  Result<Placement> result = moved.robots.empty()
+                                 ? with_teams(std::move(placement), moved.teams)
+                                 : with_balanced(std::move(placement), moved.robots);
+  if (result) result->moved = moved;
+  return result;
+}
+
+}  // namespace evenlift

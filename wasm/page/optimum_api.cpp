@@ -1,0 +1,136 @@
+// How far the greedy choice of teams is from the best one, for the window that web/windows/optimum.js shows.
+// It is part of the module of the experiment, which runs in a worker.
+#include <emscripten/emscripten.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "evenlift/link.h"
+#include "evenlift/numbers.h"
+#include "evenlift/optimum.h"
+#include "evenlift/output/svg.h"
+#include "evenlift/output/words.h"
+#include "evenlift/placed_robots.h"
+#include "page/hand_over.h"
+
+namespace evenlift {
+
+using view::hand_over;
+
+namespace {
+
+struct Compared {
+  Placement greedy, best;
+  Optimum optimum;
+  bool stopped = false;  // the time was over
+};
+std::optional<Compared>& last() {
+  static std::optional<Compared> compared;
+  return compared;
+}
+
+std::string line(const std::string& what, const std::string& text) {
+  return what + '\t' + text + '\n';
+}
+
+// As many teams by a method that chooses among candidates, where it finds them.
+Document with_teams(Document document) {
+  Settings& settings = document.settings;
+  if (settings.method == Method::balanced)
+    settings.teams = std::max<std::uint32_t>(1, settings.robots / 2);
+  if (!selects_candidates(settings.method)) settings.method = Method::area;
+  settings.goal.reset();
+  settings.step.reset();
+  document.moved = {};
+  return document;
+}
+
+Compared compare(const Placement& greedy, double seconds) {
+  const double end = emscripten_get_now() + 1000 * seconds;
+  bool stopped = false;
+  const Stop stop = [&] { return stopped = stopped || emscripten_get_now() >= end; };
+  Optimum optimum = widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
+                                  greedy.requested_teams, greedy.team_candidates, stop);
+  Placement best = with_choice(greedy, optimum.taken);
+  return {greedy, std::move(best), std::move(optimum), stopped};
+}
+
+std::string row(const std::string& name, const Placement& placement) {
+  std::string teams;
+  for (const std::uint32_t i : placement.team_candidates)
+    teams += (teams.empty() ? "" : ", ") + std::to_string(i + 1);
+  return line("row", name + '\t' + percentage(placement.coverage, 1) + '\t' + teams);
+}
+
+std::string how_sure(const Compared& compared) {
+  const Optimum& optimum = compared.optimum;
+  const std::string bound = fixed(100 * optimum.bound, 1) + " %";
+  const std::size_t candidates = compared.greedy.candidates.size();
+  const std::string many = "With " + count_of(candidates, "candidate", "candidates");
+  if (optimum.proved) return "It is proved: no choice of so many teams covers more.";
+  if (compared.stopped)
+    return "It takes longer than a second to be sure here, so this is the best choice that was "
+           "found by then: no choice covers more than " +
+           bound + ". The program takes the time that you give it: evenlift optimum FILE --teams " +
+           std::to_string(compared.greedy.requested_teams) + " --time-limit 600.";
+  if (candidates > most_candidates_bounded)
+    return many + " the optimum takes longer than a second. All of them together cover " + bound +
+           ", and no choice covers more.";
+  return many + " it is not proved to be the best: no choice covers more than " + bound + ".";
+}
+
+std::string gap(const Compared& compared) {
+  const double behind = compared.optimum.coverage - compared.greedy.coverage;
+  if (!(behind > 1e-9))
+    return compared.optimum.proved ? "The greedy choice is the best one."
+                                   : "Nothing better than the greedy choice was found.";
+  return "The greedy choice is " + plain(std::round(1000 * behind) / 10) + " points behind it.";
+}
+
+std::string in_lines(const Compared& compared, Method asked) {
+  const Placement& greedy = compared.greedy;
+  const bool proved = compared.optimum.proved;
+  std::string text = row("Greedy, by " + std::string(name(greedy.settings.method)), greedy) +
+                     row(proved ? "The optimum" : "The best that was found", compared.best) +
+                     line("said", gap(compared)) + line("said", how_sure(compared));
+  if (asked != greedy.settings.method)
+    text += line("said", "The method " + std::string(name(asked)) +
+                             " does not choose among candidates, so as many teams are chosen by " +
+                             std::string(name(greedy.settings.method)) + " here.");
+  if (greedy.stands)
+    text += line("said", "The optimum does not ask whether robots get into each other's way.");
+  return text;
+}
+
+}  // namespace
+}  // namespace evenlift
+
+extern "C" {
+
+// Compares the teams of a link with the best choice of as many, for so many seconds at most. Returns lines
+// with tabs: `row` with a name, a coverage and the candidates taken; `said` with a sentence; or only
+// `problem` with why there is nothing to compare.
+EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double seconds) {
+  using namespace evenlift;
+  last().reset();
+  const Result<Document> document = decode_link(link);
+  if (!document) return hand_over(line("problem", document.error().message));
+  const Result<Placement> greedy = place(with_teams(*document));
+  if (!greedy) return hand_over(line("problem", sentence(greedy.error())));
+  if (greedy->teams.empty())
+    return hand_over(
+        line("problem", "no chord through the centre of mass has the minimum load ratio"));
+  last() = compare(*greedy, seconds);
+  return hand_over(in_lines(*last(), document->settings.method));
+}
+
+// The picture of the greedy choice, or of the best one, as SVG; call only after optimum_compare() had rows.
+EMSCRIPTEN_KEEPALIVE const char* optimum_picture(int best) {
+  using namespace evenlift;
+  return hand_over(last() ? placement_svg(best != 0 ? last()->best : last()->greedy) : "");
+}
+
+}  // extern "C"

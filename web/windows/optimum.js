@@ -1,0 +1,60 @@
+// How far the greedy choice of teams is from the best one that there is, beside each other. A worker computes it, for a
+// second at most (wasm/page/optimum_api.cpp).
+import { askWorker } from "../experiment/worker_pool.js";
+import { openWindow, problemLine } from "../kit/dialogs.js";
+import { el } from "../kit/elements.js";
+
+const seconds = 1;
+
+function readLines(text) {
+  const found = { rows: [], said: [] };
+  for (const line of text.trimEnd().split("\n")) {
+    const [what, ...parts] = line.split("\t");
+    if (what === "problem") throw new Error(parts[0]);
+    if (what === "row") found.rows.push(parts);
+    else found.said.push(parts[0]);
+  }
+  return found;
+}
+
+function table(rows) {
+  const cells = (kind, texts) => el("tr", {}, ...texts.map((text) => el(kind, {}, text)));
+  return el("table", { class: "numbers" }, el("thead", {}, cells("th", ["Choice", "Covers", "Candidates"])),
+    el("tbody", {}, ...rows.map((row) => cells("td", row))));
+}
+
+function picture(svg, name, urls) {
+  const url = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
+  urls.push(url);
+  return el("figure", {}, el("img", { src: url, alt: `${name}: the teams and their lifting base` }), el("figcaption", {}, name));
+}
+
+export async function show(page) {
+  const { program } = page;
+  const link = program.text("page_link");
+  const stop = new AbortController();
+  const urls = [];
+  const problem = problemLine();
+  const found = el("div", { class: "optimum" }, el("p", { class: "second", role: "status" }, "The best choice is being looked for …"));
+  const root = await openWindow({
+    name: "optimum",
+    title: "Compared with the optimum",
+    body: [el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The comparison" }, problem, found)],
+    closed: () => {
+      stop.abort(new DOMException("closed", "AbortError"));
+      urls.forEach((url) => URL.revokeObjectURL(url));
+    },
+  });
+  if (!root) return;
+  try {
+    if (!link) throw new Error(`there is no link of this polygon: ${program.text("page_link_problem")}`);
+    const { lines, pictures } = await askWorker("optimum", { link, seconds }, stop.signal);
+    const { rows, said } = readLines(lines);
+    found.replaceChildren(el("div", { class: "pair" }, ...pictures.map((svg, i) => picture(svg, rows[i][0], urls))), table(rows),
+      el("div", { role: "status" }, ...said.map((sentence) => el("p", {}, sentence))));
+  } catch (error) {
+    if (stop.signal.aborted) return;
+    found.replaceChildren();
+    problem.say(`The optimum cannot be shown: ${error.message}`);
+  }
+}
