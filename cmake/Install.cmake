@@ -12,7 +12,7 @@ if(TARGET evenlift)
 endif()
 
 # --- C++: evenlift::core and the libraries on top of it ---------------------------------------------------------------
-set(libraries evenlift_core evenlift_output evenlift_experiment evenlift_request)
+set(libraries evenlift_core evenlift_output evenlift_optimum evenlift_experiment evenlift_request)
 # Where pugixml is no library of the system, ours goes along under a name that nobody else has.
 set(pugixml_is_elsewhere OFF)
 if(EVENLIFT_IMPORT)

@@ -8,6 +8,7 @@ export type Polygon = readonly (readonly [x: number, y: number])[] | string;
 
 export type Metric = "area" | "circle" | "distance" | "distributed" | "random" | "balanced";
 export type Goal = "cover" | "hold";
+export type Positions = "best" | "range";
 export type LengthUnit = "m" | "cm" | "mm" | "in";
 export type WeightUnit = "kg" | "t" | "N" | "lb";
 export type Overlay = "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo";
@@ -34,6 +35,18 @@ export interface Settings {
   apart?: number;
   /** 0 to 30. Default 0. */
   survive?: number;
+  /** Where a team may stand on two edges. Default `"best"`. */
+  positions?: Positions;
+  /** The size of a robot, such as `"r=30,reach=5"`. Default `"none"`. */
+  robot?: string;
+  /** One of its numbers, at least 0. */
+  robot_radius?: number;
+  robot_reach?: number;
+  robot_depth?: number;
+  robot_width?: number;
+  robot_gap?: number;
+  /** What no robot may touch: edges from 1 or parts of them, such as `"3,5:0.25-0.75"`. Default `"none"`. */
+  no_go?: string;
   /** What one robot carries, above 0; `"none"` for no limit. */
   capacity?: number | "none";
   /** The centre of mass is known within this distance, at least 0. */
@@ -72,7 +85,7 @@ export interface PosesOptions extends Settings {
 export interface Candidate {
   ends: [Point, Point];
   ratio: number;
-  kind: "bisecting" | "vertex" | "midpoint";
+  kind: "bisecting" | "vertex" | "midpoint" | "range";
 }
 
 export interface Team {
@@ -176,11 +189,17 @@ export interface Placement {
   closure: Closure;
   goal: Goal;
   goal_reached: boolean;
-  /** The following four with the metric `balanced`. */
+  /** With `positions` of `"range"`. */
+  positions?: Positions;
+  /** The following four with the metric `balanced`; the margin also with teams that are to hold. */
   requested_robots?: number;
   min_margin?: number;
   apart?: number | null;
   survive?: number;
+  /** The following three with a `robot` or `no_go`; edges count from 1, parts from 0 to 1. */
+  robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
+  no_go?: string;
+  unusable?: [edge: number, from: number, to: number, why: "no_go" | "body" | "arm" | "corner" | "hand" | "narrow"][];
   /** Of a link with robots that somebody moved by hand. */
   moved?: string;
   /** Not there with no team. */

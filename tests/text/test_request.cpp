@@ -84,6 +84,15 @@ TEST_CASE("candidates, pictures and poses are the core's own", "[request]") {
   const Document document = l_document();
   const Placement placement = placed(document);
   CHECK(answer(with(R"("command": "candidates")")) == candidates_json(placement.candidates));
+  Document sized = document;
+  sized.settings.positions = Positions::range;
+  CHECK(placed(sized).candidates.size() > placement.candidates.size());
+  CHECK(answer(with(R"("command": "candidates", "settings": {"positions": "range"})")) ==
+        candidates_json(placed(sized).candidates));
+  sized.settings.robot.radius = 0.1;
+  CHECK(answer(with(
+            R"("command": "candidates", "settings": {"positions": "range", "robot": "r=0.1"})")) ==
+        candidates_json(placed(sized).candidates));
   CHECK(answer_json(with(R"("command": "svg")"))["svg"] ==
         placement_svg(placement, *encode_link(document)));
   CHECK(answer_json(with(

@@ -67,6 +67,10 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
                         const Settings& settings, Effort effort = Effort::whole,
                         const Moved& moved = {});
 
+// The candidates alone among which place() would choose: those of the document's positions, robots and
+// edges that must not be touched, whatever its method. O(n log n + K log K) for K edge-pairs.
+Result<std::vector<Candidate>> candidates_of(const Document& document);
+
 // The placement with other balanced robots, which a search found or somebody placed. Their centroid
 // must be C. O(n log n).
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,

@@ -204,6 +204,17 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   return placement;
 }
 
+Result<std::vector<Candidate>> candidates_of(const Document& document) {
+  if (auto error = check_settings(document.settings)) return *error;
+  const auto polygon = Polygon::create(document.vertices);
+  if (!polygon) return polygon.error();
+  const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);
+  if (!centre) return centre.error();
+  const auto stands = make_stands(*polygon, document.settings);
+  if (!stands) return stands.error();
+  return candidates_of(*polygon, *centre, document.settings, stands->get());
+}
+
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended) {
   placement.teams = {team_of(placement, robots)};

@@ -1,6 +1,7 @@
 #include "evenlift/request.h"
 
 #include <utility>
+#include <vector>
 
 #include "evenlift/candidates.h"
 #include "evenlift/experiment/outputs.h"
@@ -115,11 +116,8 @@ std::string placed_answer(const Request& request) {
 }
 
 std::string candidates_answer(const Request& request) {
-  const Document& document = request.document;
-  if (const auto wrong = check_ranges(document.settings)) return error_json(*wrong);
-  const Result<experiment::Subject> subject =
-      experiment::prepare(document, document.settings.min_ratio);
-  return subject ? candidates_json(subject->candidates) : error_json(subject.error());
+  const Result<std::vector<Candidate>> candidates = candidates_of(request.document);
+  return candidates ? candidates_json(*candidates) : error_json(candidates.error());
 }
 
 std::string link_answer(const Request& request) {

@@ -273,7 +273,7 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
                   {ratio_text(figure.value, least)});
     case FigureKind::candidate: {
       const double ratio = trace.placement.candidates[index].chord.ratio;
-      const std::string text = fill("Candidate #, load ratio #", {item, ratio_text(ratio, least)});
+      std::string text = fill("Candidate #, load ratio #", {item, ratio_text(ratio, least)});
       if (!detail.scores) return text;
       const Score& score = detail.scores->of_candidate[index];
       if (detail.scores->rule == Rule::most_even) return text;
