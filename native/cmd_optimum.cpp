@@ -47,14 +47,16 @@ Placement greedy_placement(const Input& input, const SettingOptions& options) {
 Compared compare(const Placement& greedy, bool holds, double seconds) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   const Stop stop = [&] { return std::chrono::steady_clock::now() >= end; };
+  // Of robots with a size there may be room for fewer teams than were asked for.
+  const std::size_t teams = greedy.teams.size();
   Compared compared{greedy,
-                    widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
-                                  greedy.requested_teams, greedy.team_candidates, stop),
+                    widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates, teams,
+                                  greedy.team_candidates, stop, greedy.stands.get()),
                     {}};
   if (holds)
-    compared.firmest =
-        firmest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
-                       greedy.requested_teams, greedy.team_candidates, greedy.settings.min_margin);
+    compared.firmest = firmest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
+                                      teams, greedy.team_candidates, greedy.settings.min_margin,
+                                      compared.widest, greedy.stands.get());
   return compared;
 }
 
@@ -68,6 +70,19 @@ std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
 std::string gap_in_words(double best, double greedy) {
   const double points = 100 * std::max(0.0, best - greedy);
   return plain(std::round(points * 100) / 100) + " points";
+}
+
+std::string verdict_on(const FirmestChoice& firmest) {
+  if (firmest.proved && firmest.keys.level > 0)
+    return std::string("It holds the object, and of all choices it is the best one by ") +
+           (firmest.compared ? "hold, coverage and load ratios." : "hold and coverage.");
+  if (firmest.most_level == 0) return "No choice of so many teams holds the object.";
+  if (firmest.keys.level == 0) return "It does not hold the object; that none does is not proved.";
+  return std::string("It holds the object") +
+         (firmest.keys.level == firmest.most_level
+              ? ", and none holds it more firmly. It is not proved to cover most of those: none covers more than "
+              : ". It is not proved to be the best: none covers more than ") +
+         percentage(firmest.most_coverage, 2) + ".";
 }
 
 std::string for_people(const Compared& compared) {
@@ -87,12 +102,9 @@ std::string for_people(const Compared& compared) {
   text +=
       "  The greedy choice is " + gap_in_words(widest.coverage, greedy.coverage) + " behind it.\n";
   if (const auto& firmest = compared.firmest)
-    text +=
-        "\n  To hold           covers " + percentage(firmest->keys.coverage, 2) + "   candidates " +
-        candidates_in_words(firmest->taken) + "\n  " +
-        (firmest->keys.level > 0
-             ? "It holds the object, and of all choices it is the best one by hold, coverage and load ratios.\n"
-             : "No choice of so many teams holds the object.\n");
+    text += "\n  To hold           covers " + percentage(firmest->keys.coverage, 2) +
+            "   candidates " + candidates_in_words(firmest->taken) + "\n  " + verdict_on(*firmest) +
+            "\n";
   return text;
 }
 
@@ -116,7 +128,10 @@ std::string as_json(const Compared& compared) {
   if (const auto& firmest = compared.firmest)
     text += ",\n  \"hold\": {\"taken\": " + numbers_from_0(firmest->taken) +
             ", \"level\": " + std::to_string(firmest->keys.level) +
-            ", \"coverage\": " + shortest(firmest->keys.coverage) + "}";
+            ", \"coverage\": " + shortest(firmest->keys.coverage) +
+            ", \"most_level\": " + std::to_string(firmest->most_level) +
+            ", \"bound\": " + shortest(firmest->most_coverage) +
+            ", \"proved\": " + (firmest->proved ? "true" : "false") + "}";
   return text + "\n}\n";
 }
 
@@ -126,7 +141,7 @@ void cmd_optimum(const Arguments& arguments) {
   CommandLine line(
       "evenlift optimum", "How far the greedy choice of teams is from the best one that there is.",
       "Among up to 160 candidates the widest base is proved to be the best; with more there is a\n"
-      "bound. With --goal hold all choices are compared, up to 4,194,304 of them.\n\n"
+      "bound. With --goal hold all choices are compared, up to 4,194,304 of them, or else bounded.\n\n"
       "Example:\n  evenlift optimum table.txt --teams 2\n");
   std::string file;
   SettingOptions options;
@@ -148,10 +163,9 @@ void cmd_optimum(const Arguments& arguments) {
   const Compared compared = compare(greedy, holds, seconds);
   if (holds && !compared.firmest && !greedy.teams.empty())
     throw Failure{bad_input_status, "--goal",
-                  "there are more than 4194304 choices of " +
-                      count_of(greedy.teams.size(), "team", "teams") + " among " +
-                      count_of(greedy.candidates.size(), "candidate", "candidates") +
-                      ": too many to compare"};
+                  "at most " + std::to_string(most_exchanged_teams) +
+                      " teams can be compared by how they hold, not " +
+                      std::to_string(greedy.teams.size())};
   write_output(json ? as_json(compared) : for_people(compared));
 }
 

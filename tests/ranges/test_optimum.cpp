@@ -5,6 +5,7 @@
 #include "evenlift/hull.h"
 #include "evenlift/optimum.h"
 #include "evenlift/placement.h"
+#include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
@@ -125,7 +126,7 @@ TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum]") 
     if (placement.teams.size() < 3 || placement.candidates.size() > 40) continue;
     const auto firmest =
         firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
-                       placement.team_candidates, placement.settings.min_margin);
+                       placement.team_candidates, placement.settings.min_margin, Optimum{});
     REQUIRE(firmest);
     const HoldKeys keys =
         hold_keys(placement.polygon, placement.centre_of_mass, placement.candidates,
@@ -136,4 +137,105 @@ TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum]") 
   }
   CHECK(compared > 60);
   CHECK(equal > compared / 2);
+}
+
+TEST_CASE("bounds of holds are true, and reached where they are said to be proved", "[optimum]") {
+  int proved = 0, compared = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    Document document = corpus::polygon(name);
+    document.settings.goal = Goal::hold;
+    const Placement placement = placed(document);
+    if (placement.teams.size() < 3 || placement.candidates.size() > 40) continue;
+    const Optimum widest = optimum_of(placement);
+    const auto find = [&](std::uint64_t most) {
+      return *firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
+                             placement.team_candidates, placement.settings.min_margin, widest,
+                             nullptr, most);
+    };
+    const FirmestChoice best = find(most_choices), bounded = find(0);
+    CHECK(best.proved);
+    CHECK(bounded.taken.size() == 3);
+    CHECK_FALSE(better_by(bounded.keys, best.keys));
+    CHECK(best.keys.level <= bounded.most_level);
+    CHECK(best.keys.coverage <= bounded.most_coverage + 1e-9);
+    CHECK(bounded.keys.coverage <= bounded.most_coverage);
+    if (bounded.proved) {
+      CHECK(bounded.keys.level == best.keys.level);
+      CHECK(bounded.keys.coverage == Approx(best.keys.coverage).margin(2e-9));
+    }
+    proved += bounded.proved;
+    ++compared;
+  }
+  CHECK(compared > 60);
+  CHECK(proved > 5);
+  CHECK(proved < compared);
+}
+
+TEST_CASE("more choices than can be compared are bounded", "[optimum]") {
+  Document document = corpus::polygon("labyrinth");
+  document.settings.teams = 4;
+  document.settings.min_ratio = 0.6;
+  document.settings.goal = Goal::hold;
+  const Placement placement = placed(document);
+  REQUIRE(choices(placement.candidates.size(), 4) > most_choices);
+  const auto found = firmest_choice(placement.polygon, placement.centre_of_mass,
+                                    placement.candidates, 4, placement.team_candidates,
+                                    placement.settings.min_margin, optimum_of(placement));
+  REQUIRE(found);
+  CHECK(found->keys.level <= found->most_level);
+  CHECK(found->keys.coverage <= found->most_coverage);
+  CHECK(found->keys.level == 3);
+}
+
+TEST_CASE("the best choices of robots with a size are those of brute force without collisions",
+          "[optimum][stands]") {
+  int compared = 0, unlike = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    Document document = corpus::polygon(name);
+    if (document.vertices.size() > 60) continue;
+    INFO(name);
+    document.settings.teams = 2 + compared % 2;
+    document.settings.positions = Positions::range;
+    const double size = Polygon::create(document.vertices)->diagonal();
+    document.settings.robot = {0.03 * size, 0, 0, 0, 0.1 * size};
+    const auto placement = place(document);
+    if (!placement || placement->teams.size() < 2) continue;
+    const std::size_t teams = placement->teams.size();
+    if (choices(placement->candidates.size(), teams) > 3000) continue;
+    const Stands* stands = placement->stands.get();
+    double widest = 0;
+    HoldKeys firmest;
+    std::vector<std::uint32_t> taken;
+    for_each_choice(static_cast<std::uint32_t>(placement->candidates.size()), teams, taken,
+                    [&](const std::vector<std::uint32_t>& each) {
+                      std::vector<LiftingPoint> robots;
+                      for (const std::uint32_t i : each)
+                        for (const LiftingPoint& end :
+                             {placement->candidates[i].chord.r1, placement->candidates[i].chord.r2})
+                          robots.push_back(end);
+                      if (stands->any_collide(robots)) return;
+                      widest = std::max(widest, coverage_of(*placement, each));
+                      const HoldKeys keys = hold_keys(placement->polygon, placement->centre_of_mass,
+                                                      placement->candidates, each, 0.05, stands);
+                      if (better_by(keys, firmest)) firmest = keys;
+                    });
+    const Optimum found =
+        widest_choice(placement->polygon, placement->centre_of_mass, placement->candidates, teams,
+                      placement->team_candidates, {}, stands);
+    CHECK(found.coverage <= widest + 1e-9);
+    CHECK(found.bound >= widest - 1e-9);
+    if (found.proved) CHECK(found.coverage == Approx(widest).margin(2e-9));
+    unlike += !found.proved;
+    const auto held =
+        firmest_choice(placement->polygon, placement->centre_of_mass, placement->candidates, teams,
+                       placement->team_candidates, 0.05, found, stands);
+    REQUIRE(held);
+    CHECK(held->proved);
+    CHECK(held->keys.level == firmest.level);
+    CHECK(held->keys.coverage == Approx(firmest.coverage).margin(2e-9));
+    ++compared;
+  }
+  CHECK(compared > 40);
+  CHECK(unlike > 0);
 }

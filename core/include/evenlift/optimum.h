@@ -32,13 +32,15 @@ using Stop = std::function<bool()>;
 inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bounded = 600;
 
 // The choice of `teams` teams, or all candidates if there are fewer, that covers most. `start` is a
-// choice of as many, which counts if nothing better is found. For K candidates
+// choice of as many, which counts if nothing better is found. With `stands` no choice counts whose robots
+// get into each other's way, but the bound is that of all. For K candidates
 // O(n K^2 + K^4 teams) up to most_candidates_proved; with more the ends of a chord are taken one by
 // one, as if each had a team of its own, and that is O(n K^2 + K^3 teams): a bound, and the best choice
 // if its ends belong to few enough chords.
 Optimum widest_choice(const Polygon& polygon, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
-                      const std::vector<std::uint32_t>& start, const Stop& stop = {});
+                      const std::vector<std::uint32_t>& start, const Stop& stop = {},
+                      const Stands* stands = nullptr);
 
 // The number of choices that firmest_choice() can compare.
 inline constexpr std::uint64_t most_choices = std::uint64_t{1} << 22;
@@ -46,15 +48,23 @@ inline constexpr std::uint64_t most_choices = std::uint64_t{1} << 22;
 struct FirmestChoice {
   std::vector<std::uint32_t> taken;
   HoldKeys keys;
+  // No choice reaches a higher level, nor covers more, up to rounding.
+  std::uint32_t most_level = 3;
+  double most_coverage = 1;
+  bool compared = false;  // all choices were
+  // It is the best one: by all keys if all choices were compared, or else by level and coverage.
+  bool proved = false;
 };
 
-// The best choice by the keys of teams that are to hold (exchange.h), of all choices of `teams` teams;
-// nothing if there are more than most_choices. `start` is a choice of as many, which counts if none is
-// better.
-std::optional<FirmestChoice> firmest_choice(const Polygon& polygon, const Vec2& centre,
-                                            const std::vector<Candidate>& candidates,
-                                            std::size_t teams,
-                                            const std::vector<std::uint32_t>& start,
-                                            double min_margin);
+// The best choice by the keys of teams that are to hold (exchange.h), of all choices of `teams` teams.
+// With more than `most` of them it is the best that exchanges come to from `start` and from the
+// widest choice, and bounded: by the level of all candidates at once, up to most_candidates_bounded, and
+// by the bound of the widest choice. `start` is a choice of as many, which counts if none is better.
+// Nothing without teams, or with more than most_exchanged_teams. With `stands` only choices count whose
+// robots do not get into each other's way.
+std::optional<FirmestChoice> firmest_choice(
+    const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
+    std::size_t teams, const std::vector<std::uint32_t>& start, double min_margin,
+    const Optimum& widest, const Stands* stands = nullptr, std::uint64_t most = most_choices);
 
 }  // namespace evenlift

@@ -5,21 +5,15 @@
 
 #include "balanced/small_hull.h"
 #include "evenlift/tolerance.h"
+#include "exchange/keys.h"
 
 namespace evenlift::exchange {
 namespace {
 
-constexpr double least_margin = 0.001, halfway = 0.4;
 // Bounds of margins are computed in plain doubles.
 constexpr double slack = 1e-9;
 // So many directions are tried of each choice.
 constexpr std::size_t most_directions = 64;
-
-std::array<double, 3> ascending(double min_margin) {
-  std::array<double, 3> bounds{least_margin, halfway * min_margin, min_margin};
-  std::sort(bounds.begin(), bounds.end());
-  return bounds;
-}
 
 void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
   robots.push_back(chord.r1);
@@ -34,7 +28,7 @@ Choices::Choices(const Polygon& polygon, const Vec2& centre,
       candidates_(candidates),
       stands_(stands),
       centre_(centre),
-      bounds_(ascending(min_margin)),
+      bounds_(level_bounds(min_margin)),
       coarse_cover_(polygon, centre),
       cover_(polygon, centre),
       margins_(polygon, centre) {
@@ -75,9 +69,7 @@ std::vector<LiftingPoint> Choices::contacts_of(std::vector<LiftingPoint> robots)
 }
 
 std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
-  if (!margin) return 0;
-  return static_cast<std::uint32_t>(std::upper_bound(bounds_.begin(), bounds_.end(), *margin) -
-                                    bounds_.begin());
+  return exchange::level_of(margin, bounds_);
 }
 
 HoldKeys Choices::keys_of(const Part& part) const {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "evenlift/closure.h"
 #include "evenlift/hull.h"
 #include "evenlift/stability.h"
+#include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
+#include "exchange/keys.h"
 #include "exchange/rounds.h"
 #include "optimum/rings.h"
 
@@ -17,12 +20,19 @@ using optimum::Triangles;
 
 constexpr double rounding = 1e-12;  // of sums of shares
 
+std::vector<LiftingPoint> robots_of(const std::vector<Candidate>& candidates,
+                                    const std::vector<std::uint32_t>& taken) {
+  std::vector<LiftingPoint> robots;
+  for (const std::uint32_t i : taken)
+    for (const LiftingPoint& end : {candidates[i].chord.r1, candidates[i].chord.r2})
+      robots.push_back(end);
+  return robots;
+}
+
 double coverage_of(const Polygon& polygon, const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken) {
   Points ends;
-  for (const std::uint32_t i : taken)
-    for (const LiftingPoint& end : {candidates[i].chord.r1, candidates[i].chord.r2})
-      ends.push_back(end.position);
+  for (const LiftingPoint& robot : robots_of(candidates, taken)) ends.push_back(robot.position);
   return coverage(polygon, convex_hull(std::move(ends), near_distance(polygon.diagonal())));
 }
 
@@ -45,14 +55,18 @@ std::vector<std::uint32_t> chords_of(const Triangles& triangles, const Ring& rin
 class Widest {
  public:
   Widest(const Polygon& polygon, const std::vector<Candidate>& candidates, std::size_t teams,
-         std::vector<std::uint32_t> start)
-      : polygon_(polygon), candidates_(candidates), teams_(teams), start_(std::move(start)) {
+         std::vector<std::uint32_t> start, const Stands* stands)
+      : polygon_(polygon),
+        candidates_(candidates),
+        teams_(teams),
+        start_(std::move(start)),
+        stands_(stands) {
     take(start_);
     bound_by_all();
   }
 
   void search(const Vec2& centre, const Stop& stop) {
-    if (teams_ >= candidates_.size() || teams_ == 0) {
+    if (start_.size() >= candidates_.size() || teams_ == 0) {
       best_.bound = best_.coverage;
     } else if (candidates_.size() <= most_candidates_bounded) {
       bound_by_rings(Triangles(polygon_, centre, candidates_), stop);
@@ -66,6 +80,7 @@ class Widest {
   static constexpr double coverage_slack = 1e-9;
 
   void take(std::vector<std::uint32_t> chords) {
+    if (stands_ && stands_->any_collide(robots_of(candidates_, chords))) return;
     const double covers = coverage_of(polygon_, candidates_, chords);
     if (!best_.taken.empty() && covers <= best_.coverage) return;
     std::sort(chords.begin(), chords.end());
@@ -101,6 +116,7 @@ class Widest {
   const std::vector<Candidate>& candidates_;
   std::size_t teams_;
   std::vector<std::uint32_t> start_;
+  const Stands* stands_;
   Optimum best_;
 };
 
@@ -127,12 +143,104 @@ std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t lim
   return number > static_cast<double>(limit) ? limit + 1 : static_cast<std::uint64_t>(number + 0.5);
 }
 
+// Looks for the best choice by all keys.
+class Firmest {
+ public:
+  Firmest(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
+          double min_margin, const Stands* stands)
+      : polygon_(polygon),
+        centre_(centre),
+        candidates_(candidates),
+        min_margin_(min_margin),
+        stands_(stands),
+        choices_(polygon, centre, candidates, min_margin, stands) {}
+
+  HoldKeys keys_of(const std::vector<std::uint32_t>& taken) const {
+    return choices_.keys_of(choices_.part_of(taken));
+  }
+
+  // The best of all choices of so many teams.
+  void compare_all(std::size_t teams, FirmestChoice& best) {
+    // All teams but the last make a part that stays.
+    std::vector<exchange::Part> parts;
+    std::vector<std::vector<std::uint32_t>> of_part;
+    for_each_subset(choices_.size(), teams - 1, [&](const std::vector<std::uint32_t>& subset) {
+      if (!subset.empty() && subset.back() + 1 == choices_.size()) return;
+      if (stands_ && stands_->any_collide(robots_of(candidates_, subset))) return;
+      parts.push_back(choices_.part_of(subset));
+      of_part.push_back(subset);
+    });
+    choices_.set_parts(std::move(parts));
+    std::vector<exchange::Trial> trials;
+    for (std::uint32_t part = 0; part < of_part.size(); ++part)
+      for (std::uint32_t last = of_part[part].empty() ? 0 : of_part[part].back() + 1;
+           last < choices_.size(); ++last)
+        if (choices_.fit(last, choices_.size() + part))
+          trials.push_back(choices_.trial(last, choices_.size() + part));
+    if (const auto found = exchange::best_trial(choices_, std::move(trials), best.keys)) {
+      best.taken = of_part[found->trial.other - choices_.size()];
+      best.taken.push_back(found->trial.candidate);
+      best.keys = found->keys;
+    }
+    best.most_level = best.keys.level;
+    best.most_coverage = best.keys.coverage;
+    best.proved = best.compared = true;
+  }
+
+  // The best that exchanges come to, from what is the best so far and from the widest choice.
+  void exchange(const Optimum& widest, FirmestChoice& best) const {
+    std::vector<std::vector<std::uint32_t>> starts{best.taken};
+    if (widest.taken.size() == best.taken.size()) starts.push_back(widest.taken);
+    for (const std::vector<std::uint32_t>& start : starts) {
+      if (check_exchanges(candidates_.size(), start.size(), stands_)) continue;
+      const ExchangeHistory history =
+          exchange_teams(polygon_, centre_, candidates_, start, min_margin_, stands_);
+      const HoldKeys keys = keys_of(history.taken());
+      if (better_by(keys, best.keys)) {
+        best.taken = history.taken();
+        best.keys = keys;
+      }
+    }
+  }
+
+  // No contact more makes the margin of a choice less, so no choice is above the level of all candidates.
+  void bound(const Optimum& widest, FirmestChoice& best) const {
+    best.most_level = exchange::best_level;
+    if (candidates_.size() <= most_candidates_bounded)
+      best.most_level = exchange::level_of(margin_of_all(), exchange::level_bounds(min_margin_));
+    best.most_level = std::max(best.most_level, best.keys.level);
+    best.most_coverage = std::max(widest.bound, best.keys.coverage);
+    best.proved = best.keys.level == best.most_level &&
+                  best.keys.coverage >= best.most_coverage - exchange::coverage_tie;
+  }
+
+ private:
+  // Enlarged by more than rounding is.
+  std::optional<double> margin_of_all() const {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);
+    std::vector<LiftingPoint> robots = robots_of(candidates_, all);
+    if (stands_)
+      for (LiftingPoint& robot : robots) robot.position = stands_->contact(robot);
+    const auto margin = analyse_hold(polygon_, centre_, contacts(polygon_, robots)).margin;
+    return margin ? std::optional(*margin + tau) : std::nullopt;
+  }
+
+  const Polygon& polygon_;
+  Vec2 centre_;
+  const std::vector<Candidate>& candidates_;
+  double min_margin_;
+  const Stands* stands_;
+  exchange::Choices choices_;
+};
+
 }  // namespace
 
 Optimum widest_choice(const Polygon& polygon, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
-                      const std::vector<std::uint32_t>& start, const Stop& stop) {
-  Widest widest(polygon, candidates, std::min(teams, candidates.size()), start);
+                      const std::vector<std::uint32_t>& start, const Stop& stop,
+                      const Stands* stands) {
+  Widest widest(polygon, candidates, std::min(teams, candidates.size()), start, stands);
   widest.search(centre, stop);
   return std::move(widest).result();
 }
@@ -141,30 +249,22 @@ std::optional<FirmestChoice> firmest_choice(const Polygon& polygon, const Vec2& 
                                             const std::vector<Candidate>& candidates,
                                             std::size_t teams,
                                             const std::vector<std::uint32_t>& start,
-                                            double min_margin) {
+                                            double min_margin, const Optimum& widest,
+                                            const Stands* stands, std::uint64_t most) {
   if (start.empty() || start.size() > most_exchanged_teams) return std::nullopt;
-  exchange::Choices choices(polygon, centre, candidates, min_margin);
-  FirmestChoice best{start, choices.keys_of(choices.part_of(start))};
-  if (teams >= candidates.size()) return best;
-  if (count_choices(candidates.size(), teams, most_choices) > most_choices) return std::nullopt;
-  // All teams but the last make a part that stays.
-  std::vector<exchange::Part> parts;
-  std::vector<std::vector<std::uint32_t>> of_part;
-  for_each_subset(choices.size(), teams - 1, [&](const std::vector<std::uint32_t>& subset) {
-    if (!subset.empty() && subset.back() + 1 == choices.size()) return;
-    parts.push_back(choices.part_of(subset));
-    of_part.push_back(subset);
-  });
-  choices.set_parts(std::move(parts));
-  std::vector<exchange::Trial> trials;
-  for (std::uint32_t part = 0; part < of_part.size(); ++part)
-    for (std::uint32_t last = of_part[part].empty() ? 0 : of_part[part].back() + 1;
-         last < choices.size(); ++last)
-      trials.push_back(choices.trial(last, choices.size() + part));
-  if (const auto found = exchange::best_trial(choices, std::move(trials), best.keys)) {
-    best.taken = of_part[found->trial.other - choices.size()];
-    best.taken.push_back(found->trial.candidate);
-    best.keys = found->keys;
+  Firmest firmest(polygon, centre, candidates, min_margin, stands);
+  FirmestChoice best;
+  best.taken = start;
+  best.keys = firmest.keys_of(start);
+  if (start.size() >= candidates.size()) {
+    best.most_level = best.keys.level;
+    best.most_coverage = best.keys.coverage;
+    best.proved = best.compared = true;
+  } else if (count_choices(candidates.size(), teams, most) <= most) {
+    firmest.compare_all(teams, best);
+  } else {
+    firmest.exchange(widest, best);
+    firmest.bound(widest, best);
   }
   std::sort(best.taken.begin(), best.taken.end());
   return best;

@@ -1,5 +1,6 @@
 // What the step of robots with a size says.
 #include <string>
+#include <utility>
 
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
@@ -8,6 +9,11 @@
 
 namespace evenlift {
 namespace {
+
+std::string as_a_sentence(std::string words) {
+  if (words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return words + ".";
+}
 
 std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot) {
   const std::string lost = percentage(share);
@@ -43,13 +49,10 @@ std::string StepCaptions::stands() const {
   for (std::size_t why = 0; why < why_unusable_count; ++why) {
     if (!(stands.lost[why] > 0)) continue;
     reasons +=
-        (reasons.empty() ? " " : "; ") +
+        (reasons.empty() ? "" : "; ") +
         lost_in_words(static_cast<WhyUnusable>(why), stands.lost[why] / stands.boundary, robot);
   }
-  if (!reasons.empty()) {
-    reasons[1] = reasons[1] == 'a' ? 'A' : reasons[1];
-    text += reasons + ".";
-  }
+  if (!reasons.empty()) text += " " + as_a_sentence(std::move(reasons));
   const double apart = 2 * robot.radius + robot.gap;
   if (apart > 0) text += fill(" The middles of two robots stay at least # apart.", {exact(apart)});
   return text;
