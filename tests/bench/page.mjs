@@ -61,6 +61,44 @@ for (const n of [100, 1000]) {
   line(`a frame of dragging, ${n} vertices: median, 95 % (${times.length} frames)`, `${at(0.5)}, ${at(0.95)} ms`);
 }
 
+// A coast of so many vertices: each side of a pentagon is bent in its middle, and so on; then some are left out.
+function coast(n) {
+  let seed = 12345;
+  const random = () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;
+  let points = [[1000, 0], [309, 951], [-809, 588], [-809, -588], [309, -951]];
+  while (points.length < n) {
+    points = points.flatMap(([x, y], i) => {
+      const [u, v] = points[(i + 1) % points.length], bend = (random() - 0.5) / 3;
+      return [[x, y], [(x + u) / 2 - bend * (v - y), (y + v) / 2 + bend * (u - x)]];
+    });
+  }
+  const excess = points.length - n;
+  const out = new Set(Array.from({ length: excess }, (_, i) => Math.floor(i * points.length / excess) | 1));
+  return points.filter((_, i) => !out.has(i)).map(([x, y]) => `(${x},${y})`).join("\n");
+}
+
+// How long the page is not free at a time while the centre of mass of a large polygon is dragged: the longest of the main
+// thread's tasks and the middle one of those from 5 ms on, in processor time, on which other jobs of the machine tell less.
+{
+  const page = await browser.open();
+  await load(page, coast(20034));
+  await page.evaluate(() => evenlift.set({ teams: 10 }));
+  await idle(page);
+  const [x, y] = await toScreen(page, (await state(page)).centre_of_mass);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await idle(page);
+  await browser.browser.startTracing(page, { categories: ["toplevel", "devtools.timeline", "disabled-by-default-devtools.timeline"] });
+  for (let i = 1; i <= 60; ++i) await page.mouse.move(x + i, y + i / 2);
+  const { traceEvents: events } = JSON.parse((await browser.browser.stopTracing()).toString());
+  await page.mouse.up();
+  await page.done();
+  // Of all tasks of renderers, those in which the page drew.
+  const drew = events.find(({ name }) => name === "FireAnimationFrame");
+  const times = events.filter(({ name, pid, tid, tdur }) => name === "RunTask" && pid === drew.pid && tid === drew.tid && tdur > 5000).map(({ tdur }) => tdur / 1000).sort((a, b) => a - b);
+  line(`a coast of 20,034 vertices, ten teams: a task of dragging C, middle, longest (${times.length} tasks)`, `${times[times.length >> 1].toFixed(0)}, ${times.at(-1).toFixed(0)} ms`);
+}
+
 // One case of each limit that README.md states: how long it takes from the call until all of it is on screen, and how
 // long a frame then takes.
 const star = (n) => Array.from({ length: n }, (_, i) => {

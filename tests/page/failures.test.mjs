@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, published, root, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
+import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, published, root, set, sharedBrowser, state, tap, thrown, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -179,5 +179,29 @@ test("which loads are shown, how well C is known, and what balanced robots keep 
   await set(page, { loads: "plan" });
   assert.match(await thrown(page, "set", { loads: "most" }), /^loads: the loads are those of/);
   assert.match(await thrown(page, "set", { com_radius: -1 }), /^com_radius/);
+  await page.done();
+});
+
+test("under a finger each of many robots can be reached by buttons of a finger's size", async () => {
+  const page = await browser.open({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  await load(page, asset("grand-piano"));
+  await set(page, { teams: 3 });
+  assert.equal(await controlIfShown(page, "failure +"), null, "six signs are large enough themselves");
+  const before = await control(page, "teams +");
+  await set(page, { teams: 4 });
+  for (const name of ["failure -", "failure +"]) {
+    const { width, height } = await control(page, name);
+    assert.ok(Math.min(width, height) >= 44, `${name}: ${width} by ${height}`);
+  }
+  assert.deepEqual(await control(page, "teams +"), before, "nothing moves for them");
+  for (let robot = 1; robot <= 8; ++robot) {
+    await tap(page, "failure +");
+    await idle(page);
+    assert.match(await verdict(page), new RegExp(`^Robot ${robot} fails`));
+  }
+  for (let robot = 7; robot >= 1; --robot) await tap(page, "failure -");
+  await tap(page, "failure -");
+  await idle(page);
+  assert.match(await verdict(page), /^8 robots/);
   await page.done();
 });

@@ -16,6 +16,7 @@
 #include "app/update.h"
 #include "canvas/fill_rows.h"
 #include "canvas/heat.h"
+#include "canvas/hint.h"
 #include "canvas/labels.h"
 #include "canvas/triangulate.h"
 #include "evenlift/link.h"
@@ -867,5 +868,28 @@ TEST_CASE("bands of a large polygon are the regions where the tipping force says
       const double force = tipping_force(result->lifting_base, result->centre_of_mass, 1, within);
       CHECK(force >= std::min(bands[i].share, 1e9) * (1 - 1e-6));
     }
+  }
+}
+
+TEST_CASE("the hint at the foot stands between the tools of the view and the panel",
+          "[view][layout]") {
+  Page page;
+  AppState& state = page.app.state;
+  state.screen.height = 800;
+  for (const Tool tool : {Tool::parts, Tool::draw, Tool::transform, Tool::mark}) {
+    state.tool = tool;
+    std::size_t longest = 0;
+    for (int width = 900; width <= 1800; width += 50) {
+      state.screen.width = width;
+      page.frame();
+      const Layout where = layout(state);
+      const std::string text = shown_hint(state, where);
+      CHECK(static_cast<double>(text_size(Face::label, text).x) <=
+            where.free.right - where.tools.right - 32);
+      CHECK(hint(state).starts_with(text));
+      CHECK(text.size() >= longest);
+      longest = text.size();
+    }
+    CHECK(longest == hint(state).size());
   }
 }

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
-import { asset, axe, evenlift, load, phone, root, set, sharedBrowser, state } from "../page/browser.mjs";
+import { asset, axe, evenlift, idle, load, phone, root, set, sharedBrowser, state } from "../page/browser.mjs";
 import { allClosed, drop, openWindow } from "../page/windows.mjs";
 import { fixed } from "../../web/charts/numbers.js";
 
@@ -385,4 +385,18 @@ test("the program's report has the same charts, and needs nothing else", async (
   assert.deepEqual(await page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id }) => id)), []);
   assert.deepEqual(complaints, []);
   await page.close();
+});
+
+test("on a phone the results are seen when they are there", async () => {
+  const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
+  await load(page, asset("square"));
+  const window = await openWindow(page, "experiment");
+  await window.getByLabel("Most teams").fill("2");
+  await window.getByLabel("Most balanced robots").fill("2");
+  await window.getByRole("button", { name: "Compare", exact: true }).tap();
+  await window.getByText("Done.").waitFor();
+  await idle(page);
+  const { y, height } = await window.locator("figure").first().boundingBox();
+  assert.ok(y >= 0 && y + height / 2 < phone.height, `the first chart begins at ${y}`);
+  await page.done();
 });

@@ -155,12 +155,24 @@ std::string hint(const AppState& state) {
   return hint_of_pick(state, at);
 }
 
-void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme) {
-  const std::string text = hint(state);
+std::string shown_hint(const AppState& state, const Layout& layout) {
   // A phone has neither the room nor the wheel that it speaks of.
-  if (text.empty() || state.screen.foot > 0 || state.screen.side > 0 || !layout.wide ||
-      state.screen.finger || state.screen.height < 560)
-    return;
+  if (state.screen.foot > 0 || state.screen.side > 0 || !layout.wide || state.screen.finger ||
+      state.screen.height < 560)
+    return {};
+  std::string text = hint(state);
+  const double room = layout.free.right - layout.tools.right - 22 - 10 - layout.margin;
+  while (static_cast<double>(text_size(Face::label, text).x) > room) {
+    const std::size_t last = text.rfind(" · ");
+    if (last == std::string::npos) return {};
+    text.resize(last);
+  }
+  return text;
+}
+
+void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme) {
+  const std::string text = shown_hint(state, layout);
+  if (text.empty()) return;
   const ImVec2 size = text_size(Face::label, text);
   const double width = static_cast<double>(size.x);
   // Beside the tools of the view, not under them.

@@ -238,6 +238,7 @@ EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const ch
 EMSCRIPTEN_KEEPALIVE void page_cover(double left, double below) {
   AppState& state = app().state;
   state.screen.side = left;
+  state.screen.window_at_foot = below > 0;
   state.screen.foot = 0;
   if (below > 0) state.screen.foot = std::max(0.0, layout(state).free.bottom - below);
   frame_view(state);

@@ -76,6 +76,19 @@ const char* caption(const AppState& state, std::size_t count) {
   return many ? "If one robot fails: too many robots to look at each" : "";
 }
 
+// Under a finger the signs of many robots are small: these buttons go from one to the next.
+void draw_steps(const Ui& ui, ImVec2 at, std::size_t count, std::optional<std::size_t> now) {
+  const float size = ui.control();
+  ImGui::SetCursorScreenPos(at);
+  if (icon_button(ui, "failure -", Icon::step_back, now.has_value(),
+                  "The robot before fails; before the first one, none", size))
+    ui.push(Fail{*now > 0 ? std::optional(*now - 1) : std::nullopt});
+  ImGui::SetCursorScreenPos(ImVec2(at.x + size, at.y));
+  if (icon_button(ui, "failure +", Icon::step_on, !now || *now + 1 < count, "The next robot fails",
+                  size))
+    ui.push(Fail{now ? *now + 1 : std::size_t{0}});
+}
+
 }  // namespace
 
 void draw_failures(const Ui& ui) {
@@ -85,13 +98,15 @@ void draw_failures(const Ui& ui) {
   const std::size_t count = signs(ui.state);
   const Failure* failed = failing(ui.state);
   const auto now = failed ? std::optional<std::size_t>(failed->robot) : std::nullopt;
-  const float row_width =
-      std::min(width, widest_place * static_cast<float>(std::max<std::size_t>(count, 1)));
+  const float places = static_cast<float>(std::max<std::size_t>(count, 1));
+  const bool steps = ui.state.screen.finger && width / places < 44;
+  const float row_width = std::min(width - (steps ? 2 * ui.control() : 0), widest_place * places);
   const RowOfPlaces row = row_of_places(ui, "failures", "The robot that fails",
                                         failed ? failure_words(ui.state, failed->robot) : "none",
                                         count, now, ImVec2(row_width, height));
   draw_text(*ImGui::GetWindowDrawList(), Face::label, low, ui.theme.second_text,
             caption(ui.state, count));
+  if (steps) draw_steps(ui, ImVec2(low.x + width - 2 * ui.control(), low.y), count, now);
   ImGui::SetCursorScreenPos(ImVec2(low.x, low.y + height));
   ImGui::Dummy(ImVec2(width, 0));
   if (count == 0) return;

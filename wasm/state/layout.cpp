@@ -120,9 +120,9 @@ Layout narrow(const AppState& state) {
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
-  // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots.
+  // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots; a window would cover them.
   l.low = screen.height < least_height_beside_sheet;
-  if (l.low || state.sheet != Sheet::closed || state.second_method)
+  if (l.low || state.sheet != Sheet::closed || state.second_method || screen.window_at_foot)
     l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
   split(l, screen.foot, state.second_method.has_value(), 60, 52, 52);
   return l;

@@ -36,6 +36,12 @@ export async function show(page, { start = false, source = "this" } = {}) {
 // Compares the methods on the open polygon at once.
 export const curves = (page) => show(page, { start: true });
 
+// Where the form fills the window, what comes below it would not be seen to have come.
+function reveal(element) {
+  const { top, height } = element.closest(".scroll").getBoundingClientRect();
+  if (element.getBoundingClientRect().top > top + height * 0.7) element.scrollIntoView({ block: "start" });
+}
+
 class ExperimentWindow {
   #polygon;  // the open polygon: its text in the thesis's format, and the settings that matter
   #files = [];
@@ -169,8 +175,9 @@ class ExperimentWindow {
         partly: async (some) => {
           if (some.figures.length === 0) return;
           kept = { outputs: some, caption: `${caption} They are still missing.`, of };
-          partly = true;
           await this.#show();
+          if (!partly) reveal(this.results);
+          partly = true;
         },
         progress: (done, title) => {
           this.bar.value = done / tasks.length;
@@ -179,6 +186,7 @@ class ExperimentWindow {
       });
       kept = { outputs, caption, of };
       await this.#show();
+      if (!partly) reveal(this.results);
       this.said.textContent = of ? "Done." : `Done: ${count(tasks.length, "polygon")}.`;
     } catch (error) {
       if (error.name === "AbortError") this.said.textContent = partly ? "Cancelled; balanced robots are missing." : "Cancelled; nothing of this comparison is kept.";
@@ -194,6 +202,7 @@ class ExperimentWindow {
     this.running.hidden = !running;
     for (const control of this.form.querySelectorAll("input, button")) control.disabled = running;
     if (focused) (running ? this.cancel : this.start).focus({ preventScroll: true });
+    if (running) reveal(this.running);
   }
 
   #forgetCharts() {

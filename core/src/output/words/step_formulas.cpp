@@ -99,7 +99,12 @@ std::string StepFormulas::scores() const {
 }
 
 std::string StepFormulas::base() const {
-  return fill("H: #, then #", {corners(detail_.base_before), corners(detail_.base)});
+  const std::size_t before = detail_.base_before.size(), now = detail_.base.size();
+  return fill("H #; now it #",
+              {before == 0   ? Piece("was empty")
+               : before == 2 ? Piece("was a segment")
+                             : fill("had #", {corners(detail_.base_before)}),
+               now == 2 ? Piece("is a segment") : fill("has #", {corners(detail_.base)})});
 }
 
 std::string StepFormulas::share() const {
