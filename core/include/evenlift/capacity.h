@@ -9,8 +9,12 @@
 
 namespace evenlift {
 
-// The greatest number of teams that is tried.
+// The greatest number of teams that is tried, unless they are exchanged until they hold.
 inline constexpr std::uint32_t most_teams_for_capacity = 512;
+
+// The greatest number of teams that a plan tries with these settings: most_exchanged_teams (exchange.h) if
+// they are exchanged until they hold, and else most_teams_for_capacity. O(1).
+std::uint32_t most_teams_tried(const Settings& settings);
 
 // The numbers of the robots that carry more than `capacity`, as find_robot() (loads.h) counts them.
 // O(robots).
