@@ -86,6 +86,8 @@ std::string for_people(const Compared& compared) {
                               percentage(widest.bound, 2) + ".\n";
   text +=
       "  The greedy choice is " + gap_in_words(widest.coverage, greedy.coverage) + " behind it.\n";
+  if (greedy.stands && greedy.stands->has_body())
+    text += "  The optimum does not ask whether robots get into each other's way.\n";
   if (const auto& firmest = compared.firmest)
     text +=
         "\n  To hold           covers " + percentage(firmest->keys.coverage, 2) + "   candidates " +
@@ -94,6 +96,16 @@ std::string for_people(const Compared& compared) {
              ? "It holds the object, and of all choices it is the best one by hold, coverage and load ratios.\n"
              : "No choice of so many teams holds the object.\n");
   return text;
+}
+
+// Why firmest_choice() compares nothing.
+std::string too_many(const Placement& greedy) {
+  if (greedy.teams.size() > most_exchanged_teams)
+    return "choices of at most " + std::to_string(most_exchanged_teams) +
+           " teams are compared by how they hold, not of " + std::to_string(greedy.teams.size());
+  return "there are more than 4194304 choices of " +
+         count_of(greedy.teams.size(), "team", "teams") + " among " +
+         count_of(greedy.candidates.size(), "candidate", "candidates") + ": too many to compare";
 }
 
 std::string numbers_from_0(const std::vector<std::uint32_t>& taken) {
@@ -147,11 +159,7 @@ void cmd_optimum(const Arguments& arguments) {
   const Placement greedy = greedy_placement(input, options);
   const Compared compared = compare(greedy, holds, seconds);
   if (holds && !compared.firmest && !greedy.teams.empty())
-    throw Failure{bad_input_status, "--goal",
-                  "there are more than 4194304 choices of " +
-                      count_of(greedy.teams.size(), "team", "teams") + " among " +
-                      count_of(greedy.candidates.size(), "candidate", "candidates") +
-                      ": too many to compare"};
+    throw Failure{bad_input_status, "--goal", too_many(greedy)};
   write_output(json ? as_json(compared) : for_people(compared));
 }
 
