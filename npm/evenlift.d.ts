@@ -44,6 +44,12 @@ export interface Settings {
   weight_unit?: WeightUnit;
   /** What a picture shows. */
   overlays?: readonly Overlay[] | "none";
+  /** Where teams of two may stand: at the best places, or anywhere in the ranges that `min_ratio` allows. Default `"best"`. */
+  positions?: "best" | "range";
+  /** What a robot takes up, such as `"r=30,reach=5"`: some of r, reach, depth, width and gap, each at least 0. Default `"none"`. */
+  robot?: string;
+  /** Edges from 1 that no robot may touch, or parts of them, such as `"3,5:0.25-0.75"`. Default `"none"`. */
+  no_go?: string;
   /** The step of the lesson that a link opens. */
   step?: number | "none";
 }
@@ -72,7 +78,8 @@ export interface PosesOptions extends Settings {
 export interface Candidate {
   ends: [Point, Point];
   ratio: number;
-  kind: "bisecting" | "vertex" | "midpoint";
+  /** `"range"` only with positions anywhere in the ranges, or of robots with a size. */
+  kind: "bisecting" | "vertex" | "midpoint" | "range";
 }
 
 export interface Team {
@@ -100,8 +107,8 @@ export interface Loads {
   max: number;
   spread: number;
   max_share: number;
-  /** By the other models, in the order of the robots; `best` is the least possible greatest load. */
-  models: { springs: number[]; best: number; worst: number[] };
+  /** By the other models, in the order of the robots; `best` is the least possible greatest load. `null` if rounding puts C beside the robots. */
+  models: { springs: number[]; best: number; worst: number[] } | null;
 }
 
 export interface Closure {
@@ -117,10 +124,11 @@ export interface Robustness {
   com_margin: number;
   failures_carried: number;
   failures_steady: number;
-  load_per_length: number[];
+  /** `null` where the models are. */
+  load_per_length: number[] | null;
   /** The following with a `com_radius` above 0. */
   com_radius?: number;
-  exact_within?: number;
+  exact_within?: number | null;
   plan_ranges?: [least: number, greatest: number][];
   springs_ranges?: [least: number, greatest: number][];
 }
@@ -176,11 +184,19 @@ export interface Placement {
   closure: Closure;
   goal: Goal;
   goal_reached: boolean;
-  /** The following four with the metric `balanced`. */
+  /** With the metric `balanced`, like `apart` and `survive`. */
   requested_robots?: number;
+  /** The same, and with teams of two that are to hold. */
   min_margin?: number;
   apart?: number | null;
   survive?: number;
+  /** Where it is not `"best"`. */
+  positions?: "range";
+  /** The following three where robots have a size, or edges must not be touched. */
+  robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
+  no_go?: string;
+  /** Parts of edges, which count from 1, where no robot can stand, and why. */
+  unusable?: [edge: number, from: number, to: number, why: "no_go" | "body" | "arm" | "corner" | "hand" | "narrow"][];
   /** Not there with no team. */
   robustness?: Robustness;
   /** With `failures`. */
@@ -208,8 +224,9 @@ export class EvenliftError extends Error {
 /** Places robots. Throws EvenliftError. */
 export function place(polygon: Polygon, options?: PlaceOptions): Placement;
 
-/** Where teams of two may stand, in order of slope. Throws EvenliftError. */
-export function candidates(polygon: Polygon, settings?: Settings): Candidate[];
+/** Where teams of two may stand, in order of slope, at the best places and as points: of the settings only `min_ratio` and
+ * `centre_of_mass` count. Throws EvenliftError. */
+export function candidates(polygon: Polygon, settings?: Settings): (Candidate & { kind: Exclude<Candidate["kind"], "range"> })[];
 
 /** The picture, as a text of SVG. Throws EvenliftError. */
 export function svg(polygon: Polygon, options?: SvgOptions): string;

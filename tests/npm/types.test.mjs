@@ -37,7 +37,9 @@ test("what the program prints is a Placement, with no member more or less", () =
   // As literals, so that members that are not declared are complained of.
   const results = [...names.map((name) => printed(name)), printed("hammer", "--failures", "--candidates", "--capacity", "20", "--com-radius", "5"),
     printed("hammer", "--capacity", "0.001"), printed("star", "--metric", "balanced", "--robots", "5", "--failures"),
-    printed("hammer", "--unit", "mm", "--weight-unit", "lb"), printed("star", "--metric", "random", "--seed", "7"), printed("square", "--min-ratio", "1", "--teams", "1")];
+    printed("hammer", "--unit", "mm", "--weight-unit", "lb"), printed("star", "--metric", "random", "--seed", "7"), printed("square", "--min-ratio", "1", "--teams", "1"),
+    printed("hammer", "--positions", "range", "--goal", "hold", "--candidates"),
+    printed("grand-piano", "--robot", "r=30,reach=20,depth=40,width=60", "--no-go", "38", "--candidates")];
   const code = `import type { Placement } from "evenlift";\n${results.map((json, i) => `export const p${i}: Placement = ${json}`).join(";\n")};\n`;
   assert.deepEqual(complaintsOf(code), []);
 });

@@ -54,6 +54,9 @@ class Settings(TypedDict, total=False):
     survive: Optional[int]
     com_radius: Optional[float]
     capacity: Optional[float]
+    positions: Literal["best", "range", None]
+    robot: Optional[str]
+    no_go: Optional[str]
     overlays: Optional[str]
     unit: Literal["m", "cm", "mm", "in", "none", None]
     weight_unit: Literal["kg", "t", "N", "lb", None]
@@ -95,7 +98,8 @@ def place(
 
 
 def candidates(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> Candidates:
-    """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}."""
+    """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}: at the best places and as points. Of the
+    settings only min_ratio and the centre of mass count."""
     return Candidates({"command": "candidates", **_request(polygon, centre_of_mass, settings)})
 
 
