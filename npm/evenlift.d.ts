@@ -35,7 +35,7 @@ export interface Settings {
   apart?: number;
   /** 0 to 30. Default 0. */
   survive?: number;
-  /** Where a team may stand on two edges. Default `"best"`. */
+  /** Where teams of two may stand: at the best places, or anywhere in the ranges that `min_ratio` allows. Default `"best"`. */
   positions?: Positions;
   /** The size of a robot, such as `"r=30,reach=5"`. Default `"none"`. */
   robot?: string;
@@ -85,6 +85,7 @@ export interface PosesOptions extends Settings {
 export interface Candidate {
   ends: [Point, Point];
   ratio: number;
+  /** `"range"` only with positions anywhere in the ranges, or of robots with a size. */
   kind: "bisecting" | "vertex" | "midpoint" | "range";
 }
 
@@ -113,8 +114,8 @@ export interface Loads {
   max: number;
   spread: number;
   max_share: number;
-  /** By the other models, in the order of the robots; `best` is the least possible greatest load. */
-  models: { springs: number[]; best: number; worst: number[] };
+  /** By the other models, in the order of the robots; `best` is the least possible greatest load. `null` if rounding puts C beside the robots. */
+  models: { springs: number[]; best: number; worst: number[] } | null;
 }
 
 export interface Closure {
@@ -130,10 +131,11 @@ export interface Robustness {
   com_margin: number;
   failures_carried: number;
   failures_steady: number;
-  load_per_length: number[];
+  /** `null` where the models are. */
+  load_per_length: number[] | null;
   /** The following with a `com_radius` above 0. */
   com_radius?: number;
-  exact_within?: number;
+  exact_within?: number | null;
   plan_ranges?: [least: number, greatest: number][];
   springs_ranges?: [least: number, greatest: number][];
 }
@@ -189,16 +191,17 @@ export interface Placement {
   closure: Closure;
   goal: Goal;
   goal_reached: boolean;
-  /** With `positions` of `"range"`. */
-  positions?: Positions;
-  /** The following four with the metric `balanced`; the margin also with teams that are to hold. */
   requested_robots?: number;
+  /** The same, and with teams of two that are to hold. */
   min_margin?: number;
   apart?: number | null;
   survive?: number;
-  /** The following three with a `robot` or `no_go`; edges count from 1, parts from 0 to 1. */
+  /** Where it is not `"best"`. */
+  positions?: "range";
+  /** The following three where robots have a size, or edges must not be touched. */
   robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
   no_go?: string;
+  /** Parts of edges, which count from 1, where no robot can stand, and why. */
   unusable?: [edge: number, from: number, to: number, why: "no_go" | "body" | "arm" | "corner" | "hand" | "narrow"][];
   /** Of a link with robots that somebody moved by hand. */
   moved?: string;
@@ -229,8 +232,9 @@ export class EvenliftError extends Error {
 /** Places robots. Throws EvenliftError. */
 export function place(polygon: Polygon, options?: PlaceOptions): Placement;
 
-/** Where teams of two may stand, in order of slope. Throws EvenliftError. */
-export function candidates(polygon: Polygon, settings?: Settings): Candidate[];
+/** Where teams of two may stand, in order of slope, at the best places and as points: of the settings only `min_ratio` and
+ * `centre_of_mass` count. Throws EvenliftError. */
+export function candidates(polygon: Polygon, settings?: Settings): (Candidate & { kind: Exclude<Candidate["kind"], "range"> })[];
 
 /** The picture, as a text of SVG. Throws EvenliftError. */
 export function svg(polygon: Polygon, options?: SvgOptions): string;

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "evenlift/exchange.h"
 #include "evenlift/generate.h"
+#include "evenlift/output/words.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
@@ -106,6 +108,28 @@ TEST_CASE("a capacity that no number of teams keeps is said to be impossible", "
     CHECK_FALSE(many.possible);
     CHECK(many.tried == most_teams_for_capacity);
   }
+}
+
+TEST_CASE("a plan of teams that are exchanged says how many were tried", "[capacity][words]") {
+  Document comb;
+  comb.vertices = *generate(Family::comb, 40, 1);
+  comb.settings.goal = Goal::hold;
+  comb.settings.min_ratio = 0.5;
+  comb.settings.teams = 2;
+  const Placement points = placed(comb);
+  REQUIRE(points.candidates.size() > most_exchanged_teams);
+  const CapacityPlan many = plan_capacity(points, 0.5);
+  CHECK_FALSE(many.possible);
+  CHECK(many.tried == most_teams_tried(points.settings));
+  CHECK(capacity_in_words(points, 0.5, &many).ends_with("Even 64 robots are too few."));
+
+  comb.settings.robot.radius = 20;
+  const CapacityPlan few = plan_capacity(placed(comb), 0.5);
+  comb.settings.teams = most_exchanged_teams;
+  comb.settings.goal.reset();
+  CHECK_FALSE(few.possible);
+  CHECK(few.tried == placed(comb).teams.size());
+  CHECK(few.tried < most_exchanged_teams);
 }
 
 TEST_CASE("robots that carry more than the capacity are told by number", "[capacity]") {

@@ -583,6 +583,10 @@ TEST_CASE("a result with balanced robots opens again with what was asked", "[imp
   REQUIRE(placement.ok());
   const Import result = read(placement_json(*placement, false));
   CHECK(result.shapes.at(0).document.settings == document.settings);
+  CHECK(read(document_json(document)).shapes.at(0).document.settings == document.settings);
+  document.settings.goal.reset();
+  document.settings.apart.reset();
+  CHECK(read(document_json(document)).shapes.at(0).document.settings == document.settings);
 }
 
 TEST_CASE("a result of teams that hold in ranges opens again with what was asked", "[import]") {

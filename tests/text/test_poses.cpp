@@ -96,6 +96,15 @@ TEST_CASE("a message of ROS 2 is in metres", "[poses]") {
   CHECK(x(LengthUnit::in) == Approx(0.0762).epsilon(1e-15));
 }
 
+TEST_CASE("a heading is above -180 degrees, however little its direction is", "[poses]") {
+  Placement placement(testing::polygon({{-2, 0}, {0, 0}, {-1e-20, 1}, {-2, 1}}));
+  placement.centre_of_mass = {-1, 0.5};
+  placement.teams = {Team{{Robot{{{0, 0.5}, 1}, 1, 12.5}}, 1}};
+  const PlacedRobot robot = placed_robots(placement).at(0);
+  CHECK(robot.direction.y() < 0);
+  CHECK(robot.heading_deg == 180);
+}
+
 TEST_CASE("a pose's rotation turns x into the heading, wherever the robot stands", "[poses]") {
   // At the four edges, and at the four vertices in the middle of the two normals.
   const struct {

@@ -40,11 +40,13 @@ namespace balanced {
 class Rules;
 }
 
-// The object, C and the settings robots, goal, min_margin, apart and survive, robot and no_go, with all
-// that is computed of them once. With the last two every set that is ever looked at can stand. It is immutable, and copies share it.
+// The object, C and the settings robots, goal, min_margin, apart, survive, robot and no_go, with all
+// that is computed of them once. Where robots have a size, or edges must not be touched, the stands are
+// spread over what can be used, and in every set that is looked at all robots can stand. It is immutable,
+// and copies share it.
 class BalancedProblem {
  public:
-  // The settings must be in their ranges. O(n log n).
+  // The settings must be in their ranges. O(n log n), besides the cost of Stands (stands.h).
   BalancedProblem(Polygon polygon, const Vec2& centre, const Settings& settings);
 
   const balanced::Rules& rules() const { return *rules_; }
@@ -62,9 +64,10 @@ struct BalancedKeys {
   double spread = 0;             // key 5, in squared units of length
   std::vector<double> places;    // key 6, ascending, in [0, Lambda)
 };
+// O(m^2 + m log n), and O(n m) for the coverage at worst.
 BalancedKeys balanced_keys(const BalancedProblem& problem, const std::vector<LiftingPoint>& robots);
 
-// Whether the first set is better than the second.
+// Whether the first set is better than the second. The cost of balanced_keys() at most, for each.
 bool is_better(const BalancedProblem& problem, const std::vector<LiftingPoint>& a,
                const std::vector<LiftingPoint>& b);
 
@@ -81,8 +84,9 @@ inline constexpr std::uint32_t most_rounds = 8;
 
 // The start: S_i is the better one of S_(i-2) with two more and S_(i-3) with three more, for
 // i = 2 .. m from the empty S_0; for m = 4, and where S_4 would not exist, also a stand with three
-// more. Nothing if there is no set of m robots. About 65 m completions, 4,096 for m = 4; each costs
-// O(n) at worst, and much less as a rule (even_chords.h).
+// more. Nothing if there is no set of m robots. For s stands, from 64 to 128 as a rule, at most
+// (s + 1) m completions, and s^2 more where a stand takes three more. A completion is the search for the
+// even candidates about one point: O(n) at worst, and much less as a rule.
 std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem);
 
 // Whether the start surely takes less than some tenths of a second, so that a program that shows it
@@ -97,19 +101,19 @@ struct BalancedExchange {
   std::array<LiftingPoint, 3> from, to;
 };
 
-// What a search does next. It goes through the triples i < j < k of robots; with more than
-// 12 robots only those of which two are neighbours along the outline, with more than 24 three in a
-// row. The best of the present set
-// and of all sets of the other robots with three more, in this order, becomes the present one, and
-// the robots are numbered anew. A round that changes nothing is the last: then no exchange makes the
-// set better. A triple costs as many completions as there are stands.
+// What a search does next. It goes through the triples i < j < k of robots; with more than 12 robots
+// only those of which two are neighbours along the outline, with more than 24 three in a row. The best
+// of the present set and of all sets of the other robots with three more, in this order, becomes the
+// present one, and the robots are numbered anew. A round that changes nothing is the last: then no
+// exchange makes the set better. A triple costs as many completions as there are stands.
 struct BalancedStep {
   BalancedSearch search;                     // afterwards
   std::optional<BalancedExchange> exchange;  // what was exchanged, if anything was
 };
 BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch search);
 
-// Goes on to the next exchange, or to the end. To the end of the round. To the end of the search.
+// next_exchange() goes on to the next exchange, or to the end if there is none; finish_round() to the
+// end of the present round, and finish_search() to the end of the search.
 BalancedStep next_exchange(const BalancedProblem& problem, BalancedSearch search);
 BalancedSearch finish_round(const BalancedProblem& problem, BalancedSearch search);
 BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search);
@@ -118,7 +122,7 @@ BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch sear
 // the list follow, so that C stays the centroid. Of the even candidates that allow it theirs are the
 // ends that are nearest to them, by the sum of the squares of the ways. Nothing if there is none: the
 // robot cannot go there. Where robots have a size `to` is its contact, and it cannot go where it would
-// not fit or collide. O(n) at worst (even_chords.h).
+// not fit or collide. O(n) at worst, as a completion.
 std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& problem,
                                                     std::vector<LiftingPoint> robots,
                                                     std::size_t moved, const LiftingPoint& to);

@@ -58,7 +58,7 @@ bool is_quick_to_finish(const BalancedProblem& problem);
 
 // What completes robots by two more: the point that must be the middle between the two, and the even
 // candidates about it, in candidate order; none if the point is not strictly inside the convex hull
-// of P. O(n) at worst (even_chords.h).
+// of P. O(n) at worst, and much less as a rule.
 struct Completions {
   Vec2 middle = Vec2::Zero();
   std::vector<Chord> chords;

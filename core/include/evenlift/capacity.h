@@ -9,8 +9,12 @@
 
 namespace evenlift {
 
-// The greatest number of teams that is tried.
+// The greatest number of teams that is tried, unless they are exchanged until they hold.
 inline constexpr std::uint32_t most_teams_for_capacity = 512;
+
+// The greatest number of teams that a plan tries with these settings: most_exchanged_teams (exchange.h) if
+// they are exchanged until they hold, and else most_teams_for_capacity. O(1).
+std::uint32_t most_teams_tried(const Settings& settings);
 
 // The numbers of the robots that carry more than `capacity`, as find_robot() (loads.h) counts them.
 // O(robots).
@@ -24,7 +28,7 @@ struct CapacityPlan {
   std::uint32_t teams = 0;   // if possible, the least such number with the placement's method
   double greatest_load = 0;  // if possible, the greatest load of a robot with so many teams
   std::uint32_t tried = 0;   // the most teams that were tried; if not possible and below
-                             // most_teams_for_capacity, the method found no place for more
+                             // most_teams_tried(), the method found no place for more
   std::uint32_t team_size =
       2;  // robots in a team. Balanced robots are one team: if possible of the
           // least number of robots, and otherwise most_robots were tried
@@ -32,15 +36,18 @@ struct CapacityPlan {
 };
 
 // Plans for the object of a placement, which must come from place(), and for robots that carry up
-// to `capacity` > 0 each, in the unit of its weight. The plan depends on the placement's polygon,
-// centre of mass, method, minimum load ratio, weight, seed, positions and goal, but not on its number of teams. The
-// candidates of the placement are reused. The methods area, circle, distance and random choose
-// teams one after another, so the first k teams of a selection are a placement of k teams; they
-// cost as much as selecting the teams that are needed, or 512. The method distributed has different
-// teams for each number, and so have teams that are exchanged until they hold, of which up to
-// most_exchanged_teams (exchange.h) are tried. Balanced robots bear the same, so their least number follows from the
-// weight; that such a set exists is not tried. For distributed teams only the loads are computed, and a number of teams is rejected
-// as soon as one robot carries too much.
+// to `capacity` > 0 each, in the unit of its weight. The plan depends on the placement's polygon and
+// centre of mass, and on its settings but for the number of teams or robots and what only describes
+// (overlays, units and the like); same_plan() compares just these. The candidates of the placement are
+// reused.
+//
+// The methods area, circle, distance and random choose teams one after another, so the first k teams
+// of a selection are a placement of k teams; they cost as much as selecting the teams that are needed,
+// or 512. Distributed teams are others for each number, of which only the loads are computed, and a
+// number of teams is rejected as soon as one robot carries too much. Teams that are exchanged until
+// they hold are others for each number, too: each costs as much as its exchanges (exchange.h).
+// Balanced robots bear the same, so their least number follows from the weight, and from the failures
+// that they are to survive; that such a set exists is not tried.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
 // Whether two placements have the same plan for every capacity, because they agree in everything on

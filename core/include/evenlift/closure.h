@@ -43,8 +43,8 @@ struct FreeRegion {
                           // counter-clockwise; no, one or two points if it has no area there
 };
 
-// The regions of free rotation centres that contacts leave. O(m log m) for m contacts on e edges,
-// and O(e^2) if a region has no area.
+// The regions of free rotation centres that contacts leave. O(n + m log m) for m contacts on e edges,
+// and O(e^2) to clip a region at worst, or if it has no area.
 struct FreeRegions {
   FreeRegion clockwise, counterclockwise;
 };
@@ -52,10 +52,12 @@ FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
                          const std::vector<Contact>& contacts);
 
 struct Closure {
-  bool form_closure = false;     // no motion is free to first order
-  std::optional<double> margin;  // Ferrari and Canny's quality of the contacts' wrenches, see
-                                 // wrench_margin.h; > 0 in form closure; none without contacts
-  bool second_order = false;     // immobile to second order, though motions are free to first order
+  bool form_closure = false;  // no motion is free to first order
+  // Ferrari and Canny's quality: the radius of the largest ball about the origin in the convex hull
+  // of the contacts' wrenches (n, (p - C) x n / R), n being the inward unit normal; if the origin is
+  // outside, minus its distance from the hull. Above 0 in form closure; none without contacts.
+  std::optional<double> margin;
+  bool second_order = false;  // immobile to second order, though motions are free to first order
   bool translation_free = true;
   std::optional<Vec2> translation;  // a free direction, unit length, if any
   FreeRegion clockwise, counterclockwise;
@@ -83,7 +85,7 @@ bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
 // Analyses the grasp of robots at `points`. Whether a region is empty and whether a translation is
 // free is decided exactly, from the edges' directions and the rounded points. Of the contacts on
 // one edge only the first and the last count. O(n log n + m log m) for m contacts on e edges, and
-// O(e^2) for the margin or if a region has no area.
+// O(e^2) for the margin and, at worst, the regions.
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 

@@ -1,18 +1,19 @@
 // Teams of two that are exchanged until they hold the object (algorithm.md, Choosing so that it
 // holds). This is beyond the thesis, whose choice looks at the lifting base alone.
 //
-// The start are the teams that a metric selects. Of two choices of equally many teams the better one
-// is that which wins the first of these keys that decides:
+// It is a local search that begins with the teams that a metric selects. Of two choices of equally
+// many teams the better one is that which wins the first of these keys that decides:
 // 1. the level: how many of 0.001, 0.4 mu and mu the margin reaches, mu being the minimum margin;
 // 2. the coverage, the larger by more than 1e-9;
 // 3. the sum of the load ratios, the larger by more than tau.
 // In each round, of all exchanges (a team goes to a candidate that no team has) that make the choice
 // better, the best one is made: of those that tie by the keys, compared one after another, that to the
 // first candidate in their order, and then of the first team. Two teams among at most 100 candidates
-// first go to the best of all pairs, if it is better. The end is a round without such an exchange, or
-// the 4 t-th one; also a round before which most_exchanges had been tried. If the level is not 3 then,
-// what t - 1 teams come to with the best further candidate takes their place if it is better, and
-// exchanges go on. So no team more ever loses a level, though the teams may be others.
+// first go to the best of all pairs, if it is better. It ends with a round without such an exchange,
+// with the 4 t-th round, or when more than most_exchanges choices were compared. If the level is not 3
+// then, all of this is done for t - 1 teams; what they come to with the best further candidate takes the
+// teams' place if it is better, and exchanges go on within the same 4 t rounds. So a team more never
+// loses a level, though the teams may be others; only of robots with a size one more may have no room.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +47,8 @@ enum class HoldKey : std::uint8_t { level, coverage, ratios };
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 
 // The keys of the teams on some candidates, of which there are at most most_exchanged_teams; with
-// `stands` those of robots with a size, which hold the object where they touch it. O(n).
+// `stands` those of robots with a size, which hold the object where they touch it. O(n log n + K log n),
+// and O(n) for each corner of H at worst.
 HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken, double min_margin,
@@ -83,8 +85,9 @@ std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t te
                                           const Stands* stands = nullptr);
 
 // Exchanges the teams. The choice is never worse than its start. With `stands` only choices are tried
-// whose robots do not get into each other's way. For t teams among K candidates at
-// most 4 t rounds of O(t K) exchanges, of which few need more than a bound; check_exchanges() must
+// whose robots do not get into each other's way. For t teams among K candidates at most 4 t rounds of
+// O(t K) exchanges, of which few need more than a bound; and where the level stays below 3, as much
+// again for t - 1 teams, and so on, so that there are O(t^2) rounds at worst. check_exchanges() must
 // allow them.
 ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
                                const std::vector<Candidate>& candidates,

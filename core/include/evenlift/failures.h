@@ -44,13 +44,15 @@ struct RestOfRobots {
 };
 
 // What happens if one robot fails, for each of them, in their order; nothing where the rest does
-// not carry the object. The teams must be those of a placement on the polygon. O(m^2 log m + m n)
-// for m robots, O(m h n') for the coverage (stability.h), and for m up to 64 O(m^4).
+// not carry the object. The teams must be those of a placement on the polygon. For m robots
+// O(n log n + m n + m^2 log m), O(h n + m h n') for the coverage (stability.h), O(m^3) for the margin,
+// and for the least greatest load O(m^4) up to 65 robots, or O(m^2) for each of its some hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon, const Vec2& centre,
                                                          double weight,
                                                          const std::vector<Team>& teams);
 
-// The same of one robot, as find_robot() (loads.h) counts them.
+// The same of one robot, as find_robot() (loads.h) counts them. The m-th part of the cost, besides
+// O(n log n + h n).
 std::optional<RestOfRobots> single_failure(const Polygon& polygon, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
                                            std::size_t robot);

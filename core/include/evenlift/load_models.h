@@ -63,7 +63,8 @@ std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre
 // The least possible greatest load; nothing if the robots do not carry the object. It is the
 // larger of weight / m and the greatest of weight g(C) / (sum over robots of max(0, g)), over the
 // functions g that measure the distance to the left of a line through two robots. O(m^3) for up to
-// 64 robots. For more it is found to 13 digits by cutting planes, in some hundred steps of O(m).
+// 64 robots. For more it is found to 13 digits by cutting planes through the centre of gravity (A. Yu.
+// Levin and D. J. Newman, both 1965), in some hundred steps of O(m).
 std::optional<double> best_load(const Points& robots, const Vec2& centre, double diagonal,
                                 double weight);
 

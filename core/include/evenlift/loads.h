@@ -20,7 +20,8 @@ struct Robot {
 // equally many robots. The methods of the thesis make teams of two, at the ends of a chord.
 struct Team {
   std::vector<Robot> robots;  // r1 before r2 of a chord
-  double ratio = 1;           // the least load divided by the greatest, in (0, 1]
+  double ratio = 1;  // the least load divided by the greatest, in (0, 1]; 0 only where one of them
+                     // fails (with_failure() of placed_robots.h)
 };
 
 // The chord of a team of two. O(1).

@@ -45,14 +45,14 @@ std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models, double com_radius);
 
 // How much may go wrong before the object is not carried any more or tips; see failures.h and
-// doubt.h. O(n + m log m).
+// doubt.h. O(m log m).
 struct Robustness {
   int failures_carried = -1, failures_steady = -1;
   double tipping_distance = 0;
 };
 Robustness robustness(const Placement& placement);
 
-// What happens if one robot fails, for each of them; see failures.h. Besides, O(n log n).
+// What happens if one robot fails, for each of them; failures.h says at which cost.
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement);
 
 // The same of one robot, as find_robot() (loads.h) counts them.

@@ -48,17 +48,18 @@ enum class Effort : std::uint8_t { whole, start };
 // Checks that settings are in their ranges (settings_text.h) and go together: "max" needs a method
 // that chooses among candidates, the goal to hold such a method or balanced robots, and these are
 // enough for the failures that they are to survive; robots with a size, and edges that must not be
-// touched, need a method that looks for places.
-// The error's place names the setting. O(1).
+// touched, need a method that looks for places. The error's place names the setting. O(parts of no_go).
 std::optional<InputError> check_settings(const Settings& settings);
 
-// The points of the boundary that the robots of all teams touch, in their row: where robots have hands,
-// beside the lifting points. O(robots).
+// The points of the boundary that the robots of all teams touch, in their row. Hands that go beneath
+// the object lift farther inside; otherwise these are the lifting points. O(robots).
 std::vector<LiftingPoint> contact_points(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
-// the same bits on every platform. O(n log n + K log K) for K edge-pairs, besides the cost of the
-// selection (selection.h), the exchanges (exchange.h) or the search for balanced robots (balanced.h).
+// the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
+// check_centre_of_mass(), make_stands(), find_candidates() and check_exchanges(). O(n log n + K log K) for
+// K edge-pairs, besides the cost of the stands (stands.h), the selection (selection.h), the exchanges
+// (exchange.h) or the search for balanced robots (balanced.h), and O(n h) for the coverage.
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
 // The same for a polygon that is checked already: who moves its centre of mass or changes settings
@@ -72,7 +73,7 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
 Result<std::vector<Candidate>> candidates_of(const Document& document);
 
 // The placement with other balanced robots, which a search found or somebody placed. Their centroid
-// must be C. O(n log n).
+// must be C. O(n log n) for up to most_robots.
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended);
 

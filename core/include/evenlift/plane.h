@@ -30,7 +30,7 @@ inline Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   return a + along * std::clamp(dot(p - a, along) / square, 0.0, 1.0);
 }
 
-// Sutherland and Hodgman's step: the part of a closed polygon where `depth`, a linear function of
+// Sutherland and Hodgman's step (Reentrant polygon clipping, 1974): the part of a closed polygon where `depth`, a linear function of
 // the plane, is at least 0. A part of a polygon that is not convex may hang together along the
 // line. `kept` receives the part; it keeps its memory from call to call. O(n).
 template <class Depth>

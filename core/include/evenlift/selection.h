@@ -22,7 +22,8 @@ constexpr FirstTeam first_team(Positions positions) {
 
 // Chooses teams greedily. Returns indices into `candidates` in the order of choice: `teams` of
 // them, or all if there are fewer. `metric` is area, circle or distance. Geometry decides every
-// tie, so the same shape gets the same teams. O(K) for each team that widens H, and O(n) for each
+// tie, so the same shape gets the same teams. It is lazy (M. Minoux, Accelerated greedy algorithms
+// for maximizing submodular set functions, 1978): O(K) for each team that widens H, and O(n) for each
 // end that is evaluated: that is done only if its edge of H has changed and its upper bound could
 // still win. Once no candidate widens H, all further teams together cost O(K log K). With `stands`
 // candidates that collide with a team placed before are passed over.

@@ -101,7 +101,7 @@ bool is_moved(const Moved& moved);
 std::optional<std::uint64_t> read_failed(std::string_view text);
 
 // Checks that each setting by itself is in its range. The error's place names the setting. Whether
-// settings go together is checked by check_settings() (placement.h). O(1).
+// settings go together is checked by check_settings() (placement.h). O(parts of no_go).
 std::optional<InputError> check_ranges(const Settings& settings);
 
 // The rules themselves. O(1).

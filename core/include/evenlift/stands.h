@@ -81,7 +81,8 @@ class Stands {
   // All else, edge after edge, in ascending order. Where several reasons hold the first in the order of
   // WhyUnusable stands. The bits of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
-  // Why nobody can stand at t along an edge; nothing where somebody can. O(log n).
+  // Why nobody can stand at t along an edge; nothing where somebody can, to tau L. O(log n) and the
+  // edge's stretches.
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
   // The contact of a lifting point, and the middle of the body of a robot that lifts there. At a vertex,
@@ -92,7 +93,7 @@ class Stands {
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
   // The way along its edge from the first vertex to a lifting point or contact. O(1).
   double along(const LiftingPoint& point) const;
-  // Whether a robot can lift there, within tau L along the edge. O(log n).
+  // Whether a robot can lift there, within tau L along the edge. As why_not().
   bool can_lift(const LiftingPoint& point) const;
 
   // Whether two robots get into each other's way: their bodies' middles must be 2 r + gap apart, and the
@@ -119,12 +120,15 @@ class Stands {
 bool stands_anywhere(const Settings& settings);
 
 // The stands that the settings ask for; nothing if robots are points that may stand anywhere. It is an
-// error if an edge of no_go does not exist, or if nobody could stand anywhere.
+// error if an edge of no_go does not exist, or if nobody could stand anywhere. The cost is that of
+// Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon, const Settings& settings);
 
-// Marks that follow what a hand does, in order and without overlaps: with one more part, without it,
-// whether a place is marked (`at` as a part of the edge), after a vertex was put on an edge, and after one
-// of n > 3 vertices was removed. The new edge then has the marks of both. O(parts log parts).
+// How marks follow what somebody does by hand. All results are in order and without overlaps.
+// with_part() adds a part and without_part() takes one away; is_marked() says whether a place is marked.
+// after_split() has the marks after a vertex was put on an edge, and after_removal() those after one of
+// n > 3 vertices was removed: the new edge has the marks of both old ones. `at` is a part of the edge's
+// length. O(parts log parts), is_marked() O(parts).
 std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);
 std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& part);
 bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at);

@@ -1,4 +1,5 @@
 // The one tolerance of algorithm.md and the comparisons within it. All other decisions are exact.
+// All functions are O(1).
 #pragma once
 
 #include "evenlift/vec.h"
@@ -14,7 +15,7 @@ inline double near_distance(double diagonal) { return tau * diagonal; }
 // Whether two ratios or shares differ by at most tau.
 bool ratios_tie(double a, double b);
 
-// Whether two lengths differ by at most tau times the larger.
+// Whether two lengths, each at least 0, differ by at most tau times the larger.
 bool lengths_tie(double a, double b);
 
 // A score ties with the best if it is at most this much lower: tau times the best, but at least

@@ -202,7 +202,7 @@ const BalancedSet* shown_completion(const Trace& trace);
 // Whether C lies outside of the polygon. Its boundary counts as inside. Exact. O(n).
 bool centre_is_outside(const Trace& trace);
 
-// The team and the end (0: r1, 1: r2) that a contact belongs to. O(1).
+// The team and the end (0: r1, 1: r2) that a contact belongs to, of teams of two. O(1).
 struct RobotIndex {
   std::uint32_t team = 0, end = 0;
 };

@@ -53,19 +53,29 @@ CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   return growing.plan();
 }
 
+// The most teams that exchanges can begin with: robots with a size may find no room for so many.
+std::uint32_t most_with_room(const Placement& placement) {
+  const std::size_t most =
+      std::min<std::size_t>(placement.candidates.size(), most_teams_tried(placement.settings));
+  if (!placement.stands) return static_cast<std::uint32_t>(most);
+  return static_cast<std::uint32_t>(select_teams(placement.polygon, placement.centre_of_mass,
+                                                 placement.candidates, placement.settings.method,
+                                                 most, first_team(placement.settings.positions),
+                                                 placement.stands.get())
+                                        .size());
+}
+
 // Teams that are exchanged until they hold are others for each number of them.
 CapacityPlan plan_by_exchange(const Placement& placement, double capacity) {
   const double weight = placement.settings.weight;
   const auto& candidates = placement.candidates;
-  const auto most =
-      static_cast<std::uint32_t>(std::min<std::size_t>(candidates.size(), most_exchanged_teams));
+  const std::uint32_t most = most_with_room(placement);
   // Even perfectly even robots carry weight / (2 teams), so fewer teams are never enough.
   for (std::uint32_t teams = number_of_teams(weight / (2 * capacity)); teams <= most; ++teams) {
-    if (check_exchanges(candidates.size(), teams)) break;
+    if (check_exchanges(candidates.size(), teams)) return {false, 0, 0, teams - 1, 2};
     const std::vector<std::uint32_t> chosen =
         choose_candidates(placement.polygon, placement.centre_of_mass, candidates,
                           placement.settings, teams, placement.stands.get());
-    if (chosen.size() < teams) break;  // there is no room for more
     double greatest = 0;
     for (const std::uint32_t i : chosen)
       greatest = std::max(greatest, weight / teams * greater_share(candidates[i].chord));
@@ -142,6 +152,10 @@ bool same_plan(const Placement& a, const Placement& b) {
          s.seed == t.seed && s.survive == t.survive && s.positions == t.positions &&
          goal_of(s) == goal_of(t) && s.min_margin == t.min_margin && s.robot == t.robot &&
          s.no_go == t.no_go && a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices();
+}
+
+std::uint32_t most_teams_tried(const Settings& settings) {
+  return exchanges_teams(settings) ? most_exchanged_teams : most_teams_for_capacity;
 }
 
 CapacityPlan plan_capacity(const Placement& placement, double capacity) {

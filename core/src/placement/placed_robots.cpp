@@ -68,6 +68,12 @@ std::vector<double> loads_of(LoadModel model, const Placement& placement,
   return planned_loads(placement.teams);
 }
 
+// In (-180, 180]: of an angle a little above -180 degrees rounding may make -180.
+double degrees_of(const Vec2& direction) {
+  const double degrees = arctangent2(direction.y() + 0.0, direction.x()) * (180 / pi);
+  return degrees > -180 ? degrees : 180;
+}
+
 }  // namespace
 
 std::vector<PlacedRobot> placed_robots(const Placement& placement) {
@@ -79,7 +85,7 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
     for (const Robot& robot : placement.teams[t].robots) {
       const LiftingPoint& point = robot.point;
       const Vec2 inward = outline.inward_at(point, stands && stands->has_body());
-      const double heading_deg = arctangent2(inward.y() + 0.0, inward.x()) * (180 / pi);
+      const double heading_deg = degrees_of(inward);
       robots.push_back({point.position, stands ? stands->contact(point) : point.position,
                         stands ? stands->stand(point) : point.position,
                         static_cast<std::uint32_t>(t), robot.load, heading_deg,

@@ -103,7 +103,8 @@ def place(
 
 
 def candidates(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> Candidates:
-    """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}."""
+    """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}: at the best places and as points. Of the
+    settings only min_ratio and the centre of mass count."""
     return Candidates({"command": "candidates", **_request(polygon, centre_of_mass, settings)})
 
 

@@ -34,7 +34,8 @@ std::string placement_json(const Placement& placement, bool with_candidates,
 // placement_json. O(candidates).
 std::string candidates_json(const std::vector<Candidate>& candidates);
 
-// What a link holds: the polygon, the centre of mass if it is not the centroid, and the settings.
+// What a link holds, with the layout of placement_json: the polygon, the centre of mass, null if it is
+// the centroid, and the settings. read_shapes() (import.h) reads it again. O(output).
 std::string document_json(const Document& document);
 
 }  // namespace evenlift

@@ -32,11 +32,13 @@ struct PoseOptions {
 };
 
 // The robots, team after team, counted from 1: where each stands, where it faces, what it bears and
-// its team. A robot with a size stands at the middle of its body, any other where it lifts. It faces along the inward normal of the edge at which it lifts, and at a vertex along
-// the middle of the normals of the two edges there.
+// its team. A robot with a size stands at the middle of its body, any other where it lifts. It faces
+// along the inward normal of the edge at which it lifts, and at a vertex along the middle of the normals
+// of the two edges there.
 //   csv   a row for each robot: robot,team,x,y,heading_deg,load,unit,weight_unit
 //   json  {"frame", "origin", "unit", "weight_unit", "robots": [{"robot", "team", "x", "y",
-//         "heading_deg", "direction": [x, y], "load"}]}, direction being the heading as a vector of length 1
+//         "heading_deg", "direction": [x, y], "load"}]}, direction being the heading as a vector of
+//         length 1
 //   yaml  a geometry_msgs/msg/PoseArray as `ros2 topic pub` takes it: positions in metres, z = 0; the
 //         rotation is about z, and turns x into the heading; loads and teams are comments
 // Tables and JSON are in the placement's own units. Numbers are written with the fewest digits that

@@ -217,8 +217,12 @@ std::string document_json(const Document& document) {
       {"robot", robot_json(settings.robot)},
       {"no_go", json::text(no_go_text(settings.no_go))}};
   add_units(members, settings.units);
-  if (exchanges_teams(settings)) members.push_back({"goal", json::text(name(Goal::hold))});
-  if (settings.method != Method::balanced) add_beyond(members, settings);
+  if (exchanges_teams(settings) || (settings.method == Method::balanced && settings.goal))
+    members.push_back({"goal", json::text(name(goal_of(settings)))});
+  if (settings.method == Method::balanced)
+    add_balanced(members, settings);
+  else
+    add_beyond(members, settings);
   add_moved(members, document.moved);
   return json::long_object(members, 0) + "\n";
 }

@@ -43,13 +43,13 @@ std::string overload_in_words(const Placement& placement, double capacity,
          ".";
 }
 
-std::string need_in_words(const CapacityPlan& plan, const Units& units) {
+std::string need_in_words(const CapacityPlan& plan, const Settings& settings) {
   if (plan.possible)
     return "This method needs " + count_of(plan.team_size * plan.teams, "robot", "robots") +
-           ", with at most " + load_in_words(plan.greatest_load, plan.greatest_load, units) +
-           " each.";
+           ", with at most " +
+           load_in_words(plan.greatest_load, plan.greatest_load, settings.units) + " each.";
   const std::string tried = std::to_string(plan.team_size * plan.tried);
-  if (plan.tried >= most_teams_for_capacity || plan.team_size == most_robots)
+  if (plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots)
     return "Even " + tried + " robots are too few.";
   if (plan.tried == 0) return {};
   return "Not even all " + tried + " robots that find a place are enough.";
@@ -172,7 +172,7 @@ std::string capacity_in_words(const Placement& placement, double capacity,
 std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded) {
   return joined({overload_in_words(placement, capacity, overloaded),
-                 plan ? need_in_words(*plan, placement.settings.units) : std::string()});
+                 plan ? need_in_words(*plan, placement.settings) : std::string()});
 }
 
 std::vector<Fact> facts_in_words(const Placement& placement) {
