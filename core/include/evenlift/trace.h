@@ -422,7 +422,8 @@ struct StepDetail {
   bool clockwise_before = true, counterclockwise_before = true;  // whether a region was left before
 };
 // O(1), except: `scores` and `team` cost as much as look_at_scores; `base` O(teams log teams);
-// `contacts` and `cut` O(c^2) at worst for c contacts so far; steps of balanced robots a completion
+// `contacts` and `cut` O(n + c^2) at worst for c contacts so far; `swap` as look_at_swap; steps of
+// balanced robots a completion
 // and the keys of a set.
 StepDetail look_at(const Trace& trace, std::uint32_t k);
 

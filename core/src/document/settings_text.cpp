@@ -5,6 +5,7 @@
 
 #include "document/stand_settings.h"
 #include "evenlift/numbers.h"
+#include "numbers/text_cursor.h"
 
 namespace evenlift {
 namespace {
@@ -76,13 +77,6 @@ constexpr NamedOverlay overlay_names[] = {
     {"tipping", &Overlays::tipping},
     {"halo", &Overlays::halo},
 };
-
-std::string_view trimmed(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 std::optional<std::uint32_t> read_whole_32(std::string_view text) {
   const std::optional<std::uint64_t> value = read_whole(text);

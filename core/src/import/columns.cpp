@@ -17,12 +17,6 @@ using Fields = std::vector<std::string_view>;
 // What no table of coordinates has.
 constexpr std::size_t most_fields = 1000;
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_space_in_line(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space_in_line(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 std::string_view unquoted(std::string_view field) {
   field = trimmed(field);
   if (field.size() >= 2 && field.front() == '"' && field.back() == '"')

@@ -23,12 +23,6 @@ struct Group {
 };
 constexpr std::size_t max_groups = std::size_t{1} << 22;
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (is_space_in_line(text.front()))) text.remove_prefix(1);
-  while (!text.empty() && (is_space_in_line(text.back()))) text.remove_suffix(1);
-  return text;
-}
-
 // Reads one pair of lines after another.
 class Groups {
  public:

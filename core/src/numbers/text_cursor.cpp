@@ -9,6 +9,12 @@ char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 bool is_space_in_line(char c) { return c == ' ' || c == '\t'; }
 
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space_in_line(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space_in_line(text.back())) text.remove_suffix(1);
+  return text;
+}
+
 bool same_word(std::string_view word, std::string_view lower) {
   if (word.size() != lower.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i) {

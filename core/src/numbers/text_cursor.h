@@ -27,6 +27,9 @@ char lower_case(char c);        // of ASCII
 bool ends_line(char c);         // LF or CR
 bool is_space_in_line(char c);  // space or tab
 
+// The text without spaces and tabs at its ends. O(length).
+std::string_view trimmed(std::string_view text);
+
 // Reads a text from front to back. The text must outlive the cursor.
 class TextCursor {
  public:
