@@ -169,8 +169,7 @@ std::optional<InputError> move_team(const Placement& placement, const MovedTeam&
 }
 
 std::optional<InputError> move_teams(Placement& placement, const std::vector<MovedTeam>& teams) {
-  if (!can_move_teams(placement))
-    return refused("teams move with the positions range only");
+  if (!can_move_teams(placement)) return refused("teams move with the positions range only");
   std::vector<Chord> chords;
   for (const Team& team : placement.teams) chords.push_back(chord_of(team));
   for (const MovedTeam& moved : teams)
