@@ -187,22 +187,18 @@ TEST_CASE("moved robots that cannot stand there are refused with a sentence", "[
   CHECK(why_not(square, "1@1:0.5/99") == "there is no edge 99");
   CHECK(why_not(square, "1@1:0.5/1") == "team 1 is not within its range there");
   CHECK(why_not(square, "1@1:0.5/2") == "team 1 is not within its range there");
-  CHECK(why_not(square, "1:0.5,2:0.5,3:0.5") ==
-        "there are 3 balanced robots, but others were asked for");
+  CHECK(why_not(square, "1:0.5,2:0.5,3:0.5") == "3 balanced robots were not asked for");
   Document best = square;
   best.settings.positions = Positions::best;
-  CHECK(why_not(best, "1@1:0.5/3") ==
-        "teams are moved along their ranges only, with the positions range");
+  CHECK(why_not(best, "1@1:0.5/3") == "teams move with the positions range only");
   Document balanced = corpus::polygon("square");
   balanced.settings.method = Method::balanced;
   balanced.settings.robots = 4;
-  CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5") ==
-        "there are 3 balanced robots, but others were asked for");
+  CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5") == "3 balanced robots were not asked for");
   CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5,9:0.5") == "there is no edge 9");
   CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5,4:0.75") ==
         "the centroid of the robots is not the centre of mass");
-  CHECK(why_not(balanced, "1@1:0.5/3") ==
-        "teams are moved along their ranges only, with the positions range");
+  CHECK(why_not(balanced, "1@1:0.5/3") == "teams move with the positions range only");
   balanced.settings.robot.radius = 10;
   balanced.moved = *read_moved("1:0.5,2:0.5,3:0.5,4:0.5");
   CHECK(place(balanced).ok());

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, evenlift, idle, load, press, root, set, sharedBrowser } from "../page/browser.mjs";
+import { asset, axe, evenlift, idle, load, press, root, set, sharedBrowser } from "../page/browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -35,6 +35,8 @@ test("the optimum stands beside the greedy choice, with its picture and its team
     const sizes = await page.locator("#optimum img").evaluateAll((all) => all.map((image) => image.naturalWidth));
     assert.equal(sizes.length, 2);
     assert.ok(sizes.every((width) => width > 100), "both pictures are drawn");
+    await page.evaluate(axe);
+    assert.deepEqual(await page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id }) => id)), [], "what axe finds");
     await page.keyboard.press("Escape");
     await idle(page);
   }

@@ -178,15 +178,21 @@ bool same_margin(const Settings& a, const Settings& b) {
   return a.min_margin == b.min_margin && a.apart == b.apart && a.survive == b.survive;
 }
 
+// The settings with what places nothing taken over from others.
+Settings placing_as(Settings settings, const Settings& other) {
+  settings.step = other.step;
+  settings.capacity = other.capacity;
+  settings.com_radius = other.com_radius;
+  settings.units = other.units;
+  return settings;
+}
+
 // Whether robots stand at the same places with both.
-bool stand_alike(Settings a, const Settings& b) {
-  a.weight = b.weight;
-  a.overlays = b.overlays;
-  a.step = b.step;
-  a.capacity = b.capacity;
-  a.com_radius = b.com_radius;
-  a.units = b.units;
-  return a == b;
+bool stand_alike(const Settings& a, const Settings& b) {
+  Settings but = placing_as(a, b);
+  but.weight = b.weight;
+  but.overlays = b.overlays;
+  return but == b;
 }
 
 // The setting that differs, if it is only one.
@@ -749,11 +755,7 @@ namespace {
 
 // Whether only what places nothing differs in the edited document.
 bool places_nothing(const AppState& state, const Document& edited) {
-  Settings but = edited.settings;
-  but.step = settings(state).step;
-  but.capacity = settings(state).capacity;
-  but.com_radius = settings(state).com_radius;
-  but.units = settings(state).units;
+  const Settings but = placing_as(edited.settings, settings(state));
   return !state.refusal && edited.vertices == state.document.vertices &&
          edited.centre_of_mass == state.document.centre_of_mass && but == settings(state);
 }

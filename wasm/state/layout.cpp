@@ -149,15 +149,12 @@ Layout layout(const AppState& state) {
 
 namespace {
 
-// Robots with a size stand around the object. Where they are larger than it, they may be cut off.
-void add_bodies(Points& shown, const Settings& settings) {
+// How far robots with a size stand out beyond the object. Where they are larger than it, they may be cut off.
+double stands_out(const Settings& settings, double size) {
   const RobotSize& robot = settings.robot;
   const bool placed = settings.method == Method::balanced || selects_candidates(settings.method);
-  if (!placed || !(robot.radius > 0) || shown.empty()) return;
-  const Box box = bounding_box(shown);
-  const double out = std::min(2 * robot.radius + robot.reach, box.diagonal());
-  shown.push_back(box.low - Vec2(out, out));
-  shown.push_back(box.high + Vec2(out, out));
+  if (!placed || !(robot.radius > 0)) return 0;
+  return std::min(2 * robot.radius + robot.reach, size);
 }
 
 }  // namespace
@@ -166,10 +163,13 @@ Camera fitting_camera(const AppState& state) {
   const Rect room = layout(state).room;
   if (state.backdrop && state.tool == Tool::draw)
     return fit({state.backdrop->low, state.backdrop->high}, room);
-  Points shown = state.document.vertices;
-  if (state.document.centre_of_mass) shown.push_back(*state.document.centre_of_mass);
-  add_bodies(shown, settings(state));
-  return fit(shown, room);
+  const Points& vertices = state.document.vertices;
+  const std::optional<Vec2>& centre = state.document.centre_of_mass;
+  if (vertices.empty()) return fit(vertices, room);
+  Box box = bounding_box(vertices);
+  if (centre) box = {box.low.cwiseMin(*centre), box.high.cwiseMax(*centre)};
+  const double out = stands_out(settings(state), box.diagonal());
+  return fit({box.low - Vec2(out, out), box.high + Vec2(out, out)}, room);
 }
 
 Rect card_seat(const AppState& state) {

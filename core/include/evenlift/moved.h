@@ -28,7 +28,7 @@ std::optional<Moved> moved_along_outline(const Placement& placement, std::size_t
 std::optional<Moved> moved_along_range(const Placement& placement, std::size_t robot,
                                        const Vec2& to);
 
-// The placement with these robots moved. What the method chose is not it any more: team_candidates is
+// The placement with these robots moved, at least one. What the method chose is not it any more: team_candidates is
 // empty. It is an error if they are not as many as the placement has, if an edge does not exist, if
 // balanced robots do not have C as their centroid, have no room or get into each other's way, or if the
 // chord of a team does not end where it should, or robots with a size get into each other's way. O(n log n).

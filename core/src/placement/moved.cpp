@@ -63,19 +63,20 @@ std::optional<InputError> check_balanced(const Placement& placement,
   return std::nullopt;
 }
 
-Result<Placement> with_balanced(Placement placement, const std::vector<EdgePoint>& contacts) {
-  const std::size_t number = placement.settings.robots;
-  if (placement.settings.method != Method::balanced || contacts.size() != number)
-    return refused("there are " + std::to_string(contacts.size()) +
-                   " balanced robots, but others were asked for");
+std::optional<InputError> move_balanced(Placement& placement,
+                                        const std::vector<EdgePoint>& contacts) {
+  if (placement.settings.method != Method::balanced || contacts.size() != placement.settings.robots)
+    return refused(std::to_string(contacts.size()) + " balanced robots were not asked for");
   std::vector<LiftingPoint> robots;
   for (const EdgePoint& contact : contacts) {
     if (contact.edge >= placement.vertices().size())
       return refused("there is no " + numbered("edge", contact.edge));
     robots.push_back(lifting_point(placement, contact));
   }
-  if (auto error = check_balanced(placement, robots)) return *std::move(error);
-  return with_robots(std::move(placement), robots, true);
+  if (auto error = check_balanced(placement, robots)) return error;
+  placement.teams = {share_evenly(robots, placement.centre_of_mass, placement.settings.weight)};
+  placement.search_ended = true;
+  return std::nullopt;
 }
 
 // --- Teams of two
@@ -157,10 +158,11 @@ MovedTeam kept(const Placement& placement, std::size_t team, const Turned& turne
           turned.b};
 }
 
-Result<Chord> moved_chord(const Placement& placement, const MovedTeam& moved) {
+// Puts the chord of a moved team into the place of its former one.
+std::optional<InputError> move_team(const Placement& placement, const MovedTeam& moved,
+                                    std::vector<Chord>& chords) {
   const std::size_t n = placement.vertices().size();
-  if (moved.team >= placement.teams.size())
-    return refused("there is no " + numbered("team", moved.team));
+  if (moved.team >= chords.size()) return refused("there is no " + numbered("team", moved.team));
   for (const std::uint32_t edge : {moved.end.edge, moved.opposite})
     if (edge >= n) return refused("there is no " + numbered("edge", edge));
   const Vec2 at = lifting_point(placement, moved.end).position;
@@ -170,25 +172,21 @@ Result<Chord> moved_chord(const Placement& placement, const MovedTeam& moved) {
     turned = towards(placement, moved.end.edge, moved.opposite, direction);
   if (!turned || length(turned->on_a - at) > near_distance(placement.polygon.diagonal()))
     return refused(numbered("team", moved.team) + " is not within its range there");
-  return turned->chord;
+  chords[moved.team] = turned->chord;
+  return std::nullopt;
 }
 
-Result<Placement> with_teams(Placement placement, const std::vector<MovedTeam>& teams) {
-  if (!can_move_teams(placement))
-    return refused("teams are moved along their ranges only, with the positions range");
+std::optional<InputError> move_teams(Placement& placement, const std::vector<MovedTeam>& teams) {
+  if (!can_move_teams(placement)) return refused("teams move with the positions range only");
   std::vector<Chord> chords;
   for (const Team& team : placement.teams) chords.push_back(chord_of(team));
-  for (const MovedTeam& moved : teams) {
-    const auto chord = moved_chord(placement, moved);
-    if (!chord) return chord.error();
-    chords[moved.team] = *chord;
-  }
+  for (const MovedTeam& moved : teams)
+    if (auto error = move_team(placement, moved, chords)) return error;
   placement.teams = distribute_weight(chords, placement.settings.weight);
   if (placement.stands && placement.stands->any_collide(lifting_points(placement.teams)))
     return refused("two robots get into each other's way");
   placement.team_candidates.clear();
-  describe_grasp(placement);
-  return placement;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -232,25 +230,30 @@ std::optional<Moved> moved_along_range(const Placement& placement, std::size_t r
   }
   if (!moved) return std::nullopt;
   Moved all = placement.moved;
+  std::vector<MovedTeam>& teams = all.teams;
   const MovedTeam team = kept(placement, number, now);
-  const auto at =
-      std::lower_bound(all.teams.begin(), all.teams.end(), team,
-                       [](const MovedTeam& a, const MovedTeam& b) { return a.team < b.team; });
-  if (at != all.teams.end() && at->team == team.team)
-    *at = team;
-  else
-    all.teams.insert(at, team);
-  return all.teams.size() <= most_moved_teams ? std::optional(std::move(all)) : std::nullopt;
+  std::size_t at = 0;
+  while (at < teams.size() && teams[at].team != team.team) ++at;
+  if (at == teams.size()) teams.push_back(team);
+  teams[at] = team;
+  for (; at > 0 && team.team < teams[at - 1].team; --at) std::swap(teams[at], teams[at - 1]);
+  if (teams.size() > most_moved_teams) return std::nullopt;
+  return all;
+}
+
+std::optional<InputError> move_robots(Placement& placement, const Moved& moved) {
+  if (!is_moved(moved)) return refused("a robot stands on no point of an edge");
+  auto error = moved.robots.empty() ? move_teams(placement, moved.teams)
+                                    : move_balanced(placement, moved.robots);
+  if (error) return error;
+  placement.moved = moved;
+  describe_grasp(placement);
+  return std::nullopt;
 }
 
 Result<Placement> with_moved(Placement placement, const Moved& moved) {
-  if (!moved.any()) return placement;
-  if (!is_moved(moved)) return refused("a robot stands on no point of an edge");
-  Result<Placement> result = moved.robots.empty()
-                                 ? with_teams(std::move(placement), moved.teams)
-                                 : with_balanced(std::move(placement), moved.robots);
-  if (result) result->moved = moved;
-  return result;
+  if (auto error = move_robots(placement, moved)) return *std::move(error);
+  return placement;
 }
 
 }  // namespace evenlift

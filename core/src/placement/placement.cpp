@@ -7,7 +7,6 @@
 #include "evenlift/balanced.h"
 #include "evenlift/exchange.h"
 #include "evenlift/hull.h"
-#include "evenlift/moved.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings_text.h"
@@ -199,8 +198,11 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   placement.requested_teams = requested_teams(placement);
   // Where all robots were moved nobody need look for them.
   if (moved.robots.empty()) choose_teams(placement, effort);
-  if (moved.any()) return with_moved(std::move(placement), moved);
-  describe_grasp(placement);
+  if (!moved.any()) {
+    describe_grasp(placement);
+  } else if (auto error = move_robots(placement, moved)) {
+    return *std::move(error);
+  }
   return placement;
 }
 
