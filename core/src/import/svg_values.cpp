@@ -14,7 +14,7 @@ namespace {
 
 bool is_separator(char c) { return is_space_in_line(c) || ends_line(c) || c == ',' || c == '\f'; }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_separators(std::string_view text) {
   while (!text.empty() && is_separator(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_separator(text.back())) text.remove_suffix(1);
   return text;
@@ -268,7 +268,7 @@ SvgResult<std::vector<double>> svg_numbers(std::string_view text) {
 }
 
 SvgResult<std::optional<double>> svg_length(std::string_view text) {
-  text = trimmed(text);
+  text = without_separators(text);
   if (text.empty() || text == "auto") return std::optional<double>();
   const ScannedNumber number = scan_number(text);
   if (number.kind != ScannedNumber::Kind::finite)
@@ -277,7 +277,7 @@ SvgResult<std::optional<double>> svg_length(std::string_view text) {
   constexpr std::pair<std::string_view, double> units[] = {
       {"", 1},    {"px", 1},         {"mm", 96 / 25.4}, {"cm", 96 / 2.54},
       {"in", 96}, {"pt", 96.0 / 72}, {"pc", 16}};
-  const std::string_view unit = trimmed(text.substr(number.length));
+  const std::string_view unit = without_separators(text.substr(number.length));
   for (const auto& [name, size] : units)
     if (same_word(unit, name)) return std::optional<double>(number.value * size);
   return SvgProblem{"the unit of \"" + std::string(text.substr(0, 20)) +
@@ -286,7 +286,7 @@ SvgResult<std::optional<double>> svg_length(std::string_view text) {
 
 SvgResult<Affine> svg_transform(std::string_view text) {
   Affine whole;
-  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+  for (text = without_separators(text); !text.empty(); text = without_separators(text)) {
     std::size_t letters = 0;
     while (letters < text.size() && is_letter(text[letters])) ++letters;
     const std::string_view name = text.substr(0, letters);
