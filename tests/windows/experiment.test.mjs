@@ -134,12 +134,12 @@ test("over the set like the thesis's it writes what the program writes, byte for
 test("the polygon on the screen is measured with its own centre of mass, ratio and weight", async () => {
   const page = await browser.open();
   await load(page, asset("letter-e-moved"));
-  await set(page, { min_ratio: 0.7, weight: 480 });
+  await set(page, { min_ratio: 0.7, weight: 480, weight_unit: "lb" });
   const window = await openWindow(page, "experiment");
   assert.ok(await window.getByLabel("This polygon").isChecked());
-  assert.ok(await window.getByText("minimum load ratio 0.7 and weight 480 kg").isVisible());
+  assert.ok(await window.getByText("minimum load ratio 0.7 and weight 480 lb").isVisible());
   await compare(window, 4);
-  assert.deepEqual(await window.locator("h3").allTextContents(), ["Greatest load of a robot (kg)", "Difference between the greatest and the least load of a robot (kg)",
+  assert.deepEqual(await window.locator("h3").allTextContents(), ["Greatest load of a robot (lb)", "Difference between the greatest and the least load of a robot (lb)",
     "Coverage: part of the object inside the lifting base (%)", "Form closure (%)"]);
   const rows = rowsOf(await saved(page, "Measurements"));
   const file = fileWith("shape.txt", asset("letter-e-moved"));

@@ -161,6 +161,9 @@ EMSCRIPTEN_KEEPALIVE void page_release_centre() { carry_out({ReleaseCentre{}}); 
 // The settings of the last good placement, for the window of experiments.
 EMSCRIPTEN_KEEPALIVE double page_min_ratio() { return app().state.placed.settings.min_ratio; }
 EMSCRIPTEN_KEEPALIVE double page_weight() { return app().state.placed.settings.weight; }
+EMSCRIPTEN_KEEPALIVE const char* page_weight_unit() {
+  return hand_over(std::string(name(app().state.placed.settings.units.weight)));
+}
 
 // Inserts a vertex in the middle of the edge that begins at this one.
 EMSCRIPTEN_KEEPALIVE void page_insert_vertex(int after) {

@@ -105,12 +105,14 @@ extern "C" {
 // Sets the settings of all measurements from now on. Returns which setting is out of range, or
 // nothing.
 EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
-                                                  double most_teams, double most_balanced) {
+                                                  const char* weight_unit, double most_teams,
+                                                  double most_balanced) {
   using namespace evenlift;
-  const experiment::ExperimentSettings given{
-      min_ratio, whole_or_none(samples, experiment::max_samples),
-      whole_or_none(most_teams, experiment::max_experiment_teams),
-      whole_or_none(most_balanced, most_robots), weight};
+  experiment::ExperimentSettings given{min_ratio, whole_or_none(samples, experiment::max_samples),
+                                       whole_or_none(most_teams, experiment::max_experiment_teams),
+                                       whole_or_none(most_balanced, most_robots), weight};
+  for (const WeightUnit unit : all_weight_units)
+    if (name(unit) == weight_unit) given.weight_unit = unit;
   const std::optional<InputError> error = experiment::check_settings(given);
   if (!error) settings() = given;
   return hand_over(error ? error->message : "");

@@ -7,7 +7,7 @@ import { showResults } from "./experiment_results.js";
 import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources.js";
 
 // The weight and the number of teams of an experiment: the same as in `evenlift experiment`.
-const manyPolygons = { weight: 100, mostTeams: 1000 };
+const manyPolygons = { weight: 100, weightUnit: "kg", mostTeams: 1000 };
 
 // What is missing if the algorithm can place no team on the polygon.
 function withoutTeams({ figures }) {
@@ -49,7 +49,8 @@ class ExperimentWindow {
   #charts = [];  // functions that stop the charts from following the width
 
   constructor({ program }, source) {
-    this.#polygon = { text: program.text("page_text"), minRatio: program.number("page_min_ratio"), weight: program.number("page_weight") };
+    this.#polygon = { text: program.text("page_text"), minRatio: program.number("page_min_ratio"), weight: program.number("page_weight"),
+      weightUnit: program.text("page_weight_unit") };
     this.problem = problemLine();
     this.start = button("Compare", { class: "button primary", onclick: () => this.#run() });
     this.cancel = button("Cancel", { onclick: () => this.#stop?.abort(new DOMException("cancelled", "AbortError")) });
@@ -81,7 +82,7 @@ class ExperimentWindow {
     this.mostLabel = el("label", {}, "Most teams ", this.most);
     // Those up to 12, as `evenlift experiment` measures them, take five times as long as those up to 8.
     this.balanced = el("input", { class: "field", type: "number", min: "2", max: "64", step: "1", value: "8", inputmode: "numeric" });
-    this.ownSettings = el("p", { class: "second" }, `With its own centre of mass, minimum load ratio ${this.#polygon.minRatio} and weight ${this.#polygon.weight} kg.`);
+    this.ownSettings = el("p", { class: "second" }, `With its own centre of mass, minimum load ratio ${this.#polygon.minRatio} and weight ${this.#polygon.weight} ${this.#polygon.weightUnit}.`);
     return el("form", { class: "experiment", onsubmit: (event) => {
       event.preventDefault();
       this.#run();
@@ -119,8 +120,8 @@ class ExperimentWindow {
   }
 
   // Whether results of a single polygon describe the one that is open now.
-  #isOn({ text, minRatio, weight }) {
-    return text === this.#polygon.text && minRatio === this.#polygon.minRatio && weight === this.#polygon.weight;
+  #isOn(of) {
+    return ["text", "minRatio", "weight", "weightUnit"].every((name) => of[name] === this.#polygon[name]);
   }
 
   close() {
@@ -142,11 +143,11 @@ class ExperimentWindow {
     const random = this.samples.valueAsNumber, mostBalanced = this.balanced.valueAsNumber;
     const upTo = `Balanced robots are measured up to ${number(mostBalanced)}, since the search for more takes longer.`;
     if (this.#chosen === "this") {
-      const { minRatio, weight } = this.#polygon;
+      const { minRatio, weight, weightUnit } = this.#polygon;
       return {
         tasks: thisPolygon(this.#polygon), what: "methods", of: this.#polygon,
-        settings: { minRatio, samples: random, weight, mostTeams: this.most.valueAsNumber, mostBalanced },
-        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} kg, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most. ${upTo}`,
+        settings: { minRatio, samples: random, weight, weightUnit, mostTeams: this.most.valueAsNumber, mostBalanced },
+        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} ${weightUnit}, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most. ${upTo}`,
       };
     }
     const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();

@@ -6,7 +6,7 @@ import { Program } from "../page/program.js";
 const started = createModule().then((module) => new Program(module));
 
 const tasks = {
-  begin: (program, { minRatio, samples, weight, mostTeams, mostBalanced }) => program.text("experiment_begin", minRatio, samples, weight, mostTeams, mostBalanced),
+  begin: (program, { minRatio, samples, weight, weightUnit, mostTeams, mostBalanced }) => program.text("experiment_begin", minRatio, samples, weight, weightUnit, mostTeams, mostBalanced),
   measure: (program, { set, name, text, method }) => program.text("experiment_measure", set, name, text, method),
   refuse: (program, { set, name, problem }) => program.text("experiment_refuse", set, name, problem),
   optimum(program, { link, seconds }) {

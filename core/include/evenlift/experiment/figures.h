@@ -12,7 +12,7 @@ namespace evenlift::experiment {
 
 struct FigurePoint {
   std::uint32_t robots = 0;
-  double value = 0;            // as in the aggregates: kg, or a share of 1
+  double value = 0;            // as in the aggregates: a load, or a share of 1
   std::uint32_t polygons = 0;  // that it is an average of
 };
 
@@ -25,7 +25,7 @@ struct Figure {
   std::string set;                   // whose averages these are; empty of a single polygon
   std::string id;                    // "5.3", of the thesis's figure
   std::string title;                 // what is measured, in words
-  std::string unit;                  // "kg", or "%" where values are shares, shown times 100
+  std::string unit;                  // "kg" or another of weights, or "%" where values are shares, shown times 100
   std::string column;                // of the aggregates that the values are
   std::string sentence;              // what it shows, made from the data
   std::vector<FigureSeries> series;  // by method; none without values

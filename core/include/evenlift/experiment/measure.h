@@ -29,7 +29,8 @@ struct ExperimentSettings {
   // And with at most this many balanced robots, least_robots .. most_robots: their search takes most
   // of the time, and the more robots the more.
   std::uint32_t most_balanced = 12;
-  double weight = experiment_weight;  // of the object, kg; above 0
+  double weight = experiment_weight;        // of the object; above 0
+  WeightUnit weight_unit = WeightUnit::kg;  // its label, in the figures of a single polygon
   bool operator==(const ExperimentSettings&) const = default;
 };
 

@@ -75,8 +75,8 @@ std::string closure_sentence(const PolygonResult& result) {
          " Of random placements it is the part that is in form closure.";
 }
 
-Figure figure_of(const PolygonResult& result, const char* id, const char* title, const char* unit,
-                 Value value, const std::string& sentence) {
+Figure figure_of(const PolygonResult& result, const char* id, const char* title,
+                 const std::string& unit, Value value, const std::string& sentence) {
   Figure figure{"", id, title, unit, id, sentence, {}};
   for (const Measurement& m : result.measurements) {
     if (figure.series.empty() || figure.series.back().method != m.method)
@@ -91,11 +91,13 @@ Figure figure_of(const PolygonResult& result, const char* id, const char* title,
 std::vector<Figure> make_polygon_figures(const PolygonResult& result,
                                          const ExperimentSettings& settings) {
   if (result.measurements.empty()) return {};
+  const std::string unit(name(settings.weight_unit));
+  const auto weighed = [&](double load) { return in_unit(load, unit); };
   return {
-      figure_of(result, "load_max", "Greatest load of a robot", "kg", &Measurement::load_max,
-                by_every_method(result, &Measurement::load_max, in_kg) + random_note(settings)),
+      figure_of(result, "load_max", "Greatest load of a robot", unit, &Measurement::load_max,
+                by_every_method(result, &Measurement::load_max, weighed) + random_note(settings)),
       figure_of(result, "spread", "Difference between the greatest and the least load of a robot",
-                "kg", &Measurement::spread, by_every_method(result, &Measurement::spread, in_kg)),
+                unit, &Measurement::spread, by_every_method(result, &Measurement::spread, weighed)),
       figure_of(result, "coverage", "Coverage: part of the object inside the lifting base", "%",
                 &Measurement::coverage,
                 by_every_method(result, &Measurement::coverage, in_percent)),

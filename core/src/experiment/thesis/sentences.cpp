@@ -74,7 +74,10 @@ std::string lead_in_words(const std::optional<double>& lead, Method method) {
 }  // namespace
 
 // U+00A0 is between a value and its unit.
-std::string in_kg(double value) { return fixed(value, 2) + "\u00A0kg"; }
+std::string in_unit(double value, const std::string& unit) {
+  return fixed(value, 2) + "\u00A0" + unit;
+}
+std::string in_kg(double value) { return in_unit(value, "kg"); }
 std::string in_percent(double share) { return fixed(100 * share, 1) + "\u00A0%"; }
 
 std::string of_robots(std::uint32_t robots) { return std::to_string(robots) + " robots"; }

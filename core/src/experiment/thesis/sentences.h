@@ -23,6 +23,7 @@ std::string coverage_deviation_sentence(const std::vector<Aggregate>&, std::uint
 std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
 
 // The pieces of such sentences. A value and its unit stay on one line.
+std::string in_unit(double value, const std::string& unit);
 std::string in_kg(double value);
 std::string in_percent(double share);
 std::string of_robots(std::uint32_t robots);  // "6 robots"
