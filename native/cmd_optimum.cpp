@@ -163,8 +163,8 @@ void cmd_optimum(const Arguments& arguments) {
   const Compared compared = compare(greedy, holds, seconds);
   if (holds && !compared.firmest && !greedy.teams.empty())
     throw Failure{bad_input_status, "--goal",
-                  "at most " + std::to_string(most_exchanged_teams) +
-                      " teams can be compared by how they hold, not " +
+                  "choices of at most " + std::to_string(most_exchanged_teams) +
+                      " teams are compared by how they hold, not of " +
                       std::to_string(greedy.teams.size())};
   write_output(json ? as_json(compared) : for_people(compared));
 }
