@@ -6,13 +6,12 @@
 
 #include "evenlift/failures.h"
 #include "evenlift/tolerance.h"
+#include "grasp/hold_levels.h"
 
 namespace evenlift::balanced {
 namespace {
 
-constexpr double coverage_tie = 1e-9, spread_tie = 1e-9;  // algorithm.md, Balanced robots
-constexpr double least_margin = 0.001, halfway = 0.4;
-constexpr std::uint32_t best_level = 3;
+constexpr double spread_tie = 1e-9;   // algorithm.md, Balanced robots
 constexpr double usual_apart = 0.12;  // in units of R
 
 Points positions(const std::vector<LiftingPoint>& robots) {
@@ -104,12 +103,7 @@ int Rules::steady(RatedSet& set) const {
 }
 
 std::uint32_t Rules::level(RatedSet& set) const {
-  if (!set.level) {
-    const std::optional<double> margin = margins_.of(set.robots);
-    set.level = 0;
-    for (const double bound : {least_margin, halfway * min_margin_, min_margin_})
-      if (margin && *margin >= bound) ++*set.level;
-  }
+  if (!set.level) set.level = level_of(margins_.of(set.robots), level_bounds(min_margin_));
   return *set.level;
 }
 

@@ -5,7 +5,7 @@
 
 #include "balanced/small_hull.h"
 #include "evenlift/tolerance.h"
-#include "exchange/keys.h"
+#include "grasp/hold_levels.h"
 
 namespace evenlift::exchange {
 namespace {
@@ -69,7 +69,7 @@ std::vector<LiftingPoint> Choices::contacts_of(std::vector<LiftingPoint> robots)
 }
 
 std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
-  return exchange::level_of(margin, bounds_);
+  return evenlift::level_of(margin, bounds_);
 }
 
 HoldKeys Choices::keys_of(const Part& part) const {

@@ -6,13 +6,12 @@
 
 #include "evenlift/selection.h"
 #include "evenlift/tolerance.h"
-#include "exchange/keys.h"
 #include "exchange/rounds.h"
+#include "grasp/hold_levels.h"
 
 namespace evenlift {
 namespace {
 
-using exchange::best_level;
 using exchange::Better;
 using exchange::Choices;
 using exchange::Part;
@@ -139,8 +138,8 @@ class Exchanger {
 
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b) {
   if (a.level != b.level) return a.level > b.level ? std::optional(HoldKey::level) : std::nullopt;
-  if (a.coverage > b.coverage + exchange::coverage_tie) return HoldKey::coverage;
-  if (b.coverage > a.coverage + exchange::coverage_tie) return std::nullopt;
+  if (a.coverage > b.coverage + coverage_tie) return HoldKey::coverage;
+  if (b.coverage > a.coverage + coverage_tie) return std::nullopt;
   return a.ratios > b.ratios + tau ? std::optional(HoldKey::ratios) : std::nullopt;
 }
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "evenlift/tolerance.h"
-#include "exchange/keys.h"
+#include "grasp/hold_levels.h"
 
 namespace evenlift::exchange {
 namespace {

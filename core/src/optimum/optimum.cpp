@@ -8,8 +8,8 @@
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
-#include "exchange/keys.h"
 #include "exchange/rounds.h"
+#include "grasp/hold_levels.h"
 #include "optimum/rings.h"
 
 namespace evenlift {
@@ -205,13 +205,13 @@ class Firmest {
 
   // No contact more makes the margin of a choice less, so no choice is above the level of all candidates.
   void bound(const Optimum& widest, FirmestChoice& best) const {
-    best.most_level = exchange::best_level;
+    best.most_level = best_level;
     if (candidates_.size() <= most_candidates_bounded)
-      best.most_level = exchange::level_of(margin_of_all(), exchange::level_bounds(min_margin_));
+      best.most_level = level_of(margin_of_all(), level_bounds(min_margin_));
     best.most_level = std::max(best.most_level, best.keys.level);
     best.most_coverage = std::max(widest.bound, best.keys.coverage);
     best.proved = best.keys.level == best.most_level &&
-                  best.keys.coverage >= best.most_coverage - exchange::coverage_tie;
+                  best.keys.coverage >= best.most_coverage - coverage_tie;
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "exact/tie_classes.h"
+#include "polygon/segments.h"
 
 namespace evenlift {
 namespace {
@@ -33,12 +34,6 @@ void keep_first(std::vector<std::uint32_t>& indices, std::size_t count, Key key,
   const double kept = least(key(*last));
   std::erase_if(indices, [&](std::uint32_t i) { return key(i) < kept; });
   std::sort(indices.begin(), indices.end());
-}
-
-double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const Vec2 line = b - a;
-  const double along = std::clamp(dot(p - a, line) / dot(line, line), 0.0, 1.0);
-  return length(p - (a + along * line));
 }
 
 // The floor for score_slack. With L it would be another one when the object is turned.

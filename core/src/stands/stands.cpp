@@ -9,6 +9,7 @@
 
 #include "evenlift/numbers.h"
 #include "evenlift/tolerance.h"
+#include "polygon/segments.h"
 #include "stands/losses.h"
 #include "stands/near_edges.h"
 #include "stands/obstacles.h"
@@ -17,14 +18,6 @@ namespace evenlift {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// The distance of two segments, which do not cross.
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double square = dot(along, along);
-  const double part = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return length(p - (a + part * along));
-}
 
 bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const auto sides_differ = [](const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
@@ -35,8 +28,8 @@ bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
 
 double distance_of_segments(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   if (cross_each_other(a, b, c, d)) return 0;
-  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d),
-                   distance_to_segment(c, a, b), distance_to_segment(d, a, b)});
+  return std::min({distance_to_segment(c, d, a), distance_to_segment(c, d, b),
+                   distance_to_segment(a, b, c), distance_to_segment(a, b, d)});
 }
 
 InputError refused(const char* setting, std::string why) {

@@ -1,4 +1,5 @@
-// When keys of choices tie, and the levels that a margin reaches.
+// The levels that a margin reaches, and when two coverages tie: how sets of robots that are to hold are
+// compared, whether they are teams or balanced (algorithm.md).
 #pragma once
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace evenlift::exchange {
+namespace evenlift {
 
 inline constexpr double coverage_tie = 1e-9;
 inline constexpr std::uint32_t best_level = 3;
@@ -27,4 +28,4 @@ inline std::uint32_t level_of(const std::optional<double>& margin, const LevelBo
                                     bounds.begin());
 }
 
-}  // namespace evenlift::exchange
+}  // namespace evenlift
