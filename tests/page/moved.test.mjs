@@ -1,7 +1,8 @@
 // Robots that were dragged by hand stay where they are: in undo, after a reload, in a shared link, and in the program.
 import assert from "node:assert/strict";
+import path from "node:path";
 import { test } from "node:test";
-import { asset, drag, evenlift, idle, link, load, press, published, set, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, drag, evenlift, idle, link, load, press, published, root, set, sharedBrowser, state, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -93,7 +94,7 @@ test("a team that was dragged along its range comes back by undo, reload and lin
 test("a link with robots that cannot stand there is refused with a sentence", async () => {
   const page = await browser.open();
   const before = await state(page);
-  const bad = evenlift("link", "encode", "tests/data/moved_nowhere.json").trim();
+  const bad = evenlift("link", "encode", path.join(root, "tests/data/moved_nowhere.json")).trim();
   await assert.rejects(load(page, bad), /the centroid of the robots is not the centre of mass/);
   assert.deepEqual(await state(page), before);
   await page.done();
