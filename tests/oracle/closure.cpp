@@ -48,6 +48,25 @@ std::size_t nearest_edge(const ExactShape& shape, const RealVec& p) {
   return nearest;
 }
 
+/// Where the outline is folded so closely that two edges of different directions are both within the
+/// tolerance of a robot, it is a matter of rounding which of them the robot touches.
+void note_folds(const ExactShape& shape, const RealVec& p, std::optional<std::size_t> vertex,
+                Calls& calls) {
+  const std::size_t n = shape.vertices.size(), touched = vertex ? *vertex : nearest_edge(shape, p);
+  const auto along = [&](std::size_t edge) {
+    const RealVec u = shape.real_vertices[(edge + 1) % n] - shape.real_vertices[edge];
+    return u * (1 / length(u));
+  };
+  for (std::size_t edge = 0; edge < n; ++edge) {
+    if (edge == touched || (vertex && (edge + 1) % n == *vertex)) continue;
+    const RealVec u = along(edge), v = along(touched);
+    if (dot(u, v) > 0 && abs(cross(u, v)) <= tau) continue;
+    if (distance_to_segment(p, shape.real_vertices[edge], shape.real_vertices[(edge + 1) % n]) <=
+        tau * shape.size)
+      calls.intransitive("edges nearer to each other than tau L");
+  }
+}
+
 /// Positive at a convex vertex, 0 at a straight one, within the tolerance.
 int turn_at(const ExactShape& shape, std::size_t vertex, Calls& calls) {
   const std::size_t n = shape.vertices.size();
@@ -72,6 +91,7 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
   };
   for (const RealVec& p : points) {
     const auto vertex = vertex_at(shape, p, calls);
+    note_folds(shape, p, vertex, calls);
     if (!vertex) {
       add(contact_on(shape, p, nearest_edge(shape, p)));
       continue;

@@ -22,10 +22,10 @@ struct FigureSeries {
 };
 
 struct Figure {
-  std::string set;                   // whose averages these are; empty of a single polygon
-  std::string id;                    // "5.3", of the thesis's figure
-  std::string title;                 // what is measured, in words
-  std::string unit;                  // "kg" or another of weights, or "%" where values are shares, shown times 100
+  std::string set;    // whose averages these are; empty of a single polygon
+  std::string id;     // "5.3", of the thesis's figure
+  std::string title;  // what is measured, in words
+  std::string unit;   // "kg" or another of weights, or "%" where values are shares, shown times 100
   std::string column;                // of the aggregates that the values are
   std::string sentence;              // what it shows, made from the data
   std::vector<FigureSeries> series;  // by method; none without values
