@@ -95,7 +95,8 @@ test("Firefox opens a link and keeps it in the address bar", { skip }, async () 
   const page = await open(`#${link}`);
   assert.equal(await page.evaluate(() => evenlift.link()), link);
   await page.evaluate(() => evenlift.set({ teams: 2 }));
-  await page.waitForFunction(() => location.hash === `#${evenlift.link()}`);
+  await idle(page);
+  assert.equal(await page.evaluate(() => location.hash), `#${await page.evaluate(() => evenlift.link())}`);
   assert.notEqual(await page.evaluate(() => evenlift.link()), link);
   await page.done();
 });
