@@ -71,14 +71,11 @@ TEST_CASE("a case is passed over where the outline is folded within the toleranc
   // The sixth and the seventh edge go back and forth along one line, up to rounding: which of them a
   // robot there touches decides about closure.
   Case folded;
-  folded.problem.vertices = {{-6.8162082654751419, 7.3170557522591135},
-                             {-4.8475682527280259, 6.9642718237546717},
-                             {-0.55750429872935192, 8.2273439794929057},
-                             {1.4111357140177643, 7.8745600509884648},
-                             {-1.615856084242675, 2.3214239412515574},
-                             {-5.5531361097369079, 3.0269917982604397},
-                             {-3.5844960969897914, 2.6742078697559983},
-                             {-7.5217761224840238, 3.3797757267648807}};
+  folded.problem.vertices = {
+      {-6.8162082654751419, 7.3170557522591135},  {-4.8475682527280259, 6.9642718237546717},
+      {-0.55750429872935192, 8.2273439794929057}, {1.4111357140177643, 7.8745600509884648},
+      {-1.615856084242675, 2.3214239412515574},   {-5.5531361097369079, 3.0269917982604397},
+      {-3.5844960969897914, 2.6742078697559983},  {-7.5217761224840238, 3.3797757267648807}};
   folded.problem.min_ratio = 0;
   folded.problem.teams = 3;
   const Finding finding = against_oracle::compare_placement(folded);

@@ -101,7 +101,8 @@ bool repeats(const Area& a) {
 
 void hatch_swatch(ImDrawList& list, ImVec2 low, ImVec2 high, Colour colour, bool rising) {
   list.PushClipRect(low, high, true);
-  for (float x = -16; x < 32; x += 4.5f) {
+  for (int line = 0; line < 11; ++line) {
+    const float x = -16 + 4.5f * static_cast<float>(line);
     const ImVec2 from(low.x + x, rising ? high.y : low.y),
         to(low.x + x + 16, rising ? high.y - 16 : low.y + 16);
     list.AddLine(from, to, colour.packed(), 1.3f);
@@ -150,7 +151,7 @@ void draw_swatch(const Ui& ui, Swatch swatch, ImVec2 low, bool on) {
       }
       break;
     case Swatch::candidate:
-      for (float x = 0; x < 16; x += 6) {
+      for (const float x : {0.0f, 6.0f, 12.0f}) {
         list.AddLine(ImVec2(low.x + x, y), ImVec2(low.x + x + 3.5f, y),
                      shade(t.second_text).packed(), 1.4f);
       }

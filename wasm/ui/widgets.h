@@ -40,9 +40,9 @@ void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high);
 // Buttons; true when pressed. A disabled one is drawn faintly and does nothing.
 // One that says what is in hand stays down while `on`; without that it never does.
 using Pressed = std::optional<bool>;
-bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* tip, float size,
-                 Pressed on = {});
-bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* tip,
+bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* about,
+                 float size, Pressed on = {});
+bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* about,
                  float height, Icon after = Icon::none, Pressed on = {});
 
 float text_button_width(const char* label);  // with an icon before it

@@ -284,7 +284,7 @@ struct PairDetail {
   std::optional<Standing> standing;  // of robots with a size; `chosen` is then what they came to
 };
 // O(1).
-PairDetail look_at_pair(const Trace& trace, std::uint32_t pair);
+PairDetail look_at_pair(const Trace& trace, std::uint32_t index);
 
 // A range, and the candidates in it.
 struct RangeDetail {

@@ -97,8 +97,9 @@ bool has_moved(const Document& document) {
 
 bool take_moved(const std::string& text, Document& document) {
   auto moved = read_moved(text);
-  if (moved) document.moved = *std::move(moved);
-  return moved.has_value();
+  if (!moved) return false;
+  document.moved = *std::move(moved);
+  return true;
 }
 
 }  // namespace

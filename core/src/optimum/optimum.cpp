@@ -1,6 +1,7 @@
 #include "evenlift/optimum.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "evenlift/closure.h"
@@ -140,7 +141,8 @@ std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t lim
   double number = 1;
   for (std::size_t i = 0; i < size; ++i)
     number = number * static_cast<double>(all - i) / static_cast<double>(i + 1);
-  return number > static_cast<double>(limit) ? limit + 1 : static_cast<std::uint64_t>(number + 0.5);
+  return number > static_cast<double>(limit) ? limit + 1
+                                             : static_cast<std::uint64_t>(std::llround(number));
 }
 
 // Looks for the best choice by all keys.
