@@ -266,6 +266,15 @@ export async function drag(page, from, to, steps = 8) {
   await idle(page);
 }
 
+export async function undo(page) {
+  await page.keyboard.press("Control+z");
+  await idle(page);
+}
+export async function redo(page) {
+  await page.keyboard.press("Control+Shift+Z");
+  await idle(page);
+}
+
 // Waits until the address bar holds the current link.
 export async function published(page) {
   await page.waitForFunction(() => location.hash === `#${evenlift.link()}`);

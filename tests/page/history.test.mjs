@@ -1,7 +1,7 @@
 // Undo and redo survive a reload, and say what they do.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, drag, idle, link, load, set, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, drag, idle, link, load, redo, set, sharedBrowser, state, toScreen, undo } from "./browser.mjs";
 import { noticed } from "./windows.mjs";
 
 const browser = sharedBrowser();
@@ -13,15 +13,6 @@ async function reload(page) {
   await idle(page);
   await page.locator("#canvas").focus();
 }
-
-const undo = async (page) => {
-  await page.keyboard.press("Control+z");
-  await idle(page);
-};
-const redo = async (page) => {
-  await page.keyboard.press("Control+Shift+Z");
-  await idle(page);
-};
 
 test("after a reload every edit can be undone and done again", async () => {
   const page = await browser.open();

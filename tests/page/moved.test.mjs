@@ -2,18 +2,9 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, drag, evenlift, idle, link, load, press, published, root, set, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, drag, evenlift, idle, link, load, press, published, redo, root, set, sharedBrowser, state, toScreen, undo } from "./browser.mjs";
 
 const browser = sharedBrowser();
-
-const undo = async (page) => {
-  await page.keyboard.press("Control+z");
-  await idle(page);
-};
-const redo = async (page) => {
-  await page.keyboard.press("Control+Shift+Z");
-  await idle(page);
-};
 
 // Drags a robot a little about the centre of mass.
 async function turn(page, team, end, by) {

@@ -1,6 +1,8 @@
 // The best choice of teams, against brute force over all of them.
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "evenlift/hull.h"
 #include "evenlift/optimum.h"
@@ -74,6 +76,23 @@ bool compare(const Placement& placement) {
   return true;
 }
 
+// The samples on which three teams that are to hold can be compared with all others.
+struct Held {
+  std::string name;
+  Placement placement;
+};
+std::vector<Held> held_samples() {
+  std::vector<Held> samples;
+  for (const std::string& name : corpus::polygon_names()) {
+    Document document = corpus::polygon(name);
+    document.settings.goal = Goal::hold;
+    Placement placement = placed(document);
+    if (placement.teams.size() >= 3 && placement.candidates.size() <= 40)
+      samples.push_back({name, std::move(placement)});
+  }
+  return samples;
+}
+
 }  // namespace
 
 TEST_CASE("the widest choice of teams is that of brute force", "[optimum]") {
@@ -118,12 +137,9 @@ TEST_CASE("bounds of many candidates are true of few, too", "[optimum]") {
 
 TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum]") {
   int equal = 0, compared = 0;
-  for (const std::string& name : corpus::polygon_names()) {
-    INFO(name);
-    Document document = corpus::polygon(name);
-    document.settings.goal = Goal::hold;
-    const Placement placement = placed(document);
-    if (placement.teams.size() < 3 || placement.candidates.size() > 40) continue;
+  for (const Held& held : held_samples()) {
+    INFO(held.name);
+    const Placement& placement = held.placement;
     const auto firmest =
         firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
                        placement.team_candidates, placement.settings.min_margin, Optimum{});
@@ -141,12 +157,9 @@ TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum]") 
 
 TEST_CASE("bounds of holds are true, and reached where they are said to be proved", "[optimum]") {
   int proved = 0, compared = 0;
-  for (const std::string& name : corpus::polygon_names()) {
-    INFO(name);
-    Document document = corpus::polygon(name);
-    document.settings.goal = Goal::hold;
-    const Placement placement = placed(document);
-    if (placement.teams.size() < 3 || placement.candidates.size() > 40) continue;
+  for (const Held& held : held_samples()) {
+    INFO(held.name);
+    const Placement& placement = held.placement;
     const Optimum widest = optimum_of(placement);
     const auto find = [&](std::uint64_t most) {
       return *firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,

@@ -65,3 +65,14 @@ test("methods that do not choose among candidates are compared by area", async (
   assert.equal((await rows(page))[1][2], optimum.taken.map((i) => i + 1).join(", "));
   await page.done();
 });
+
+test("robots with a size do not get into each other's way in the optimum either", async () => {
+  const page = await browser.open({ viewport: { width: 1280, height: 1000 } });
+  await load(page, asset("square"));
+  await set(page, { teams: 2, robot: "r=100,gap=60" });
+  await idle(page);
+  await openOptimum(page);
+  const { optimum } = JSON.parse(evenlift("optimum", path.join(root, "assets/polygons/square.txt"), "--teams", 2, "--robot", "r=100,gap=60", "--json"));
+  assert.equal((await rows(page))[1][2], optimum.taken.map((i) => i + 1).join(", "));
+  await page.done();
+});

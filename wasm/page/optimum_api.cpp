@@ -52,8 +52,9 @@ Compared compare(const Placement& greedy, double seconds) {
   const double end = emscripten_get_now() + 1000 * seconds;
   bool stopped = false;
   const Stop stop = [&] { return stopped = stopped || emscripten_get_now() >= end; };
-  Optimum optimum = widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
-                                  greedy.requested_teams, greedy.team_candidates, stop);
+  Optimum optimum =
+      widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
+                    greedy.requested_teams, greedy.team_candidates, stop, greedy.stands.get());
   Placement best = with_choice(greedy, optimum.taken);
   return {greedy, std::move(best), std::move(optimum), stopped};
 }
@@ -100,8 +101,6 @@ std::string in_lines(const Compared& compared, Method asked) {
     text += line("said", "The method " + std::string(name(asked)) +
                              " does not choose among candidates, so as many teams are chosen by " +
                              std::string(name(greedy.settings.method)) + " here.");
-  if (greedy.stands)
-    text += line("said", "The optimum does not ask whether robots get into each other's way.");
   return text;
 }
 
