@@ -28,6 +28,11 @@ std::string system_message(const std::error_code& error) {
   return text;
 }
 
+Failure bad_value(const std::string& option, const std::string& expected,
+                  const std::string& typed) {
+  return {bad_input_status, option, expected + ", not \"" + typed + "\""};
+}
+
 Failure bad_input(const std::string& source, const InputError& error) {
   const std::string place = describe(error.place);
   // A place in a link already says so: "link, character 5".

@@ -27,6 +27,9 @@ void print_failure(const Failure& failure);
 // The system's words for an error, as part of a sentence: "no such file or directory".
 std::string system_message(const std::error_code& error);
 
+// A value that an option cannot have: what is expected, and what was typed instead.
+Failure bad_value(const std::string& option, const std::string& expected, const std::string& typed);
+
 // An error in the contents of `source`: a file's name, "standard input" or "link".
 Failure bad_input(const std::string& source, const InputError& error);
 

@@ -13,14 +13,10 @@ std::string as_typed(const std::string& setting) {
   return option;
 }
 
-Failure refused(const std::string& option, const std::string& what, const std::string& typed) {
-  return {bad_input_status, option, what + ", not \"" + typed + "\""};
-}
-
 template <class Value>
 Value value_or_refusal(Setting setting, const std::optional<Value>& value,
                        const std::string& text) {
-  if (!value) throw refused(as_typed(std::string(name(setting))), requirement(setting), text);
+  if (!value) throw bad_value(as_typed(std::string(name(setting))), requirement(setting), text);
   return *value;
 }
 
@@ -28,13 +24,13 @@ Value value_or_refusal(Setting setting, const std::optional<Value>& value,
 
 std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t most) {
   const std::optional<std::uint64_t> value = read_whole(text);
-  if (!value || *value > most) throw refused(option, "expected a whole number", text);
+  if (!value || *value > most) throw bad_value(option, "expected a whole number", text);
   return *value;
 }
 
 void setting_option(Setting setting, const std::string& text, Document& document) {
   if (const auto error = read_setting(setting, text, document))
-    throw refused(as_typed(std::string(name(setting))), error->message, text);
+    throw bad_value(as_typed(std::string(name(setting))), error->message, text);
 }
 
 LoadModel loads_option(const std::string& text) {

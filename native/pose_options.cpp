@@ -3,14 +3,6 @@
 #include "failure.h"
 
 namespace evenlift::native {
-namespace {
-
-Failure refused(const char* option, const std::string& what, const std::string& typed) {
-  return {bad_input_status, option, what + ", not \"" + typed + "\""};
-}
-
-}  // namespace
-
 void PoseFileOptions::declare(CommandLine& line) {
   line.value(file, "--poses", "OUT",
              "also write the robots' poses: OUT ends in .csv, .json or .yaml");
@@ -24,17 +16,17 @@ std::optional<PosesAsked> PoseFileOptions::asked() const {
   if (!file) return std::nullopt;
   const auto format = pose_format_of_file(*file);
   if (!format)
-    throw refused("--poses", "the name of a file of poses ends in .csv, .json or .yaml", *file);
+    throw bad_value("--poses", "the name of a file of poses ends in .csv, .json or .yaml", *file);
   PosesAsked asked{*file, *format, {}};
   if (frame) {
     if (*format == PoseFormat::csv)
       throw Failure{bad_input_status, "--frame", "a table (CSV) names no frame"};
-    if (!is_frame_name(*frame)) throw refused("--frame", frame_requirement, *frame);
+    if (!is_frame_name(*frame)) throw bad_value("--frame", frame_requirement, *frame);
     asked.options.frame = *frame;
   }
   if (origin) {
     const auto known = pose_origin_from_name(*origin);
-    if (!known) throw refused("--origin", pose_origin_requirement, *origin);
+    if (!known) throw bad_value("--origin", pose_origin_requirement, *origin);
     asked.options.origin = *known;
   }
   return asked;

@@ -29,6 +29,10 @@ struct Candidate {
   double length = 0;  // |r1 r2|
 };
 
+// The chords of the candidates with these indices, in the order of the indices. O(their number).
+std::vector<Chord> chords_of(const std::vector<Candidate>& candidates,
+                             const std::vector<std::uint32_t>& indices);
+
 // Whether a chord is even: its load ratio is at least 1 - tau. O(1).
 bool is_even(const Chord& chord);
 

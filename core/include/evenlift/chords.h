@@ -19,6 +19,9 @@ struct LiftingPoint {
   std::uint32_t edge = 0;  // an edge on which it lies
 };
 
+// Their positions, in the same order. O(points).
+Points positions(const std::vector<LiftingPoint>& points);
+
 // A segment through C whose two ends lie on the boundary, on opposite sides of C.
 struct Chord {
   LiftingPoint r1;   // the left end (lower, if the direction counts as vertical)

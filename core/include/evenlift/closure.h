@@ -64,12 +64,14 @@ struct Closure {
 };
 
 // Only how firmly the contacts hold: the same as in their Closure, but cheaper if the contacts are
-// known. O(n + m log m) for m contacts, and O(e^2) on e edges.
+// known. O(n + m log m) for m contacts, and O(e^2) on e edges. The same for robots at `points`.
 struct Hold {
   bool form_closure = false;
   std::optional<double> margin;
 };
 Hold analyse_hold(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts);
+Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
+                  const std::vector<LiftingPoint>& points);
 
 // The same as analyse_closure(...).form_closure, but cheaper. Adding points cannot undo it.
 // O(m log m + n log n).

@@ -92,6 +92,8 @@ struct RobotSize {
   double depth = 0;   // of the hand beneath the object, from the contact to the lifting point
   double width = 0;   // of the hand
   double gap = 0;     // that stays free between two bodies
+  // Whether the robot is more than a point. A gap alone is kept between points, too.
+  bool has_body() const { return radius > 0 || reach > 0 || depth > 0 || width > 0; }
   bool operator==(const RobotSize&) const = default;
 };
 

@@ -46,6 +46,10 @@ struct InputError {
   Place place;
 };
 
+// The error for a setting or option that cannot have its value: its name as in JSON, and the
+// message.
+InputError bad_setting(std::string name, std::string why);
+
 // The place in words: "vertex 3", "edges 2 and 7", "line 4, column 2", "centre of mass", "link,
 // character 5", or the name of an option; empty for nowhere. Here vertices and edges are counted
 // from 1, as people count. O(1).

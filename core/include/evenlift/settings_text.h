@@ -51,8 +51,10 @@ std::optional<Setting> setting_from_name(std::string_view text);
 // load ratio is a number from 0 to 1". O(1).
 const char* requirement(Setting setting);
 
-// The error for a bad value: code bad_setting, the requirement, and a place that names the setting.
+// The error for a bad value: code bad_setting, the requirement or another reason, and a place that
+// names the setting.
 InputError setting_error(Setting setting);
+InputError setting_error(Setting setting, std::string why);
 
 // Sets a setting of the document from text:
 //   teams      a whole number from 1 to max_teams, or "max" for every candidate

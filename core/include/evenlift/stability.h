@@ -1,13 +1,19 @@
-// Coverage and the force that tips (algorithm.md, Terms and Stability; thesis 5.4).
+// The lifting base H, its coverage, and the force that tips (algorithm.md, Terms and Stability; thesis 5.4).
 #pragma once
 
 #include <limits>
+#include <vector>
 
+#include "evenlift/chords.h"
 #include "evenlift/hull.h"
 #include "evenlift/polygon.h"
 #include "evenlift/vec.h"
 
 namespace evenlift {
+
+// The lifting base H: the convex hull of the points at which robots lift, without the corners that
+// only rounding makes (hull.h). O(m log m).
+Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // The part of the polygon that lies in H, area(P and H) / area(P), in [0, 1]; 0 if H has no area.
 // `hull` must come from convex_hull. O(n h) for h corners.

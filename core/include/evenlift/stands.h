@@ -44,6 +44,12 @@ struct UnusablePart {
   WhyUnusable why = WhyUnusable::no_go;
 };
 
+// An edge as a robot at it sees it.
+struct EdgeFrame {
+  Vec2 start, along, outward;  // its first vertex, and two directions of unit length
+  double length;
+};
+
 // The boundary as robots of one size can use it. At t along an edge a robot can stand if
 //   1. every other edge is at least r - tau L away from the middle of its body,
 //   2. the segment from the body's middle to the contact meets the object at the contact only (if the
@@ -62,7 +68,7 @@ class Stands {
 
   const RobotSize& robot() const { return robot_; }
   // Whether a robot is more than a point.
-  bool has_body() const { return has_body_; }
+  bool has_body() const { return robot_.has_body(); }
   // Whether robots can stand anywhere at all.
   bool any() const { return !usable_.empty(); }
 
@@ -103,18 +109,16 @@ class Stands {
   bool any_collide(const std::vector<LiftingPoint>& points) const;
 
  private:
-  struct Frame {  // of an edge
-    Vec2 start, along, outward;
-    double length;
-  };
   RobotSize robot_;
-  bool has_body_ = false;
   double near_ = 0;
-  std::vector<Frame> frames_;
+  std::vector<EdgeFrame> frames_;  // of the edges
   std::vector<Stretch> usable_;
   std::vector<std::uint32_t> begins_;  // into usable_, by edge, and one more
   std::vector<UnusablePart> unusable_;
 };
+
+// The contacts of lifting points; without `stands` the points themselves. O(points).
+std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<LiftingPoint> points);
 
 // Whether robots are points that may stand anywhere. Then nothing is asked of Stands. O(1).
 bool stands_anywhere(const Settings& settings);

@@ -202,14 +202,6 @@ const BalancedSet* shown_completion(const Trace& trace);
 // Whether C lies outside of the polygon. Its boundary counts as inside. Exact. O(n).
 bool centre_is_outside(const Trace& trace);
 
-// The team and the end (0: r1, 1: r2) that a contact belongs to, of teams of two. O(1).
-struct RobotIndex {
-  std::uint32_t team = 0, end = 0;
-};
-inline RobotIndex robot_of(const Contact& contact) {
-  return {contact.point / 2, contact.point % 2};
-}
-
 // The trace of a placement that place() returned. An error if it would have more than
 // max_trace_steps steps. Costs as much as place() without the selection: O(n log n + K log K) for K
 // edge-pairs and opposite vertices. With balanced robots it costs as much as their search. It is an

@@ -21,6 +21,9 @@ inline double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() *
 // The length, by one square root. (hypot would differ between libraries.) O(1).
 inline double length(const Vec2& a) { return std::sqrt(a.x() * a.x() + a.y() * a.y()); }
 
+// The sum |a.x| + |a.y|, which is never below the length. O(1).
+inline double one_norm(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y()); }
+
 // The left normal of a: a turned by +90 degrees. O(1).
 inline Vec2 left_normal(const Vec2& a) { return {-a.y(), a.x()}; }
 

@@ -14,13 +14,6 @@ namespace {
 constexpr double spread_tie = 1e-9;   // algorithm.md, Balanced robots
 constexpr double usual_apart = 0.12;  // in units of R
 
-Points positions(const std::vector<LiftingPoint>& robots) {
-  Points points;
-  points.reserve(robots.size());
-  for (const LiftingPoint& robot : robots) points.push_back(robot.position);
-  return points;
-}
-
 // 1 if a is larger by more than the slack, -1 if b is, else 0.
 int compare(double a, double b, double slack) { return a > b + slack ? 1 : b > a + slack ? -1 : 0; }
 

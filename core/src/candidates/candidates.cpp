@@ -78,6 +78,14 @@ std::string_view name(CandidateKind kind) {
   return {};
 }
 
+std::vector<Chord> chords_of(const std::vector<Candidate>& candidates,
+                             const std::vector<std::uint32_t>& indices) {
+  std::vector<Chord> chords;
+  chords.reserve(indices.size());
+  for (const std::uint32_t i : indices) chords.push_back(candidates[i].chord);
+  return chords;
+}
+
 bool is_even(const Chord& chord) { return chord.ratio >= 1.0 - tau; }
 
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,

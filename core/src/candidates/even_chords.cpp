@@ -113,7 +113,7 @@ class EvenChords::Search {
     const double to_r = cross(along, r - p), to_s = cross(along, s - p);
     if ((to_r > 0) != (to_s > 0)) return false;
     const double least = std::min(std::fabs(to_r), std::fabs(to_s));
-    return least > slack_ * (std::fabs(along.x()) + std::fabs(along.y()));
+    return least > slack_ * one_norm(along);
   }
 
   void add(std::uint32_t i, std::uint32_t j) {

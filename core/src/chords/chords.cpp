@@ -37,6 +37,13 @@ VertexChord chord_into(const Polygon& polygon, const Vec2& centre, const RadialV
 
 }  // namespace
 
+Points positions(const std::vector<LiftingPoint>& points) {
+  Points positions;
+  positions.reserve(points.size());
+  for (const LiftingPoint& point : points) positions.push_back(point.position);
+  return positions;
+}
+
 std::vector<bool> radial_edges(const Polygon& polygon, const Vec2& centre) {
   const RadialView view(polygon, centre);
   std::vector<bool> radial(polygon.size());

@@ -317,10 +317,10 @@ std::optional<Setting> setting_from_name(std::string_view text) {
 
 const char* requirement(Setting setting) { return entry(setting).requirement; }
 
-InputError setting_error(Setting setting) {
-  return {ErrorCode::bad_setting,
-          requirement(setting),
-          {Place::Kind::option, 0, 0, std::string(name(setting))}};
+InputError setting_error(Setting setting) { return setting_error(setting, requirement(setting)); }
+
+InputError setting_error(Setting setting, std::string why) {
+  return bad_setting(std::string(name(setting)), std::move(why));
 }
 
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document) {

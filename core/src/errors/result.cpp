@@ -12,6 +12,10 @@ std::string one_or_two(const char* one, const char* two, const Place& place) {
 
 }  // namespace
 
+InputError bad_setting(std::string name, std::string why) {
+  return {ErrorCode::bad_setting, std::move(why), {Place::Kind::option, 0, 0, std::move(name)}};
+}
+
 std::string describe(const Place& place) {
   switch (place.kind) {
     case Place::Kind::nowhere:

@@ -15,7 +15,7 @@ namespace evenlift {
 // grows counter-clockwise from the positive x axis. Opposite directions differ by 2. The rounding
 // is far below the tolerance within which directions agree. 0 for the zero vector. O(1).
 inline double pseudo_angle(const Vec2& u) {
-  const double size = std::fabs(u.x()) + std::fabs(u.y());
+  const double size = one_norm(u);
   if (size == 0) return 0;
   const double part = u.y() / size;
   if (u.x() < 0) return 2 - part;

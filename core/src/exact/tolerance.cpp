@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace evenlift {
-namespace {
-
-// The 1-norm, which is never below the length.
-double one_norm(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y()); }
-
-}  // namespace
 
 bool ratios_tie(double a, double b) { return std::fabs(a - b) <= tau; }
 

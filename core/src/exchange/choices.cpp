@@ -49,7 +49,7 @@ Part Choices::part_of(const std::vector<std::uint32_t>& taken,
     append(chord, part.robots);
     part.ratios += chord.ratio;
   }
-  part.wrenches = margins_.wrenches_of(contacts_of(part.robots));
+  part.wrenches = margins_.wrenches_of(contact_points(stands_, part.robots));
   return part;
 }
 
@@ -62,18 +62,12 @@ bool Choices::fit(std::uint32_t candidate, std::uint32_t other) const {
   });
 }
 
-std::vector<LiftingPoint> Choices::contacts_of(std::vector<LiftingPoint> robots) const {
-  if (stands_)
-    for (LiftingPoint& robot : robots) robot.position = stands_->contact(robot);
-  return robots;
-}
-
 std::uint32_t Choices::level_of(const std::optional<double>& margin) const {
   return evenlift::level_of(margin, bounds_);
 }
 
 HoldKeys Choices::keys_of(const Part& part) const {
-  return {level_of(margins_.of(contacts_of(part.robots))),
+  return {level_of(margins_.of(contact_points(stands_, part.robots))),
           cover_.of(balanced::small_hull(part.robots, centre_)), part.ratios};
 }
 
@@ -122,7 +116,8 @@ void Choices::know(const Wrench& direction) {
 }
 
 bool Choices::reaches(const Trial& trial, std::uint32_t level) {
-  const std::vector<Wrench> wrenches = margins_.wrenches_of(contacts_of(robots_of(trial)));
+  const std::vector<Wrench> wrenches =
+      margins_.wrenches_of(contact_points(stands_, robots_of(trial)));
   if (wrenches.empty()) return false;
   const WeakestDirection weakest = weakest_direction(wrenches);
   if (level_of(weakest.margin) >= level) return true;

@@ -73,8 +73,6 @@ class Choices {
   const Part& part(std::uint32_t number) const {
     return number < parts_.size() ? parts_[number] : staying_[number - parts_.size()];
   }
-  // The places that robots touch: with hands they lift farther inside.
-  std::vector<LiftingPoint> contacts_of(std::vector<LiftingPoint> robots) const;
   std::uint32_t level_of(const std::optional<double>& margin) const;
   const std::vector<LiftingPoint>& robots_of(const Trial& trial) const;
   void know(const Wrench& direction);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "evenlift/selection.h"
+#include "evenlift/settings_text.h"
 #include "evenlift/tolerance.h"
 #include "exchange/rounds.h"
 #include "grasp/hold_levels.h"
@@ -155,16 +156,15 @@ std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t te
                                           const Stands* stands) {
   const std::size_t placed = teams < candidates ? teams : candidates;
   if (placed == candidates && !stands) return std::nullopt;
-  const auto refused = [](std::string why) {
-    return InputError{ErrorCode::bad_setting, std::move(why), {Place::Kind::option, 0, 0, "goal"}};
-  };
   if (placed > most_exchanged_teams)
-    return refused("at most " + std::to_string(most_exchanged_teams) +
-                   " teams can be exchanged so that they hold, not " + std::to_string(placed));
+    return setting_error(Setting::goal, "at most " + std::to_string(most_exchanged_teams) +
+                                            " teams can be exchanged so that they hold, not " +
+                                            std::to_string(placed));
   if (static_cast<std::uint64_t>(placed) * candidates > most_exchanges)
-    return refused("the object has " + std::to_string(candidates) +
-                   " candidates, too many to exchange " + std::to_string(placed) +
-                   " teams among them so that they hold; raise the minimum load ratio");
+    return setting_error(Setting::goal,
+                         "the object has " + std::to_string(candidates) +
+                             " candidates, too many to exchange " + std::to_string(placed) +
+                             " teams among them so that they hold; raise the minimum load ratio");
   return std::nullopt;
 }
 

@@ -194,9 +194,7 @@ families::GridPolygon draw(Family family, std::size_t n, std::uint64_t seed) {
   return {};
 }
 
-InputError bad_size(std::string message) {
-  return {ErrorCode::bad_setting, std::move(message), {Place::Kind::option, 0, 0, "n"}};
-}
+InputError bad_size(std::string message) { return bad_setting("n", std::move(message)); }
 
 }  // namespace
 

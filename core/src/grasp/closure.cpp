@@ -226,6 +226,11 @@ Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
   return {nothing_is_free(grasp), margin_of(grasp)};
 }
 
+Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
+                  const std::vector<LiftingPoint>& points) {
+  return analyse_hold(polygon, centre, contacts(polygon, points));
+}
+
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<LiftingPoint>& points) {
   return nothing_is_free(

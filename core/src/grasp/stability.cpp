@@ -48,6 +48,10 @@ double share_of(double area, const Points& part) {
 
 }  // namespace
 
+Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
+  return convex_hull(positions(points), near_distance(polygon.diagonal()));
+}
+
 double coverage(const Polygon& polygon, const Points& hull) {
   if (hull.size() < 3) return 0;
   const Vec2& origin = hull.front();

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "evenlift/closure.h"
-#include "evenlift/hull.h"
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
@@ -32,9 +31,7 @@ std::vector<LiftingPoint> robots_of(const std::vector<Candidate>& candidates,
 
 double coverage_of(const Polygon& polygon, const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken) {
-  Points ends;
-  for (const LiftingPoint& robot : robots_of(candidates, taken)) ends.push_back(robot.position);
-  return coverage(polygon, convex_hull(std::move(ends), near_distance(polygon.diagonal())));
+  return coverage(polygon, lifting_base(polygon, robots_of(candidates, taken)));
 }
 
 // The chords of the ends, filled up with those of the start and then with any, to so many.
@@ -221,10 +218,8 @@ class Firmest {
   std::optional<double> margin_of_all() const {
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);
-    std::vector<LiftingPoint> robots = robots_of(candidates_, all);
-    if (stands_)
-      for (LiftingPoint& robot : robots) robot.position = stands_->contact(robot);
-    const auto margin = analyse_hold(polygon_, centre_, contacts(polygon_, robots)).margin;
+    const auto touching = contact_points(stands_, robots_of(candidates_, all));
+    const auto margin = analyse_hold(polygon_, centre_, touching).margin;
     return margin ? std::optional(*margin + tau) : std::nullopt;
   }
 

@@ -18,9 +18,7 @@
 namespace evenlift {
 namespace {
 
-InputError refused(std::string why) {
-  return {ErrorCode::bad_setting, std::move(why), {Place::Kind::option, 0, 0, "moved"}};
-}
+InputError refused(std::string why) { return bad_setting("moved", std::move(why)); }
 
 std::string numbered(const char* word, std::size_t index) {
   return word + (" " + std::to_string(index + 1));

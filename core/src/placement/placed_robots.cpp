@@ -7,11 +7,8 @@
 namespace evenlift {
 namespace {
 
-Points positions(const Placement& placement) {
-  Points positions;
-  for (const LiftingPoint& point : lifting_points(placement.teams))
-    positions.push_back(point.position);
-  return positions;
+Points positions_of_all(const Placement& placement) {
+  return positions(lifting_points(placement.teams));
 }
 
 double diagonal(const Placement& placement) { return placement.polygon.diagonal(); }
@@ -96,7 +93,7 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
 }
 
 std::optional<ModelLoads> model_loads(const Placement& placement) {
-  const Points robots = positions(placement);
+  const Points robots = positions_of_all(placement);
   const Vec2& centre = placement.centre_of_mass;
   const double size = diagonal(placement), weight = placement.settings.weight;
   const auto springs = spring_loads(robots, centre, size, weight);
@@ -119,7 +116,7 @@ std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
 }
 
 Robustness robustness(const Placement& placement) {
-  const Points robots = positions(placement);
+  const Points robots = positions_of_all(placement);
   const Vec2& centre = placement.centre_of_mass;
   const double size = diagonal(placement);
   return {failures_carried(robots, centre, size), failures_steady(robots, centre, size),
@@ -137,7 +134,7 @@ std::optional<RestOfRobots> single_failure(const Placement& placement, std::size
 }
 
 std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot) {
-  Points others = positions(placement);
+  Points others = positions_of_all(placement);
   const auto place = static_cast<std::ptrdiff_t>(robot);
   others.erase(others.begin() + place);
   auto springs = spring_loads(others, placement.centre_of_mass, diagonal(placement),

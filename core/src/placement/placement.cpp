@@ -6,11 +6,9 @@
 
 #include "evenlift/balanced.h"
 #include "evenlift/exchange.h"
-#include "evenlift/hull.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings_text.h"
-#include "evenlift/tolerance.h"
 #include "placement/describe.h"
 
 namespace evenlift {
@@ -30,18 +28,7 @@ std::vector<Chord> choose_chords(Placement& placement) {
       placement.team_candidates = choose_candidates(
           polygon, centre, placement.candidates, placement.settings, teams, placement.stands.get());
   }
-  std::vector<Chord> chords;
-  chords.reserve(placement.team_candidates.size());
-  for (const std::uint32_t i : placement.team_candidates)
-    chords.push_back(placement.candidates[i].chord);
-  return chords;
-}
-
-// Where robots that lift at these points touch the boundary.
-std::vector<LiftingPoint> touched(const Placement& placement, std::vector<LiftingPoint> points) {
-  if (placement.stands)
-    for (LiftingPoint& point : points) point.position = placement.stands->contact(point);
-  return points;
+  return chords_of(placement.candidates, placement.team_candidates);
 }
 
 // Whether the placement is what its goal asks for.
@@ -53,14 +40,10 @@ bool reaches_goal(const Placement& placement) {
 // Fills in everything of a placement that follows from the points at which robots lift.
 void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& points) {
   const Polygon& polygon = placement.polygon;
-  Points positions;
-  positions.reserve(points.size());
-  for (const LiftingPoint& point : points) positions.push_back(point.position);
-
-  placement.lifting_base = convex_hull(std::move(positions), near_distance(polygon.diagonal()));
+  placement.lifting_base = lifting_base(polygon, points);
   placement.coverage = coverage(polygon, placement.lifting_base);
-  placement.closure =
-      analyse_closure(polygon, placement.centre_of_mass, touched(placement, points));
+  placement.closure = analyse_closure(polygon, placement.centre_of_mass,
+                                      contact_points(placement.stands.get(), points));
   placement.goal_reached = reaches_goal(placement);
 }
 
@@ -126,20 +109,14 @@ Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2&
   return std::move(found->candidates);
 }
 
-InputError refused(Setting setting, std::string why) {
-  return {ErrorCode::bad_setting,
-          std::move(why),
-          {Place::Kind::option, 0, 0, std::string(name(setting))}};
-}
-
 // Whether the settings of balanced robots go together.
 std::optional<InputError> check_balanced(const Settings& settings) {
   const std::uint32_t least = 2 * settings.survive + 3;
   if (settings.survive == 0 || settings.robots >= least) return std::nullopt;
-  return refused(Setting::survive, "to survive " + std::to_string(settings.survive) +
-                                       (settings.survive == 1 ? " failure" : " failures") +
-                                       " takes at least " + std::to_string(least) +
-                                       " robots, not " + std::to_string(settings.robots));
+  return setting_error(Setting::survive, "to survive " + std::to_string(settings.survive) +
+                                             (settings.survive == 1 ? " failure" : " failures") +
+                                             " takes at least " + std::to_string(least) +
+                                             " robots, not " + std::to_string(settings.robots));
 }
 
 }  // namespace
@@ -150,22 +127,25 @@ void describe_grasp(Placement& placement) {
 }
 
 std::vector<LiftingPoint> contact_points(const Placement& placement) {
-  return touched(placement, lifting_points(placement.teams));
+  return contact_points(placement.stands.get(), lifting_points(placement.teams));
 }
 
 std::optional<InputError> check_settings(const Settings& settings) {
   if (auto error = check_ranges(settings)) return error;
   if (settings.method == Method::balanced) return check_balanced(settings);
   if (!stands_anywhere(settings) && !selects_candidates(settings.method))
-    return refused(settings.no_go.empty() ? Setting::robot : Setting::no_go,
-                   "the metrics distributed and random take robots as points that stand anywhere");
+    return setting_error(
+        settings.no_go.empty() ? Setting::robot : Setting::no_go,
+        "the metrics distributed and random take robots as points that stand anywhere");
   if (settings.goal == Goal::hold && !selects_candidates(settings.method))
-    return refused(Setting::goal,
-                   "distributed and random teams choose by direction; teams by area, circle and "
-                   "distance and balanced robots can be placed so that they hold");
+    return setting_error(
+        Setting::goal,
+        "distributed and random teams choose by direction; teams by area, circle and "
+        "distance and balanced robots can be placed so that they hold");
   if (settings.teams || selects_candidates(settings.method)) return std::nullopt;
-  return refused(Setting::teams,
-                 "all candidates can be placed by area, circle and distance only; give a number");
+  return setting_error(
+      Setting::teams,
+      "all candidates can be placed by area, circle and distance only; give a number");
 }
 
 Result<Placement> place(const Document& document, Effort effort) {
@@ -237,10 +217,8 @@ std::vector<PairRange> ranges_of(const Placement& placement, const Chord& chord)
 }
 
 Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates) {
-  std::vector<Chord> chords;
-  chords.reserve(candidates.size());
-  for (const std::uint32_t i : candidates) chords.push_back(placement.candidates[i].chord);
-  placement.teams = distribute_weight(chords, placement.settings.weight);
+  placement.teams =
+      distribute_weight(chords_of(placement.candidates, candidates), placement.settings.weight);
   placement.team_candidates = std::move(candidates);
   placement.moved = {};
   describe_grasp(placement);

@@ -20,8 +20,8 @@ class Crew {
         centre_(centre),
         weight_(weight),
         teams_(teams),
-        contacts_(contacts(polygon, lifting_points(teams))) {
-    for (const LiftingPoint& point : lifting_points(teams)) positions_.push_back(point.position);
+        contacts_(contacts(polygon, lifting_points(teams))),
+        positions_(positions(lifting_points(teams))) {
     const Points hull = convex_hull(positions_, near());
     if (hull.size() >= 3) coverage_.emplace(polygon, hull);
   }
@@ -71,12 +71,12 @@ class Crew {
 };
 
 std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
-  const Points positions = positions_without(robot);
+  const Points others = positions_without(robot);
   const double diagonal = polygon_.diagonal();
-  const auto springs = spring_loads(positions, centre_, diagonal, weight_);
-  const auto best = best_load(positions, centre_, diagonal, weight_);
+  const auto springs = spring_loads(others, centre_, diagonal, weight_);
+  const auto best = best_load(others, centre_, diagonal, weight_);
   if (!springs || !best) return std::nullopt;
-  const Points hull = convex_hull(positions, near());
+  const Points hull = convex_hull(others, near());
   const Hold hold = analyse_hold(polygon_, centre_, contacts_without(robot));
   RestOfRobots rest;
   rest.tipping_distance = tipping_distance(hull, centre_, diagonal);

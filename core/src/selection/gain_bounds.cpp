@@ -19,8 +19,6 @@ Vec2 direction_with_pseudo_angle(double angle) {
   return {angle - 3, angle - 4};
 }
 
-double one_norm(const Vec2& v) { return std::fabs(v.x()) + std::fabs(v.y()); }
-
 // The share, up to `level`, of the area between C and a segment whose ends have the levels s and t.
 double share_up_to(double level, double s, double t) {
   if (s > t) std::swap(s, t);

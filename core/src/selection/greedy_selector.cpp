@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "evenlift/hull.h"
+#include "evenlift/plane.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
 #include "exact/tie_classes.h"
-#include "polygon/segments.h"
 
 namespace evenlift {
 namespace {

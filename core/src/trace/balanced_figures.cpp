@@ -2,15 +2,6 @@
 #include "trace/step_figures.h"
 
 namespace evenlift {
-namespace {
-
-Points positions(const std::vector<LiftingPoint>& robots) {
-  Points points;
-  for (const LiftingPoint& robot : robots) points.push_back(robot.position);
-  return points;
-}
-
-}  // namespace
 
 void StepFigures::add_balanced(double load) {
   const BalancedDetail& balanced = *detail_.balanced;

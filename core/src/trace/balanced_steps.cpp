@@ -4,18 +4,12 @@
 #include <array>
 #include <utility>
 
-#include "evenlift/hull.h"
 #include "evenlift/placed_robots.h"
-#include "evenlift/tolerance.h"
+#include "evenlift/stability.h"
+#include "trace/margin_of.h"
 
 namespace evenlift {
 namespace {
-
-Points base_of(const Trace& trace, const std::vector<LiftingPoint>& robots) {
-  Points points;
-  for (const LiftingPoint& robot : robots) points.push_back(robot.position);
-  return convex_hull(std::move(points), near_distance(trace.polygon.diagonal()));
-}
 
 bool same_place(const LiftingPoint& a, const LiftingPoint& b) { return a.position == b.position; }
 
@@ -72,10 +66,6 @@ void number_robots(Trace& trace) {
     for (std::size_t i = 0; i < match.size(); ++i)
       trace.robot_numbers[move][match[i]] = trace.robot_numbers[move + 1][i];
   }
-}
-
-std::optional<double> margin_of(const Trace& trace, const std::vector<LiftingPoint>& robots) {
-  return analyse_hold(trace.polygon, trace.centre, contacts(trace.polygon, robots)).margin;
 }
 
 // The set of the start with so many robots.
@@ -135,13 +125,11 @@ void look_at_exchange(const Trace& trace, std::size_t move, BalancedDetail& deta
 void look_at_failure(const Trace& trace, StepDetail& detail, BalancedDetail& balanced) {
   balanced.failed = detail.step.item;
   const auto failed = static_cast<std::ptrdiff_t>(detail.step.item);
-  detail.base_before = base_of(trace, balanced.robots);
+  detail.base_before = lifting_base(trace.polygon, balanced.robots);
   balanced.robots.erase(balanced.robots.begin() + failed);
   balanced.numbers.erase(balanced.numbers.begin() + failed);
-  Points places;
-  for (const LiftingPoint& robot : balanced.robots) places.push_back(robot.position);
-  if (auto springs = spring_loads(places, trace.centre, trace.polygon.diagonal(),
-                                  trace.placement.settings.weight))
+  if (auto springs = spring_loads(positions(balanced.robots), trace.centre,
+                                  trace.polygon.diagonal(), trace.placement.settings.weight))
     balanced.loads = std::move(springs->loads);
 }
 
@@ -149,7 +137,7 @@ void look_at_failures(const Trace& trace, StepDetail& detail, BalancedDetail& ba
   balanced.rest_of = single_failures(trace.placement);
   if (detail.step.kind == StepKind::failure) look_at_failure(trace, detail, balanced);
   if (detail.step.kind != StepKind::pairs) return;
-  detail.base_before = base_of(trace, balanced.robots);
+  detail.base_before = lifting_base(trace.polygon, balanced.robots);
   balanced.robots = lifting_points(trace.in_pairs->teams);
   balanced.numbers.clear();
   for (std::uint32_t i = 0; i < balanced.robots.size(); ++i) balanced.numbers.push_back(i / 2);
@@ -250,12 +238,13 @@ void look_at_balanced(const Trace& trace, StepDetail& detail) {
   if (completes(step.kind)) look_at_completion(trace, *set, balanced);
   if (step.kind == StepKind::exchange) {
     look_at_exchange(trace, step.item, balanced);
-    detail.base_before = base_of(trace, robots_before(trace, step.item));
+    detail.base_before = lifting_base(trace.polygon, robots_before(trace, step.item));
   }
-  if (step.kind == StepKind::start) detail.base_before = base_of(trace, set->kept);
+  if (step.kind == StepKind::start) detail.base_before = lifting_base(trace.polygon, set->kept);
   if (step.chapter == Chapter::failures) look_at_failures(trace, detail, balanced);
   if (has_base(step))
-    detail.base = base_of(trace, step.chapter == Chapter::failures ? balanced.robots : set->robots);
+    detail.base = lifting_base(trace.polygon,
+                               step.chapter == Chapter::failures ? balanced.robots : set->robots);
   // Two more are looked for.
   if (step.kind == StepKind::rest || step.kind == StepKind::mirror) {
     balanced.robots = balanced.rest;

@@ -5,8 +5,8 @@
 
 #include "chords/radial_view.h"
 #include "evenlift/exchange.h"
-#include "evenlift/hull.h"
 #include "evenlift/selection.h"
+#include "evenlift/stability.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "trace/balanced_steps.h"
@@ -219,9 +219,7 @@ std::optional<InputError> collect(Trace& trace) {
 }
 
 std::vector<Team> teams_on(const Placement& placement, const std::vector<std::uint32_t>& taken) {
-  std::vector<Chord> chords;
-  for (const std::uint32_t i : taken) chords.push_back(placement.candidates[i].chord);
-  return distribute_weight(chords, placement.settings.weight);
+  return distribute_weight(chords_of(placement.candidates, taken), placement.settings.weight);
 }
 
 // The exchanges once more.
@@ -367,10 +365,9 @@ Points lifting_base(const Trace& trace, std::uint32_t teams) {
 
 Points lifting_base(const Trace& trace, const Progress& known) {
   const std::vector<Team>& teams = teams_at(trace, known);
-  Points points;
-  for (std::uint32_t i = 0; i < known.base_teams && i < teams.size(); ++i)
-    for (const Robot& robot : teams[i].robots) points.push_back(robot.point.position);
-  return convex_hull(std::move(points), near_distance(trace.polygon.diagonal()));
+  const auto number =
+      static_cast<std::ptrdiff_t>(std::min<std::size_t>(known.base_teams, teams.size()));
+  return lifting_base(trace.polygon, lifting_points({teams.begin(), teams.begin() + number}));
 }
 
 // The sweep turns left from the direction of the x axis, whereas slopes rise from just after the

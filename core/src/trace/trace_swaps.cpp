@@ -1,16 +1,7 @@
 // The details of an exchange of teams.
-#include "evenlift/closure.h"
-#include "evenlift/trace.h"
+#include "trace/margin_of.h"
 
 namespace evenlift {
-namespace {
-
-std::optional<double> margin_of(const Trace& trace, const std::vector<Team>& teams) {
-  const std::vector<Contact> touching = contacts(trace.polygon, lifting_points(teams));
-  return analyse_hold(trace.polygon, trace.centre, touching).margin;
-}
-
-}  // namespace
 
 SwapDetail look_at_swap(const Trace& trace, std::uint32_t index) {
   const ExchangeHistory& history = *trace.exchanges;
@@ -20,8 +11,8 @@ SwapDetail look_at_swap(const Trace& trace, std::uint32_t index) {
   SwapDetail detail;
   detail.before = first ? history.keys : history.exchanges[index - 1].keys;
   detail.after = exchange.keys;
-  detail.margin_before = margin_of(trace, trace.stages[index]);
-  detail.margin = margin_of(trace, trace.stages[index + 1]);
+  detail.margin_before = margin_of(trace, lifting_points(trace.stages[index]));
+  detail.margin = margin_of(trace, lifting_points(trace.stages[index + 1]));
   detail.teams = exchange.teams;
   for (const std::uint32_t team : exchange.teams) {
     detail.from.push_back(taken[team]);

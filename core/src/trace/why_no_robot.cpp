@@ -1,10 +1,10 @@
 // Why no balanced robot stands at a place: the best set with one there is computed and compared.
 #include <algorithm>
 
-#include "evenlift/closure.h"
 #include "evenlift/plane.h"
 #include "evenlift/why_not.h"
 #include "trace/balanced_steps.h"
+#include "trace/margin_of.h"
 
 namespace evenlift {
 namespace {
@@ -38,10 +38,6 @@ void find_arrival(const Trace& trace, const BalancedSet& set, const Vec2& place,
     answer.move = move;
     return;
   }
-}
-
-std::optional<double> margin_of(const Trace& trace, const std::vector<LiftingPoint>& robots) {
-  return analyse_hold(trace.polygon, trace.centre, contacts(trace.polygon, robots)).margin;
 }
 
 // Which robots of a set stay, and which come: first the one at the place that is asked about. Two that

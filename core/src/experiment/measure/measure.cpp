@@ -52,9 +52,7 @@ class Growing {
     const Vec2 &p = chord.r1.position, &q = chord.r2.position;
     if (hull_.size() >= 3) return widen_hull(hull_, p, q, near_);
     // While H is a segment, what lies beside it within tolerance is not among its corners.
-    Points all;
-    for (const LiftingPoint& point : points_) all.push_back(point.position);
-    return convex_hull(std::move(all), near_);
+    return lifting_base(subject_.polygon, points_);
   }
 
   const Subject& subject_;
@@ -164,22 +162,18 @@ std::vector<Measurement> measure_random(const Subject& subject,
   return sums;
 }
 
-InputError bad_option(const char* option, const char* message) {
-  return {ErrorCode::bad_setting, message, {Place::Kind::option, 0, 0, option}};
-}
-
 }  // namespace
 
 std::optional<InputError> check_settings(const ExperimentSettings& settings) {
   if (!is_min_ratio(settings.min_ratio)) return setting_error(Setting::min_ratio);
   if (settings.samples < 1 || settings.samples > max_samples)
-    return bad_option("samples", "the number of random samples is from 1 to 100000");
+    return bad_setting("samples", "the number of random samples is from 1 to 100000");
   if (settings.most_teams < 1 || settings.most_teams > max_experiment_teams)
-    return bad_option("max_teams", "the greatest number of teams is from 1 to 10000");
+    return bad_setting("max_teams", "the greatest number of teams is from 1 to 10000");
   if (settings.most_balanced < least_robots || settings.most_balanced > most_robots)
-    return bad_option("max_balanced", "the greatest number of balanced robots is from 2 to 64");
+    return bad_setting("max_balanced", "the greatest number of balanced robots is from 2 to 64");
   if (!(settings.weight > 0) || !std::isfinite(settings.weight))
-    return bad_option("weight", "the weight is a finite number greater than 0");
+    return bad_setting("weight", "the weight is a finite number greater than 0");
   return std::nullopt;
 }
 

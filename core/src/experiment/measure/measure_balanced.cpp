@@ -4,10 +4,8 @@
 
 #include "evenlift/balanced.h"
 #include "evenlift/closure.h"
-#include "evenlift/hull.h"
 #include "evenlift/loads.h"
 #include "evenlift/stability.h"
-#include "evenlift/tolerance.h"
 
 namespace evenlift::experiment {
 namespace {
@@ -23,18 +21,12 @@ std::vector<LiftingPoint> find_balanced(const Subject& subject, std::uint32_t ro
   return finish_search(problem, *std::move(search)).robots;
 }
 
-Points lifting_base(const Subject& subject, const std::vector<LiftingPoint>& points) {
-  Points positions;
-  for (const LiftingPoint& point : points) positions.push_back(point.position);
-  return convex_hull(std::move(positions), near_distance(subject.polygon.diagonal()));
-}
-
 Measurement measured(const Subject& subject, const std::vector<LiftingPoint>& points,
                      double weight) {
   Measurement m;
   m.method = Method::balanced;
   m.robots = static_cast<std::uint32_t>(points.size());
-  m.coverage = coverage(subject.polygon, lifting_base(subject, points));
+  m.coverage = coverage(subject.polygon, lifting_base(subject.polygon, points));
   const LoadSummary loads = *summarize_loads({share_evenly(points, subject.centre, weight)});
   m.load_min = loads.min;
   m.load_mean = loads.mean;

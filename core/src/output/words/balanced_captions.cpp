@@ -29,13 +29,6 @@ std::string coverage_change(double before, double after) {
 
 Piece margin_or_0(const std::optional<double>& margin) { return margin_text(margin.value_or(0)); }
 
-// "2, 4 and 5" for robots that are numbered from 0.
-std::string numbers_from_1(const std::vector<std::uint32_t>& numbers) {
-  std::vector<std::size_t> shown;
-  for (const std::uint32_t number : numbers) shown.push_back(number + std::size_t{1});
-  return listed(shown, "and");
-}
-
 // "the best by the goal": what is asked of a set.
 std::string aim_of_sets(const Settings& settings) {
   return goal_of(settings) == Goal::hold

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ inline std::string listed(const std::vector<std::size_t>& numbers, const std::st
   }
   if (named < numbers.size()) text += " and " + std::to_string(numbers.size() - named) + " more";
   return text;
+}
+
+// "2, 4 and 5" for robots, teams or candidates that are numbered from 0.
+inline std::string numbers_from_1(const std::vector<std::uint32_t>& numbers) {
+  std::vector<std::size_t> shown;
+  for (const std::uint32_t number : numbers) shown.push_back(number + std::size_t{1});
+  return listed(shown, "and");
 }
 
 }  // namespace evenlift

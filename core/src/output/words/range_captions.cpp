@@ -13,12 +13,6 @@ std::string margin_in_text(const std::optional<double>& margin) {
   return margin ? written(margin_text(*margin)) : std::string("none");
 }
 
-std::string numbers_from_1(const std::vector<std::uint32_t>& numbers) {
-  std::vector<std::size_t> shown;
-  for (const std::uint32_t number : numbers) shown.push_back(number + std::size_t{1});
-  return listed(shown, "and");
-}
-
 }  // namespace
 
 std::string StepCaptions::range() const {

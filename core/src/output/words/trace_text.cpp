@@ -141,8 +141,8 @@ Piece margin_text(double value) { return with_decimals(value, margin_decimals(va
 
 std::string robot_of_contact(const Trace& trace, const Contact& contact) {
   if (trace.balanced()) return fill("robot #", {counted_from_1(contact.point)});
-  const RobotIndex robot = robot_of(contact);
-  return fill("robot # of team #", {counted_from_1(robot.end), counted_from_1(robot.team)});
+  const auto [team, robot] = find_robot(trace.placement.teams, contact.point);
+  return fill("robot # of team #", {counted_from_1(robot), counted_from_1(team)});
 }
 
 Piece score_text(const Trace& trace, Rule rule, double value, double other) {

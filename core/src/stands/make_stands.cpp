@@ -1,0 +1,44 @@
+// The stands that settings ask for.
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "evenlift/numbers.h"
+#include "evenlift/settings_text.h"
+#include "evenlift/stands.h"
+
+namespace evenlift {
+namespace {
+
+InputError no_room(const Settings& settings) {
+  const RobotSize& robot = settings.robot;
+  if (robot.radius > 0)
+    return setting_error(Setting::robot,
+                         "no edge has room for a robot of radius " + shortest(robot.radius));
+  if (robot.depth > 0 || robot.width > 0)
+    return setting_error(Setting::robot, "no edge has room for a hand of depth " +
+                                             shortest(robot.depth) + " and width " +
+                                             shortest(robot.width));
+  return setting_error(Setting::no_go, "no edge is left that a robot may touch");
+}
+
+}  // namespace
+
+bool stands_anywhere(const Settings& settings) {
+  return settings.robot == RobotSize{} && settings.no_go.empty();
+}
+
+Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon,
+                                                  const Settings& settings) {
+  if (stands_anywhere(settings)) return std::shared_ptr<const Stands>();
+  for (const EdgePart& part : settings.no_go)
+    if (part.edge >= polygon.size())
+      return setting_error(Setting::no_go, "there is no edge " + std::to_string(part.edge + 1) +
+                                               "; the polygon has " +
+                                               std::to_string(polygon.size()));
+  auto stands = std::make_shared<const Stands>(polygon, settings.robot, settings.no_go);
+  if (!stands->any()) return no_room(settings);
+  return std::shared_ptr<const Stands>(std::move(stands));
+}
+
+}  // namespace evenlift

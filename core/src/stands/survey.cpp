@@ -1,0 +1,99 @@
+#include "stands/survey.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "evenlift/tolerance.h"
+
+namespace evenlift {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+EdgeFrame frame_of(const Polygon& polygon, std::uint32_t edge) {
+  const Vec2 &start = polygon.edge_start(edge), &end = polygon.edge_end(edge);
+  const double size = length(end - start);
+  const Vec2 along = (end - start) / size;
+  return {start, along,
+          polygon.counter_clockwise() ? Vec2(-left_normal(along)) : left_normal(along), size};
+}
+
+Surveyor::Surveyor(const Polygon& polygon, const RobotSize& robot,
+                   const std::vector<EdgePart>& no_go)
+    : polygon_(polygon),
+      robot_(robot),
+      near_(near_distance(polygon.diagonal())),
+      edges_(polygon),
+      no_go_(no_go) {
+  std::sort(no_go_.begin(), no_go_.end(), [](const EdgePart& a, const EdgePart& b) {
+    return std::array{double(a.edge), a.from, a.to} < std::array{double(b.edge), b.from, b.to};
+  });
+}
+
+Losses Surveyor::survey(std::uint32_t edge, const EdgeFrame& frame) const {
+  Losses losses;
+  add_no_go(edge, frame.length, losses);
+  if (robot_.has_body()) add_obstacles(edge, frame, losses);
+  if (robot_.width > 0) add_corners(edge, frame.length, losses);
+  return losses;
+}
+
+void Surveyor::add_no_go(std::uint32_t edge, double size, Losses& losses) const {
+  const auto first =
+      std::lower_bound(no_go_.begin(), no_go_.end(), edge,
+                       [](const EdgePart& part, std::uint32_t e) { return part.edge < e; });
+  for (auto part = first; part != no_go_.end() && part->edge == edge; ++part)
+    losses.add(WhyUnusable::no_go, {part->from == 0 ? -infinity : part->from * size,
+                                    part->to == 1 ? infinity : part->to * size});
+}
+
+void Surveyor::add_corners(std::uint32_t edge, double size, Losses& losses) const {
+  if (polygon_.turn(edge) == Turn::convex)
+    losses.add(WhyUnusable::corner, {-infinity, robot_.width / 2});
+  if (polygon_.turn(polygon_.next(edge)) == Turn::convex)
+    losses.add(WhyUnusable::corner, {size - robot_.width / 2, infinity});
+}
+
+void Surveyor::add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const {
+  const double aside = std::max(robot_.radius, robot_.width / 2) + 2 * near_;
+  const Surrounding around{.start = frame.start,
+                           .along = frame.along,
+                           .outward = frame.outward,
+                           .x_low = -aside,
+                           .x_high = frame.length + aside,
+                           .y_low = -(robot_.depth + 2 * near_),
+                           .y_high = 2 * robot_.radius + robot_.reach + 2 * near_};
+  edges_.for_each(around, [&](std::uint32_t other) {
+    if (other != edge) add_obstacle(seen_from(edge, frame, other), losses);
+  });
+}
+
+SeenObstacle Surveyor::seen_from(std::uint32_t edge, const EdgeFrame& frame,
+                                 std::uint32_t other) const {
+  const auto seen = [&](const Vec2& p) {
+    const Vec2 offset = p - frame.start;
+    return Vec2(dot(offset, frame.along), dot(offset, frame.outward));
+  };
+  SeenObstacle obstacle{seen(polygon_.edge_start(other)), seen(polygon_.edge_end(other))};
+  // A common vertex is at its place without rounding.
+  if (other == polygon_.next(edge)) {
+    obstacle.p = {frame.length, 0};
+    obstacle.convex_at_end = polygon_.turn(other) == Turn::convex;
+  }
+  if (other == polygon_.previous(edge)) {
+    obstacle.q = {0, 0};
+    obstacle.convex_at_begin = polygon_.turn(edge) == Turn::convex;
+  }
+  return obstacle;
+}
+
+void Surveyor::add_obstacle(const SeenObstacle& obstacle, Losses& losses) const {
+  if (const auto lost = lost_to_body(obstacle, robot_, near_)) losses.add(WhyUnusable::body, *lost);
+  if (const auto lost = lost_to_arm(obstacle, robot_)) losses.add(WhyUnusable::arm, *lost);
+  if (const auto lost = lost_to_hand(obstacle, robot_, near_)) losses.add(WhyUnusable::hand, *lost);
+}
+
+}  // namespace evenlift

@@ -1,0 +1,39 @@
+// What each edge loses: to parts that must not be touched, to convex corners, and to other edges.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "evenlift/document.h"
+#include "evenlift/polygon.h"
+#include "stands/losses.h"
+#include "stands/near_edges.h"
+#include "stands/obstacles.h"
+
+namespace evenlift {
+
+EdgeFrame frame_of(const Polygon& polygon, std::uint32_t edge);
+
+class Surveyor {
+ public:
+  // The polygon must outlive it. O(n), and O(p log p) for p parts.
+  Surveyor(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go);
+
+  // O(log n) for each edge that is near enough to stand in a robot's way.
+  Losses survey(std::uint32_t edge, const EdgeFrame& frame) const;
+
+ private:
+  void add_no_go(std::uint32_t edge, double size, Losses& losses) const;
+  void add_corners(std::uint32_t edge, double size, Losses& losses) const;
+  void add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const;
+  SeenObstacle seen_from(std::uint32_t edge, const EdgeFrame& frame, std::uint32_t other) const;
+  void add_obstacle(const SeenObstacle& obstacle, Losses& losses) const;
+
+  const Polygon& polygon_;
+  RobotSize robot_;
+  double near_;
+  NearEdges edges_;
+  std::vector<EdgePart> no_go_;  // in order
+};
+
+}  // namespace evenlift
