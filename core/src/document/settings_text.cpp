@@ -10,60 +10,6 @@
 namespace evenlift {
 namespace {
 
-struct Entry {
-  Setting setting;
-  std::string_view name;
-  const char* requirement;
-};
-constexpr Entry entries[] = {
-    {Setting::teams, "teams", "the number of teams is a whole number from 1 to 1048576, or max"},
-    {Setting::method, "metric",
-     "the metric is area, circle, distance, distributed, random or balanced"},
-    {Setting::min_ratio, "min_ratio", "the minimum load ratio is a number from 0 to 1"},
-    {Setting::com, "com", "the centre of mass is two numbers X,Y, or centroid"},
-    {Setting::weight, "weight", "the weight is a number greater than 0"},
-    {Setting::seed, "seed", "the seed is a whole number from 0 to 18446744073709551615"},
-    {Setting::overlays, "overlays",
-     "the overlays are none, or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo"},
-    {Setting::step, "step", "the step is a whole number from 0 to 4294967295, or none"},
-    {Setting::capacity, "capacity", "the capacity of a robot is a number greater than 0, or none"},
-    {Setting::com_radius, "com_radius",
-     "the radius within which the centre of mass is known is a number of at least 0"},
-    {Setting::loads, "loads", "the loads are those of plan, springs, best or worst"},
-    {Setting::failed, "failed",
-     "the robot that fails is its number, a whole number from 1, or none"},
-    {Setting::robots, "robots", "the number of robots is a whole number from 2 to 64"},
-    {Setting::goal, "goal", "the goal is cover or hold"},
-    {Setting::min_margin, "min_margin", "the margin of a firm hold is a number from 0 to 1"},
-    {Setting::apart, "apart", "the distance that parts robots is a number of at least 0"},
-    {Setting::survive, "survive",
-     "the number of failures to survive is a whole number from 0 to 30"},
-    {Setting::unit, "unit", "the unit of lengths is m, cm, mm or in, or none"},
-    {Setting::weight_unit, "weight_unit", "the unit of weights is kg, t, N or lb"},
-    {Setting::positions, "positions", "the positions are best or range"},
-    {Setting::robot, "robot",
-     "the size of a robot is none, or some of r, reach, depth, width and gap with numbers of at least 0, such as r=30,reach=5"},
-    {Setting::no_go, "no_go",
-     "the edges that must not be touched are none, or at most 1000 edges from 1 or parts of them from 0 to 1, such as 3,5:0.25-0.75"},
-    {Setting::robot_radius, "robot_radius", "the radius of a robot is a number of at least 0"},
-    {Setting::robot_reach, "robot_reach", "the reach of a robot's arm is a number of at least 0"},
-    {Setting::robot_depth, "robot_depth", "the depth of a robot's hand is a number of at least 0"},
-    {Setting::robot_width, "robot_width", "the width of a robot's hand is a number of at least 0"},
-    {Setting::robot_gap, "robot_gap", "the gap between robots is a number of at least 0"},
-};
-static_assert(most_no_go == 1000);
-static_assert(max_teams == 1048576);
-static_assert(least_robots == 2 && most_robots == 64 && most_survived == 30);
-
-constexpr bool in_order() {
-  for (std::size_t i = 0; i < std::size(entries); ++i)
-    if (entries[i].setting != static_cast<Setting>(i)) return false;
-  return true;
-}
-static_assert(in_order(), "entry() finds a setting by its number");
-
-const Entry& entry(Setting setting) { return entries[static_cast<std::size_t>(setting)]; }
-
 struct NamedOverlay {
   std::string_view name;
   bool Overlays::*shown;
@@ -90,25 +36,56 @@ bool is_robot_count(std::uint32_t value) { return value >= least_robots && value
 
 bool is_min_margin(double value) { return value >= 0 && value <= 1; }
 
-// Each reader returns whether the text is a value of its setting, and changes the setting only
+bool is_survived(std::uint32_t value) { return value <= most_survived; }
+
+// --- Readers: each returns whether the text is a value of its setting, and changes the setting only
 // then.
-bool read_teams(std::string_view text, Settings& settings) {
-  const std::optional<std::uint32_t> teams = read_whole_32(text);
-  if (teams ? !is_team_count(*teams) : text != "max") return false;
-  settings.teams = teams;
+
+template <auto member, bool (*is_allowed)(double)>
+bool read_number_of(std::string_view text, Document& document) {
+  const std::optional<double> value = read_number(text);
+  if (!value || !is_allowed(*value)) return false;
+  document.settings.*member = *value;
   return true;
 }
 
-bool read_metric(std::string_view text, Settings& settings) {
-  const std::optional<Method> method = method_from_name(text);
-  if (method) settings.method = *method;
-  return method.has_value();
+template <auto member, bool (*is_allowed)(std::uint32_t)>
+bool read_whole_of(std::string_view text, Document& document) {
+  const std::optional<std::uint32_t> value = read_whole_32(text);
+  if (!value || !is_allowed(*value)) return false;
+  document.settings.*member = *value;
+  return true;
 }
 
-bool read_min_ratio(std::string_view text, Settings& settings) {
-  const std::optional<double> value = read_number(text);
-  if (!value || !is_min_ratio(*value)) return false;
-  settings.min_ratio = *value;
+template <auto member, auto from_name>
+bool read_named(std::string_view text, Document& document) {
+  const auto value = from_name(text);
+  if (value) document.settings.*member = *value;
+  return value.has_value();
+}
+
+template <double RobotSize::*part>
+bool read_part_of_robot(std::string_view text, Document& document) {
+  return read_size(text, document.settings.robot.*part);
+}
+
+// One of several values, by its name.
+template <class Value, std::size_t n>
+bool read_name(std::string_view text, const Value (&all)[n], Value& value) {
+  for (const Value each : all) {
+    if (text != name(each)) continue;
+    value = each;
+    return true;
+  }
+  return false;
+}
+
+bool read_nothing(std::string_view, Document&) { return false; }
+
+bool read_teams(std::string_view text, Document& document) {
+  const std::optional<std::uint32_t> teams = read_whole_32(text);
+  if (teams ? !is_team_count(*teams) : text != "max") return false;
+  document.settings.teams = teams;
   return true;
 }
 
@@ -128,20 +105,13 @@ bool read_com(std::string_view text, Document& document) {
   return true;
 }
 
-bool read_weight(std::string_view text, Settings& settings) {
-  const std::optional<double> value = read_number(text);
-  if (!value || !is_weight(*value)) return false;
-  settings.weight = *value;
-  return true;
-}
-
-bool read_seed(std::string_view text, Settings& settings) {
+bool read_seed(std::string_view text, Document& document) {
   const std::optional<std::uint64_t> value = read_whole(text);
-  if (value) settings.seed = *value;
+  if (value) document.settings.seed = *value;
   return value.has_value();
 }
 
-bool read_overlays(std::string_view text, Settings& settings) {
+bool read_overlays(std::string_view text, Document& document) {
   Overlays shown{false, false, false, false, false, false, false};
   while (text != "none") {
     const std::string_view word = text.substr(0, text.find(','));
@@ -154,156 +124,118 @@ bool read_overlays(std::string_view text, Settings& settings) {
     text.remove_prefix(word.size() + 1);
     if (text == "none") return false;
   }
-  settings.overlays = shown;
+  document.settings.overlays = shown;
   return true;
 }
 
-bool read_robots(std::string_view text, Settings& settings) {
-  const std::optional<std::uint32_t> robots = read_whole_32(text);
-  if (!robots || !is_robot_count(*robots)) return false;
-  settings.robots = *robots;
-  return true;
-}
-
-bool read_goal(std::string_view text, Settings& settings) {
-  const std::optional<Goal> goal = goal_from_name(text);
-  if (goal) settings.goal = goal;
-  return goal.has_value();
-}
-
-bool read_min_margin(std::string_view text, Settings& settings) {
-  const std::optional<double> value = read_number(text);
-  if (!value || !is_min_margin(*value)) return false;
-  settings.min_margin = *value;
-  return true;
-}
-
-bool read_apart(std::string_view text, Settings& settings) {
-  const std::optional<double> value = read_number(text);
-  if (!value || !is_length(*value)) return false;
-  settings.apart = *value;
-  return true;
-}
-
-bool read_survive(std::string_view text, Settings& settings) {
-  const std::optional<std::uint32_t> failures = read_whole_32(text);
-  if (!failures || *failures > most_survived) return false;
-  settings.survive = *failures;
-  return true;
-}
-
-bool read_positions(std::string_view text, Settings& settings) {
-  const std::optional<Positions> positions = positions_from_name(text);
-  if (positions) settings.positions = *positions;
-  return positions.has_value();
-}
-
-bool read_capacity(std::string_view text, Settings& settings) {
-  const std::optional<double> value = read_number(text);
-  if (value ? !is_weight(*value) : text != "none") return false;
-  settings.capacity = value;
-  return true;
-}
-
-bool read_com_radius(std::string_view text, Settings& settings) {
-  const std::optional<double> value = read_number(text);
-  if (!value || !is_length(*value)) return false;
-  settings.com_radius = *value;
-  return true;
-}
-
-bool read_step(std::string_view text, Settings& settings) {
+bool read_step(std::string_view text, Document& document) {
   const std::optional<std::uint32_t> step = read_whole_32(text);
   if (!step && text != "none") return false;
-  settings.step = step;
+  document.settings.step = step;
   return true;
 }
 
-// One of several values, by its name.
-template <class Value, std::size_t n>
-bool read_name(std::string_view text, const Value (&all)[n], Value& value) {
-  for (const Value each : all) {
-    if (text != name(each)) continue;
-    value = each;
-    return true;
-  }
-  return false;
+bool read_capacity(std::string_view text, Document& document) {
+  const std::optional<double> value = read_number(text);
+  if (value ? !is_weight(*value) : text != "none") return false;
+  document.settings.capacity = value;
+  return true;
 }
 
-bool read(Setting setting, std::string_view text, Document& document) {
-  switch (setting) {
-    case Setting::teams:
-      return read_teams(text, document.settings);
-    case Setting::method:
-      return read_metric(text, document.settings);
-    case Setting::min_ratio:
-      return read_min_ratio(text, document.settings);
-    case Setting::com:
-      return read_com(text, document);
-    case Setting::weight:
-      return read_weight(text, document.settings);
-    case Setting::seed:
-      return read_seed(text, document.settings);
-    case Setting::overlays:
-      return read_overlays(text, document.settings);
-    case Setting::step:
-      return read_step(text, document.settings);
-    case Setting::capacity:
-      return read_capacity(text, document.settings);
-    case Setting::com_radius:
-      return read_com_radius(text, document.settings);
-    case Setting::loads:
-    case Setting::failed:
-      return false;
-    case Setting::robots:
-      return read_robots(text, document.settings);
-    case Setting::goal:
-      return read_goal(text, document.settings);
-    case Setting::min_margin:
-      return read_min_margin(text, document.settings);
-    case Setting::apart:
-      return read_apart(text, document.settings);
-    case Setting::survive:
-      return read_survive(text, document.settings);
-    case Setting::unit:
-      return read_name(text, all_length_units, document.settings.units.length);
-    case Setting::weight_unit:
-      return read_name(text, all_weight_units, document.settings.units.weight);
-    case Setting::positions:
-      return read_positions(text, document.settings);
-    case Setting::robot:
-      return read_robot(text, document.settings.robot);
-    case Setting::no_go:
-      return read_no_go(text, document.settings.no_go);
-    case Setting::robot_radius:
-      return read_size(text, document.settings.robot.radius);
-    case Setting::robot_reach:
-      return read_size(text, document.settings.robot.reach);
-    case Setting::robot_depth:
-      return read_size(text, document.settings.robot.depth);
-    case Setting::robot_width:
-      return read_size(text, document.settings.robot.width);
-    case Setting::robot_gap:
-      return read_size(text, document.settings.robot.gap);
-  }
-  return false;
+bool read_unit(std::string_view text, Document& document) {
+  return read_name(text, all_length_units, document.settings.units.length);
 }
 
-// Whether the setting has a say in where robots stand.
-bool places_robots(Setting setting) {
-  switch (setting) {
-    case Setting::weight:
-    case Setting::overlays:
-    case Setting::step:
-    case Setting::capacity:
-    case Setting::com_radius:
-    case Setting::unit:
-    case Setting::weight_unit:
-      return false;
-    default:
-      return true;
-  }
+bool read_weight_unit(std::string_view text, Document& document) {
+  return read_name(text, all_weight_units, document.settings.units.weight);
 }
+
+bool read_whole_robot(std::string_view text, Document& document) {
+  return read_robot(text, document.settings.robot);
+}
+
+bool read_parts(std::string_view text, Document& document) {
+  return read_no_go(text, document.settings.no_go);
+}
+
+// --- The table
+
+// Settings that say where robots stand put those that were moved by hand back; the others keep them.
+constexpr bool places = true, keeps = false;
+
+struct Entry {
+  Setting setting;
+  bool (*read)(std::string_view text, Document& document);
+  bool places_robots;
+  std::string_view name;
+  const char* requirement;
+};
+constexpr Entry entries[] = {
+    {Setting::teams, read_teams, places, "teams",
+     "the number of teams is a whole number from 1 to 1048576, or max"},
+    {Setting::method, read_named<&Settings::method, method_from_name>, places, "metric",
+     "the metric is area, circle, distance, distributed, random or balanced"},
+    {Setting::min_ratio, read_number_of<&Settings::min_ratio, is_min_ratio>, places, "min_ratio",
+     "the minimum load ratio is a number from 0 to 1"},
+    {Setting::com, read_com, places, "com", "the centre of mass is two numbers X,Y, or centroid"},
+    {Setting::weight, read_number_of<&Settings::weight, is_weight>, keeps, "weight",
+     "the weight is a number greater than 0"},
+    {Setting::seed, read_seed, places, "seed",
+     "the seed is a whole number from 0 to 18446744073709551615"},
+    {Setting::overlays, read_overlays, keeps, "overlays",
+     "the overlays are none, or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo"},
+    {Setting::step, read_step, keeps, "step",
+     "the step is a whole number from 0 to 4294967295, or none"},
+    {Setting::capacity, read_capacity, keeps, "capacity",
+     "the capacity of a robot is a number greater than 0, or none"},
+    {Setting::com_radius, read_number_of<&Settings::com_radius, is_length>, keeps, "com_radius",
+     "the radius within which the centre of mass is known is a number of at least 0"},
+    {Setting::loads, read_nothing, keeps, "loads",
+     "the loads are those of plan, springs, best or worst"},
+    {Setting::failed, read_nothing, keeps, "failed",
+     "the robot that fails is its number, a whole number from 1, or none"},
+    {Setting::robots, read_whole_of<&Settings::robots, is_robot_count>, places, "robots",
+     "the number of robots is a whole number from 2 to 64"},
+    {Setting::goal, read_named<&Settings::goal, goal_from_name>, places, "goal",
+     "the goal is cover or hold"},
+    {Setting::min_margin, read_number_of<&Settings::min_margin, is_min_margin>, places,
+     "min_margin", "the margin of a firm hold is a number from 0 to 1"},
+    {Setting::apart, read_number_of<&Settings::apart, is_length>, places, "apart",
+     "the distance that parts robots is a number of at least 0"},
+    {Setting::survive, read_whole_of<&Settings::survive, is_survived>, places, "survive",
+     "the number of failures to survive is a whole number from 0 to 30"},
+    {Setting::unit, read_unit, keeps, "unit", "the unit of lengths is m, cm, mm or in, or none"},
+    {Setting::weight_unit, read_weight_unit, keeps, "weight_unit",
+     "the unit of weights is kg, t, N or lb"},
+    {Setting::positions, read_named<&Settings::positions, positions_from_name>, places, "positions",
+     "the positions are best or range"},
+    {Setting::robot, read_whole_robot, places, "robot",
+     "the size of a robot is none, or some of r, reach, depth, width and gap with numbers of at least 0, such as r=30,reach=5"},
+    {Setting::no_go, read_parts, places, "no_go",
+     "the edges that must not be touched are none, or at most 1000 edges from 1 or parts of them from 0 to 1, such as 3,5:0.25-0.75"},
+    {Setting::robot_radius, read_part_of_robot<&RobotSize::radius>, places, "robot_radius",
+     "the radius of a robot is a number of at least 0"},
+    {Setting::robot_reach, read_part_of_robot<&RobotSize::reach>, places, "robot_reach",
+     "the reach of a robot's arm is a number of at least 0"},
+    {Setting::robot_depth, read_part_of_robot<&RobotSize::depth>, places, "robot_depth",
+     "the depth of a robot's hand is a number of at least 0"},
+    {Setting::robot_width, read_part_of_robot<&RobotSize::width>, places, "robot_width",
+     "the width of a robot's hand is a number of at least 0"},
+    {Setting::robot_gap, read_part_of_robot<&RobotSize::gap>, places, "robot_gap",
+     "the gap between robots is a number of at least 0"},
+};
+static_assert(most_no_go == 1000);
+static_assert(max_teams == 1048576);
+static_assert(least_robots == 2 && most_robots == 64 && most_survived == 30);
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < std::size(entries); ++i)
+    if (entries[i].setting != static_cast<Setting>(i)) return false;
+  return true;
+}
+static_assert(in_order(), "entry() finds a setting by its number");
+
+const Entry& entry(Setting setting) { return entries[static_cast<std::size_t>(setting)]; }
 
 }  // namespace
 
@@ -324,8 +256,8 @@ InputError setting_error(Setting setting, std::string why) {
 }
 
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document) {
-  if (!read(setting, text, document)) return setting_error(setting);
-  if (places_robots(setting)) document.moved = {};
+  if (!entry(setting).read(text, document)) return setting_error(setting);
+  if (entry(setting).places_robots) document.moved = {};
   return std::nullopt;
 }
 
@@ -343,7 +275,7 @@ std::optional<InputError> check_ranges(const Settings& settings) {
   if (!is_robot_count(settings.robots)) return setting_error(Setting::robots);
   if (!is_min_margin(settings.min_margin)) return setting_error(Setting::min_margin);
   if (settings.apart && !is_length(*settings.apart)) return setting_error(Setting::apart);
-  if (settings.survive > most_survived) return setting_error(Setting::survive);
+  if (!is_survived(settings.survive)) return setting_error(Setting::survive);
   if (!is_length(settings.com_radius)) return setting_error(Setting::com_radius);
   if (!is_robot_size(settings.robot)) return setting_error(Setting::robot);
   if (!is_no_go(settings.no_go)) return setting_error(Setting::no_go);
