@@ -434,7 +434,7 @@ TEST_CASE("why not this one has an answer for every candidate and chord", "[trac
       }
       if (trace.by_candidates()) CHECK(taken == placement.teams.size());
       for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
-        const WhyNot answer = why_not_pair(trace, end, pair);
+        const WhyNot answer = why_not_chord(trace, end, look_at_pair(trace, pair).chosen);
         check_text(why_not_text(trace, answer), true);
         CHECK((answer.why == Why::too_uneven) == (trace.candidate_of_source[pair] == no_index));
       }

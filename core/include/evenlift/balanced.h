@@ -112,9 +112,7 @@ struct BalancedStep {
 };
 BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch search);
 
-// next_exchange() goes on to the next exchange, or to the end if there is none; finish_round() to the
-// end of the present round, and finish_search() to the end of the search.
-BalancedStep next_exchange(const BalancedProblem& problem, BalancedSearch search);
+// The search at the end of the present round, and at its own end.
 BalancedSearch finish_round(const BalancedProblem& problem, BalancedSearch search);
 BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search);
 

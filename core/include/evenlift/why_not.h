@@ -44,10 +44,6 @@ struct WhyNot {
 // choice, the last one before (the first, before any). The cost of look_at_scores.
 WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate);
 
-// Like why_not, for the chord of an edge-pair. O(1), or the cost of why_not if the pair's candidate
-// was kept.
-WhyNot why_not_pair(const Trace& trace, std::uint32_t k, std::uint32_t pair);
-
 // The chords through C along the line of `direction`: one for each boundary point ahead of C with
 // each one behind, at most most_chords_through. None if the direction is zero. O(n log n).
 inline constexpr std::size_t most_chords_through = 256;

@@ -102,13 +102,6 @@ BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch sear
   return {ended(std::move(search), triples.size()), exchange};
 }
 
-BalancedStep next_exchange(const BalancedProblem& problem, BalancedSearch search) {
-  BalancedStep step{std::move(search), std::nullopt};
-  while (!step.search.finished && !step.exchange)
-    step = try_next_triple(problem, std::move(step.search));
-  return step;
-}
-
 BalancedSearch finish_round(const BalancedProblem& problem, BalancedSearch search) {
   const std::uint32_t round = search.round;
   while (!search.finished && search.round == round)

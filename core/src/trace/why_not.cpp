@@ -26,6 +26,55 @@ bool lies_on(const Trace& trace, const LiftingPoint& point, std::uint32_t edge) 
          length(point.position - trace.polygon.edge_end(edge)) <= near;
 }
 
+bool lies_on(const Trace& trace, const Chord& chord, const EdgePair& pair) {
+  const auto lies_from = [&](std::uint32_t a, std::uint32_t b) {
+    return lies_on(trace, chord.r1, a) && lies_on(trace, chord.r2, b);
+  };
+  return lies_from(pair.a, pair.b) || lies_from(pair.b, pair.a);
+}
+
+bool is_same(const Trace& trace, const Chord& a, const Chord& b) {
+  return same_chord(a, b, near_distance(trace.polygon.diagonal()));
+}
+
+// The candidate that a chord is.
+std::optional<std::uint32_t> candidate_at(const Trace& trace, const Chord& chord) {
+  const std::vector<Candidate>& candidates = trace.placement.candidates;
+  for (std::uint32_t i = 0; i < candidates.size(); ++i)
+    if (is_same(trace, chord, candidates[i].chord)) return i;
+  return std::nullopt;
+}
+
+bool can_stand(const Stands& stands, const Chord& chord) {
+  return stands.can_lift(stands.lifting_point(chord.r1)) &&
+         stands.can_lift(stands.lifting_point(chord.r2));
+}
+
+bool is_uneven_opposite(const Trace& trace, const Chord& chord) {
+  for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
+    const OppositeDetail detail = look_at_opposite(trace, i);
+    if (!detail.candidate && is_same(trace, chord, detail.chord)) return true;
+  }
+  return false;
+}
+
+// What the pair on whose edges a chord ends says of it. If an end is at a vertex there may be several;
+// the pair with the best chord tells most.
+void answer_by_pair(const Trace& trace, const Chord& chord, WhyNot& answer) {
+  answer.why = Why::no_pair;
+  for (std::uint32_t i = 0; i < trace.pairs.size(); ++i) {
+    if (!lies_on(trace, chord, trace.pairs[i])) continue;
+    const PairDetail detail = look_at_pair(trace, i);
+    if (answer.pair && detail.chosen.ratio <= answer.pair_ratio) continue;
+    answer.pair = i;
+    answer.pair_ratio = detail.chosen.ratio;
+    answer.candidate = detail.candidate;
+    answer.why = !detail.candidate                      ? Why::too_uneven
+                 : is_same(trace, chord, detail.chosen) ? Why::duplicate
+                                                        : Why::not_best_of_pair;
+  }
+}
+
 }  // namespace
 
 WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
@@ -59,20 +108,6 @@ WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
                : own.collides      ? Why::collides
                : own.eligible      ? Why::behind
                                    : Why::not_even;
-  return answer;
-}
-
-WhyNot why_not_pair(const Trace& trace, std::uint32_t k, std::uint32_t pair) {
-  const PairDetail detail = look_at_pair(trace, pair);
-  WhyNot answer;
-  if (detail.stands) return why_not(trace, k, *detail.candidate);
-  answer.chord = detail.chosen;
-  answer.pair = pair;
-  answer.pair_ratio = detail.chosen.ratio;
-  answer.candidate = detail.candidate;
-  answer.why = detail.candidate                       ? Why::duplicate
-               : detail.verdict.candidate.has_value() ? Why::cannot_stand
-                                                      : Why::too_uneven;
   return answer;
 }
 
@@ -116,41 +151,14 @@ WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Ch
   answer.chord = *chord;
   answer.why = Why::not_by_candidates;
   if (!trace.by_candidates()) return answer;
-  const std::vector<Candidate>& candidates = trace.placement.candidates;
-  const double near = near_distance(trace.polygon.diagonal());
-  for (std::uint32_t i = 0; i < candidates.size(); ++i)
-    if (same_chord(*chord, candidates[i].chord, near)) return why_not(trace, k, i);
-  if (const Stands* stands = trace.placement.stands.get()) {
+  if (const auto candidate = candidate_at(trace, *chord)) return why_not(trace, k, *candidate);
+  const Stands* stands = trace.placement.stands.get();
+  if (stands && !can_stand(*stands, *chord))
     answer.why = Why::cannot_stand;
-    for (const LiftingPoint& end : {chord->r1, chord->r2})
-      if (!stands->can_lift(stands->lifting_point(end))) return answer;
-  }
-
-  for (std::uint32_t i = 0; i < trace.opposite.size(); ++i) {
-    const OppositeDetail detail = look_at_opposite(trace, i);
-    if (detail.candidate || !same_chord(*chord, detail.chord, near)) continue;
+  else if (is_uneven_opposite(trace, *chord))
     answer.why = Why::opposite_too_uneven;
-    return answer;
-  }
-
-  // Both ends may lie on several pairs if an end is at a vertex. The pair with the best chord tells
-  // most.
-  answer.why = Why::no_pair;
-  for (std::uint32_t i = 0; i < trace.pairs.size(); ++i) {
-    const EdgePair& pair = trace.pairs[i];
-    const bool on = (lies_on(trace, chord->r1, pair.a) && lies_on(trace, chord->r2, pair.b)) ||
-                    (lies_on(trace, chord->r1, pair.b) && lies_on(trace, chord->r2, pair.a));
-    if (!on) continue;
-    const PairDetail detail = look_at_pair(trace, i);
-    if (answer.pair && detail.chosen.ratio <= answer.pair_ratio) continue;
-    answer.pair = i;
-    answer.pair_ratio = detail.chosen.ratio;
-    answer.candidate = detail.candidate;
-    answer.why = detail.candidate ? Why::not_best_of_pair : Why::too_uneven;
-    if (same_chord(*chord, detail.chosen, near)) {
-      if (detail.candidate) answer.why = Why::duplicate;
-    }
-  }
+  else
+    answer_by_pair(trace, *chord, answer);
   return answer;
 }
 
