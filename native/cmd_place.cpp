@@ -124,6 +124,48 @@ std::string for_people(const Placement& placement, bool with_candidates,
   return sentences + "\n" + tables + facts(placement, known.robustness);
 }
 
+// What was typed after `evenlift place`.
+struct PlaceOptions {
+  std::string file;
+  SettingOptions settings;
+  ShapeOptions shapes;
+  DoubtOptions doubt;
+  UnitOptions units;
+  RobustnessOptions robustness;
+  bool as_json = false, candidates = false;
+  std::optional<std::string> svg;
+  PoseFileOptions poses;
+
+  void declare(CommandLine& line) {
+    line.positional(file, "FILE", "the polygon");
+    settings.declare(line);
+    shapes.declare(line);
+    doubt.declare(line);
+    units.declare(line);
+    robustness.declare(line);
+    line.flag(as_json, "--json", "one JSON object instead of a table");
+    line.flag(candidates, "--candidates", "list the candidates too, and show them in the picture");
+    line.value(svg, "--svg", "OUT", "also write a picture as SVG");
+    poses.declare(line);
+  }
+
+  // The polygon with all settings that were typed. Throws Failure.
+  Input read() const {
+    Input input = read_input(file, shapes);
+    settings.apply(input.document);
+    doubt.apply(input.document);
+    units.apply(input.document);
+    return input;
+  }
+};
+
+// The picture as SVG, with the share link in it; a huge polygon has none.
+std::string picture(Placement placement, const Document& document, bool with_candidates) {
+  placement.settings.overlays.candidates |= with_candidates;
+  const Result<std::string> link = encode_link(document);
+  return placement_svg(placement, link ? *link : std::string());
+}
+
 }  // namespace
 
 void cmd_place(const Arguments& arguments) {
@@ -137,49 +179,25 @@ void cmd_place(const Arguments& arguments) {
       "  evenlift place drawing.dxf --shape 2\n"
       "  evenlift place table.txt --metric circle --com 120,80 --json\n"
       "  evenlift place table.txt --metric balanced --robots 5\n");
-  std::string file;
-  SettingOptions options;
-  std::optional<std::string> svg;
-  DoubtOptions doubt;
-  UnitOptions units;
-  PoseFileOptions poses;
-  RobustnessOptions robustness_options;
-  bool as_json = false, candidates = false;
-  line.positional(file, "FILE", "the polygon");
-  ShapeOptions shapes;
+  PlaceOptions options;
   options.declare(line);
-  shapes.declare(line);
-  doubt.declare(line);
-  units.declare(line);
-  robustness_options.declare(line);
-  line.flag(as_json, "--json", "one JSON object instead of a table");
-  line.flag(candidates, "--candidates", "list the candidates too, and show them in the picture");
-  line.value(svg, "--svg", "OUT", "also write a picture as SVG");
-  poses.declare(line);
   if (!line.parse(arguments)) return;
 
-  Input input = read_input(file, shapes);
-  options.apply(input.document);
-  doubt.apply(input.document);
-  units.apply(input.document);
-  const std::optional<PosesAsked> pose_file = poses.asked();
-  const RobustnessAsked asked(robustness_options, input.document.settings);
+  const Input input = options.read();
+  const std::optional<PosesAsked> pose_file = options.poses.asked();
+  const RobustnessAsked asked(options.robustness, input.document.settings);
   const Result<Placement> placement = place(input.document);
-  if (!placement) throw options.failure(input.source, placement.error());
+  if (!placement) throw options.settings.failure(input.source, placement.error());
   std::optional<CapacityInJson> capacity;
   if (const auto& limit = placement->settings.capacity)
     capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit)};
-  if (svg) {
-    Placement pictured = *placement;
-    pictured.settings.overlays.candidates |= candidates;
-    const Result<std::string> link = encode_link(input.document);  // a huge polygon has none
-    write_file(*svg, placement_svg(pictured, link ? *link : std::string()));
-  }
+  if (options.svg)
+    write_file(*options.svg, picture(*placement, input.document, options.candidates));
   if (pose_file)
     write_file(pose_file->file, poses_text(*placement, pose_file->format, pose_file->options));
-  write_output(
-      as_json ? placement_json(*placement, candidates, capacity, {asked.com_radius, asked.failures})
-              : for_people(*placement, candidates, capacity, asked));
+  write_output(options.as_json ? placement_json(*placement, options.candidates, capacity,
+                                                {asked.com_radius, asked.failures})
+                               : for_people(*placement, options.candidates, capacity, asked));
 }
 
 }  // namespace evenlift::native

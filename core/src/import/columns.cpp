@@ -74,7 +74,10 @@ class ColumnReader {
 
  private:
   InputError error(const Line& line, ErrorCode code, std::string_view message) const;
+  void find_separator();
+  std::optional<InputError> read_lines();
   Fields split(std::string_view line) const;
+  bool is_heading(const Line& line, const Fields& fields) const;
   std::optional<double> number(std::string_view field) const;
   std::optional<InputError> heading(const Line& line, const Fields& fields);
   std::optional<InputError> row(const Line& line);
@@ -89,6 +92,7 @@ class ColumnReader {
   std::optional<std::size_t> x_, y_;
   bool named_ = false;  // the heading chose the columns
   bool more_columns_ = false;
+  bool has_rows_ = false;  // of numbers
   std::string name_;
   Points points_;
 };
@@ -240,10 +244,9 @@ void ColumnReader::end_shape() {
   gathering_.add(std::move(document), std::exchange(name_, ""), "points");
 }
 
-Result<Import> ColumnReader::read() {
-  gathering_.import.format = "columns";
-  // The separator is that of the first line with a number in it; a heading before it has the same.
-  // In a table whose first column are names it is that of the first line with a digit.
+// The separator is that of the first line with a number in it; a heading before it has the same. In a
+// table whose first column are names it is that of the first line with a digit.
+void ColumnReader::find_separator() {
   bool decided = false;
   Lines scout(text_);
   for (std::optional<Line> line = scout.next(); line; line = scout.next()) {
@@ -256,35 +259,42 @@ Result<Import> ColumnReader::read() {
     if (number_first) break;
   }
   decimal_comma_ = separator_ != ',' && separator_ != ' ';
+}
 
+// Whether no field of a line is a number, nor its beginning.
+bool ColumnReader::is_heading(const Line& line, const Fields& fields) const {
+  return !has_number_first(line.text) &&
+         std::none_of(fields.begin(), fields.end(),
+                      [&](std::string_view field) { return number(field).has_value(); });
+}
+
+std::optional<InputError> ColumnReader::read_lines() {
   Lines lines(text_);
-  bool first = true, any = false;
+  bool first = true;
   for (std::optional<Line> line = lines.next(); line && !gathering_.full(); line = lines.next()) {
     if (line->after_blank) end_shape();
     const bool begins = first || (line->after_blank && points_.empty());
-    first = false;
     const Fields fields = split(line->text);
-    const bool words = std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
-      return number(field).has_value();
-    });
-    if (begins && words && !has_number_first(line->text)) {
-      if (auto wrong = heading(*line, fields)) return *std::move(wrong);
-      first = true;  // a name may stand above a heading
-      continue;
-    }
-    if (auto wrong = row(*line)) return *std::move(wrong);
-    any = true;
+    first = begins && is_heading(*line, fields);  // a name may stand above a heading
+    if (auto wrong = first ? heading(*line, fields) : row(*line)) return wrong;
+    has_rows_ = has_rows_ || !first;
   }
   end_shape();
-  const std::size_t shapes = gathering_.import.shapes.size();
-  if (!any) {
+  return std::nullopt;
+}
+
+Result<Import> ColumnReader::read() {
+  gathering_.import.format = "columns";
+  find_separator();
+  if (auto wrong = read_lines()) return *std::move(wrong);
+  if (!has_rows_) {
     return InputError{ErrorCode::bad_syntax,
                       joined({"this text is in no format that is known here: ", known_formats}),
                       {}};
   }
   if (more_columns_ && !named_)
     gathering_.note("the first two columns with numbers were taken as x and y");
-  if (shapes > 1) gathering_.note("blank lines part the shapes");
+  if (gathering_.import.shapes.size() > 1) gathering_.note("blank lines part the shapes");
   return gathering_.finish(text_error(ErrorCode::too_few_vertices, no_vertices, text_, 0));
 }
 

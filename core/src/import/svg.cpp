@@ -112,6 +112,7 @@ class SvgReader {
   }
   std::optional<std::optional<double>> length(const pugi::xml_node& node, const char* attribute);
 
+  Result<pugi::xml_node> load();
   std::optional<Document> document_of_metadata(const pugi::xml_node& svg) const;
   std::optional<InputError> children(const pugi::xml_node& parent, const Context& context,
                                      int depth);
@@ -131,6 +132,7 @@ class SvgReader {
   InputError nothing_found() const;
 
   std::string_view text_;
+  pugi::xml_document document_;
   Gathering gathering_;
   bool has_problem_ = false;
 };
@@ -341,21 +343,21 @@ InputError SvgReader::nothing_found() const {
   return {ErrorCode::unsupported, message, {}};
 }
 
-Result<Import> SvgReader::read() {
+// The root element of a drawing that is well-formed and no larger than can be read.
+Result<pugi::xml_node> SvgReader::load() {
   const auto nodes = static_cast<std::size_t>(
       std::count_if(text_.begin(), text_.end(), [](char c) { return c == '<' || c == '='; }));
   if (nodes > max_nodes)
     return InputError{ErrorCode::unsupported, "the SVG has too many elements and attributes", {}};
-  pugi::xml_document document;
   const pugi::xml_parse_result parsed =
-      document.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+      document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (parsed.status == pugi::status_out_of_memory)
     return InputError{ErrorCode::unsupported, "there is not enough memory for this SVG", {}};
   if (!parsed && parsed.status != pugi::status_no_document_element)
     return text_error(ErrorCode::bad_syntax,
                       "the SVG is not well-formed XML: it may be cut off or altered", text_,
                       static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, parsed.offset)));
-  const pugi::xml_node root = document.document_element();
+  const pugi::xml_node root = document_.document_element();
   if (!root)
     return InputError{
         ErrorCode::bad_syntax, "the SVG is not well-formed XML: it has no element", {}};
@@ -367,7 +369,13 @@ Result<Import> SvgReader::read() {
     return InputError{ErrorCode::unsupported,
                       "this XML is no SVG: its element is <" + clean_name(root.name()) + ">",
                       {}};
+  return root;
+}
 
+Result<Import> SvgReader::read() {
+  const Result<pugi::xml_node> loaded = load();
+  if (!loaded) return loaded.error();
+  const pugi::xml_node& root = *loaded;
   if (std::optional<Document> saved = document_of_metadata(root)) {
     gathering_.import.format = "picture saved by evenlift";
     gathering_.import.has_settings = true;

@@ -91,6 +91,10 @@ class PathReader {
   bool command(char letter);
   bool move(bool relative);
   bool piece(char lower, bool relative);
+  bool segment(char lower, const Vec2& from, Vec2& control);
+  bool line(char lower, const Vec2& from);
+  bool cubic(char lower, const Vec2& from, Vec2& control);
+  bool quadratic(char lower, const Vec2& from, Vec2& control);
   bool arc(const Vec2& from);
   Outline& outline() { return outlines_.back().outline; }
   Vec2 absolute(double x, double y) const { return origin_ + Vec2(x, y); }
@@ -166,6 +170,61 @@ bool PathReader::arc(const Vec2& from) {
   return true;
 }
 
+// L, H or V.
+bool PathReader::line(char lower, const Vec2& from) {
+  double v[2] = {};
+  if (!numbers(v, lower == 'l' ? 2 : 1)) return false;
+  outline().line_to(lower == 'l'   ? absolute(v[0], v[1])
+                    : lower == 'h' ? Vec2(origin_.x() + v[0], from.y())
+                                   : Vec2(from.x(), origin_.y() + v[0]));
+  return true;
+}
+
+// C, or S, whose first control point mirrors the last one.
+bool PathReader::cubic(char lower, const Vec2& from, Vec2& control) {
+  double v[6] = {};
+  const std::size_t skipped = lower == 's' ? 2 : 0;
+  if (!numbers(v + skipped, 6 - skipped)) return false;
+  const bool follows = last_ == 'c' || last_ == 's';
+  const Vec2 first = lower == 'c' ? absolute(v[0], v[1])
+                     : follows    ? Vec2(2 * from - last_control_)
+                                  : from;
+  control = absolute(v[2], v[3]);
+  outline().cubic_to(first, control, absolute(v[4], v[5]));
+  return true;
+}
+
+// Q, or T, whose control point mirrors the last one.
+bool PathReader::quadratic(char lower, const Vec2& from, Vec2& control) {
+  double v[4] = {};
+  const std::size_t skipped = lower == 't' ? 2 : 0;
+  if (!numbers(v + skipped, 4 - skipped)) return false;
+  if (lower == 'q')
+    control = absolute(v[0], v[1]);
+  else if (last_ == 'q' || last_ == 't')
+    control = 2 * from - last_control_;
+  outline().quadratic_to(control, absolute(v[2], v[3]));
+  return true;
+}
+
+// `control` becomes the last control point, if the segment has one.
+bool PathReader::segment(char lower, const Vec2& from, Vec2& control) {
+  switch (lower) {
+    case 'l':
+    case 'h':
+    case 'v':
+      return line(lower, from);
+    case 'c':
+    case 's':
+      return cubic(lower, from, control);
+    case 'q':
+    case 't':
+      return quadratic(lower, from, control);
+    default:
+      return arc(from);
+  }
+}
+
 // One segment of a command, whose letter is in lower case.
 bool PathReader::piece(char lower, bool relative) {
   if (!has_room()) return false;
@@ -175,36 +234,8 @@ bool PathReader::piece(char lower, bool relative) {
   }
   const Vec2 from = position_;
   origin_ = relative ? from : Vec2(Vec2::Zero());
-  double v[6];
   Vec2 control = from;
-  if (lower == 'h' || lower == 'v') {
-    if (!numbers(v, 1)) return false;
-    outline().line_to(lower == 'h' ? Vec2(origin_.x() + v[0], from.y())
-                                   : Vec2(from.x(), origin_.y() + v[0]));
-  } else if (lower == 'l') {
-    if (!numbers(v, 2)) return false;
-    outline().line_to(absolute(v[0], v[1]));
-  } else if (lower == 'c' || lower == 's') {
-    const bool smooth = lower == 's';
-    const std::size_t skipped = smooth ? 2 : 0;
-    if (!numbers(v + skipped, 6 - skipped)) return false;
-    const bool follows = last_ == 'c' || last_ == 's';
-    const Vec2 first = !smooth   ? absolute(v[0], v[1])
-                       : follows ? Vec2(2 * from - last_control_)
-                                 : from;
-    control = absolute(v[2], v[3]);
-    outline().cubic_to(first, control, absolute(v[4], v[5]));
-  } else if (lower == 'q') {
-    if (!numbers(v, 4)) return false;
-    control = absolute(v[0], v[1]);
-    outline().quadratic_to(control, absolute(v[2], v[3]));
-  } else if (lower == 't') {
-    if (!numbers(v, 2)) return false;
-    if (last_ == 'q' || last_ == 't') control = 2 * from - last_control_;
-    outline().quadratic_to(control, absolute(v[0], v[1]));
-  } else if (!arc(from)) {
-    return false;
-  }
+  if (!segment(lower, from, control)) return false;
   position_ = outline().end();
   last_control_ = control;
   last_ = lower;

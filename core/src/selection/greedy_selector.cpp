@@ -167,27 +167,27 @@ Selector::Index Selector::best_first_team() const {
   return all.front();
 }
 
-// Finds and evaluates the candidates that are not taken and tie for the best score, in candidate
-// order.
-Selector::Indices Selector::find_leaders() {
+// Whether a score ties with the largest one.
+bool Selector::ties(double largest, double score) const {
+  return score >= largest - score_slack(std::fabs(largest), floor_);
+}
+
+// The best score of the candidates that are not taken. By lazy greedy selection (greedy_selector.h) the
+// one with the largest bound is evaluated first; whoever cannot tie with the best keeps its bound.
+double Selector::find_best_score() {
   double best = -std::numeric_limits<double>::infinity();
   Indices open;  // those of which only a bound is known
   for (Index i = 0; i < candidates_.size(); ++i) {
     if (is_taken_[i]) continue;
-    if (exact(i)) {
+    if (exact(i))
       best = std::max(best, bound(i));
-    } else {
+    else
       open.push_back(i);
-    }
   }
-  const auto ties = [&](double largest, double score) {
-    return score >= largest - score_slack(std::fabs(largest), floor_);
-  };
   const auto smaller_bound = [&](Index a, Index b) {
     return bound(a) != bound(b) ? bound(a) < bound(b) : a > b;
   };
-  // The one with the largest bound is evaluated first. Those that cannot tie with it need not enter
-  // the heap.
+  // Those that cannot tie with the first one need not enter the heap.
   if (!open.empty())
     best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
   std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
@@ -197,17 +197,21 @@ Selector::Indices Selector::find_leaders() {
     const Index next = open.back();
     sharpen(next);
     if (exact(next)) best = std::max(best, bound(next));
-    if (exact(next) || !ties(best, bound(next))) {
+    if (exact(next) || !ties(best, bound(next)))
       open.pop_back();
-    } else {
+    else
       std::push_heap(open.begin(), open.end(), smaller_bound);
-    }
   }
-  best_score_ = best;
+  return best;
+}
+
+// Finds and evaluates the candidates that are not taken and tie for the best score, in candidate
+// order.
+Selector::Indices Selector::find_leaders() {
+  best_score_ = find_best_score();
   Indices leaders;
-  for (Index i = 0; i < candidates_.size(); ++i) {
-    if (!is_taken_[i] && exact(i) && ties(best, bound(i))) leaders.push_back(i);
-  }
+  for (Index i = 0; i < candidates_.size(); ++i)
+    if (!is_taken_[i] && exact(i) && ties(best_score_, bound(i))) leaders.push_back(i);
   return leaders;
 }
 

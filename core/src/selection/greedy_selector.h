@@ -76,7 +76,9 @@ class Selector {
     Gain gain;
   };
   Index best_first_team() const;
+  double find_best_score();
   Indices find_leaders();
+  bool ties(double largest, double score) const;
   double bound(Index candidate) const {
     return ends_[2 * candidate].gain.value + ends_[2 * candidate + 1].gain.value;
   }

@@ -175,38 +175,22 @@ std::optional<InputError> check_steps(std::uint64_t steps) {
                     {}};
 }
 
-// What the stages before the selection find.
-std::optional<InputError> collect(Trace& trace) {
+// The candidates, and from where each of them came.
+std::optional<InputError> collect_candidates(Trace& trace) {
   const double min_ratio = trace.placement.settings.min_ratio;
-  if (auto error = check_steps(2 * count_edge_pairs(trace.polygon, trace.centre))) return error;
-  auto chords = vertex_chords(trace.polygon, trace.centre);
-  if (!chords) return chords.error();
-  auto pairs = edge_pairs(trace.polygon, trace.centre);
-  if (!pairs) return pairs.error();
-  auto opposite = opposite_vertices(trace.polygon, trace.centre);
-  if (!opposite) return opposite.error();
-  const Stands* stands = trace.placement.stands.get();
   const Positions positions = trace.placement.settings.positions;
+  const Stands* stands = trace.placement.stands.get();
   auto traced =
       stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands, positions)
              : trace_candidates(trace.polygon, trace.centre, min_ratio, positions);
   if (!traced) return traced.error();
-  trace.rays = make_rays(trace.polygon, trace.centre, *chords);
-  trace.pairs = *std::move(pairs);
-  trace.opposite = *std::move(opposite);
   trace.candidate_of_source = std::move(traced->of_source);
-
   for (std::uint32_t source = 0; source < traced->ranges_of_source.size(); ++source) {
     const auto& candidates = traced->ranges_of_source[source];
     if (candidates[0] == no_candidate) continue;
     trace.ranges.push_back(source);
     trace.candidates_of_range.push_back(candidates);
   }
-
-  const std::vector<bool> radial = radial_edges(trace.polygon, trace.centre);
-  for (std::uint32_t edge = 0; edge < radial.size(); ++edge)
-    if (radial[edge]) trace.radial_edges.push_back(edge);
-
   for (const Candidate& candidate : traced->candidates)
     trace.source_of_candidate.push_back(candidate.source);
   trace.first_source_of_candidate.assign(traced->candidates.size(), no_index);
@@ -216,6 +200,24 @@ std::optional<InputError> collect(Trace& trace) {
       trace.first_source_of_candidate[candidate] = source;
   }
   return std::nullopt;
+}
+
+// What the stages before the selection find.
+std::optional<InputError> collect(Trace& trace) {
+  if (auto error = check_steps(2 * count_edge_pairs(trace.polygon, trace.centre))) return error;
+  auto chords = vertex_chords(trace.polygon, trace.centre);
+  if (!chords) return chords.error();
+  auto pairs = edge_pairs(trace.polygon, trace.centre);
+  if (!pairs) return pairs.error();
+  auto opposite = opposite_vertices(trace.polygon, trace.centre);
+  if (!opposite) return opposite.error();
+  trace.rays = make_rays(trace.polygon, trace.centre, *chords);
+  trace.pairs = *std::move(pairs);
+  trace.opposite = *std::move(opposite);
+  const std::vector<bool> radial = radial_edges(trace.polygon, trace.centre);
+  for (std::uint32_t edge = 0; edge < radial.size(); ++edge)
+    if (radial[edge]) trace.radial_edges.push_back(edge);
+  return collect_candidates(trace);
 }
 
 std::vector<Team> teams_on(const Placement& placement, const std::vector<std::uint32_t>& taken) {

@@ -21,6 +21,15 @@ void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail)
   detail.counterclockwise_before = before.counterclockwise.exists;
 }
 
+// H before a team and with it, and of a choice among candidates the scores.
+void look_at_team(const Trace& trace, StepDetail& detail) {
+  const std::uint32_t team = detail.step.item;
+  if (trace.by_candidates() && detail.step.kind != StepKind::base)
+    detail.scores = look_at_scores(trace, team);
+  detail.base_before = lifting_base(trace, team);
+  detail.base = lifting_base(trace, team + 1);
+}
+
 // H before an exchange and after it.
 void look_at_bases_of_swap(const Trace& trace, StepDetail& detail) {
   Progress known;
@@ -74,11 +83,8 @@ StepDetail look_at(const Trace& trace, std::uint32_t k) {
       break;
     case StepKind::scores:
     case StepKind::team:
-      if (trace.by_candidates()) detail.scores = look_at_scores(trace, item);
-      [[fallthrough]];
     case StepKind::base:
-      detail.base_before = lifting_base(trace, item);
-      detail.base = lifting_base(trace, item + 1);
+      look_at_team(trace, detail);
       break;
     case StepKind::contacts:
       cut_regions(trace, 0, detail);

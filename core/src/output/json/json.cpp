@@ -143,6 +143,14 @@ void add_balanced(std::vector<json::Member>& members, const Settings& settings) 
   members.push_back({"survive", std::to_string(settings.survive)});
 }
 
+// Where robots with a size can stand.
+void add_stands(std::vector<json::Member>& members, const Placement& placement) {
+  if (!placement.stands) return;
+  members.push_back({"robot", robot_json(placement.settings.robot)});
+  members.push_back({"no_go", json::text(no_go_text(placement.settings.no_go))});
+  members.push_back({"unusable", unusable_json(placement)});
+}
+
 // The units, where they are others than usual: what has none is written as it always was.
 void add_units(std::vector<json::Member>& members, const Units& units) {
   if (units.length != LengthUnit::none) members.push_back({"unit", json::text(name(units.length))});
@@ -186,11 +194,7 @@ std::string placement_json(const Placement& placement, bool with_candidates,
   else
     add_beyond(members, settings);
   add_moved(members, placement.moved);
-  if (placement.stands) {
-    members.push_back({"robot", robot_json(settings.robot)});
-    members.push_back({"no_go", json::text(no_go_text(settings.no_go))});
-    members.push_back({"unusable", unusable_json(placement)});
-  }
+  add_stands(members, placement);
   if (robots)
     members.push_back(
         {"robustness", json::robustness(placement, models, robustness.com_radius, 1)});

@@ -1,4 +1,4 @@
-// Questions, answers, and what a figure is.
+// Questions, and answers to "why not this one?".
 #include <algorithm>
 
 #include "evenlift/output/trace_words.h"
@@ -63,27 +63,6 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
        score_text(trace, answer.rule, answer.best, answer.value), whole(answer.rank)});
 }
 
-std::string robot_in_words(const Trace& trace, std::uint32_t number) {
-  if (trace.balanced()) return fill("Robot #", {counted_from_1(number)});
-  const RobotOfTeam robot = find_robot(trace.placement.teams, number);
-  return fill("Team #, robot #", {counted_from_1(robot.team), counted_from_1(robot.robot)});
-}
-
-std::string loaded(const Trace& trace, const Figure& figure) {
-  std::string text = robot_in_words(trace, *figure.item);
-  if (figure.value > 0)
-    text +=
-        fill(": #", {weight_text(trace, figure.value,
-                                 trace.balanced() ? figure.value : trace.placement.loads->max)});
-  return text;
-}
-
-// Why nobody stands at a part of the boundary.
-std::string why_unusable(const Trace& trace, std::uint32_t part) {
-  const Stands& stands = *trace.placement.stands;
-  return unusable_in_words(stands.unusable()[part].why, stands.robot());
-}
-
 // What the step asks that shows which chord two balanced robots take.
 std::string chord_question(const Trace& trace, const StepDetail& detail) {
   const BalancedDetail& balanced = *detail.balanced;
@@ -93,32 +72,17 @@ std::string chord_question(const Trace& trace, const StepDetail& detail) {
         {counted(balanced.robots.size(), "robot"), goal_of(trace.placement.settings) == Goal::hold
                                                        ? "a firm hold, and then of a wide base"
                                                        : "a wide base"});
-  std::vector<std::size_t> moved;
-  for (const std::uint32_t number : balanced.moved) moved.push_back(number + std::size_t{1});
   return fill(
       "# # go elsewhere, and one comes to the place with the ring. Which chord with its middle in M do two robots take, so that the set is the best?",
-      {moved.size() == 1 ? "Robot" : "Robots", listed(moved, "and")});
+      {balanced.moved.size() == 1 ? "Robot" : "Robots", numbers_from_1(balanced.moved)});
 }
 
-}  // namespace
-
-std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question) {
-  if (question.kind == QuestionKind::nearer_end)
-    return "None of the chords between these two sections is even. Which end is more even?";
-  if (question.kind == QuestionKind::even_chord) return chord_question(trace, detail);
-  if (detail.swap) return swap_question(detail, question);
-  return fill("Which candidate does team # take? The one that #.",
-              {counted_from_1(detail.step.item), aim(trace, detail.scores->rule)});
-}
-
-std::string why_not_text(const Trace& trace, const WhyNot& answer) {
+// Why a chord is none of the candidates.
+std::string why_no_candidate(const Trace& trace, const WhyNot& answer) {
   const double least = trace.placement.settings.min_ratio;
   switch (answer.why) {
     case Why::no_chord:
       return "In this direction the boundary is not on both sides of C: no team can stand there.";
-    case Why::not_by_candidates:
-      return fill("Load ratio #. The method “#” does not choose among candidates.",
-                  {ratio_text(answer.chord.ratio), name(trace.placement.settings.method)});
     case Why::no_pair:
       return "Its ends are on no two edges that face each other: an edge whose line passes through C is in no pair.";
     case Why::too_uneven:
@@ -138,29 +102,32 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
     case Why::duplicate:
       return fill("A duplicate: it is the same chord as candidate #, which stands for both.",
                   {counted_from_1(*answer.candidate)});
+    default:
+      return "Robots of this size cannot stand at both of its ends.";
+  }
+}
+
+// Why a candidate is not the team, or that it is.
+std::string why_not_chosen(const Trace& trace, const WhyNot& answer) {
+  switch (answer.why) {
     case Why::not_even:
       return fill(
           "The first team is the longest even candidate. Candidate # has a load ratio of #; candidate # is even.",
           {counted_from_1(*answer.candidate), ratio_text(answer.chord.ratio),
            counted_from_1(*answer.winner)});
-    case Why::cannot_stand:
-      return "Robots of this size cannot stand at both of its ends.";
     case Why::collides:
       return fill("A robot at one of its ends would be too near to one of the teams before team #.",
                   {counted_from_1(answer.team)});
     case Why::behind:
       return behind(trace, answer);
-    case Why::taken:
+    default:
       return fill("Team # takes candidate #: of those left it #.",
                   {counted_from_1(answer.team), counted_from_1(*answer.candidate),
                    answer.decided_by == DecidedBy::only_one    ? "is the only one"
                    : answer.decided_by == DecidedBy::first_key ? aim(trace, answer.rule)
                                                                : "wins the tie for the best"});
   }
-  return {};
 }
-
-namespace {
 
 // What a set has of the key that tells it from the set of the step, beside what that one has.
 std::string compared(const SetComparison& sets) {
@@ -191,6 +158,37 @@ std::string compared(const SetComparison& sets) {
 }
 
 }  // namespace
+
+std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question) {
+  if (question.kind == QuestionKind::nearer_end)
+    return "None of the chords between these two sections is even. Which end is more even?";
+  if (question.kind == QuestionKind::even_chord) return chord_question(trace, detail);
+  if (detail.swap) return swap_question(detail, question);
+  return fill("Which candidate does team # take? The one that #.",
+              {counted_from_1(detail.step.item), aim(trace, detail.scores->rule)});
+}
+
+std::string why_not_text(const Trace& trace, const WhyNot& answer) {
+  switch (answer.why) {
+    case Why::no_chord:
+    case Why::no_pair:
+    case Why::too_uneven:
+    case Why::opposite_too_uneven:
+    case Why::not_best_of_pair:
+    case Why::duplicate:
+    case Why::cannot_stand:
+      return why_no_candidate(trace, answer);
+    case Why::not_by_candidates:
+      return fill("Load ratio #. The method “#” does not choose among candidates.",
+                  {ratio_text(answer.chord.ratio), name(trace.placement.settings.method)});
+    case Why::not_even:
+    case Why::behind:
+    case Why::taken:
+    case Why::collides:
+      return why_not_chosen(trace, answer);
+  }
+  return {};
+}
 
 std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer) {
   const Piece robot = counted_from_1(answer.robot);
@@ -229,127 +227,6 @@ std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer) {
 std::string even_chord_text(const Trace& trace, const StepDetail& detail, std::uint32_t choice) {
   return fill("With chord # #.",
               {counted_from_1(choice), compared(compare_even_chord(trace, detail, choice))});
-}
-
-std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure) {
-  const std::uint32_t index = figure.item.value_or(0);
-  const Piece item = counted_from_1(index);
-  const double least = trace.placement.settings.min_ratio;
-  switch (figure.kind) {
-    case FigureKind::object:
-      return "The object";
-    case FigureKind::triangle:
-      return fill("Triangle at edge #: ## of the area",
-                  {item, figure.value < 0 ? "−" : "", percent(std::abs(figure.value))});
-    case FigureKind::centroid:
-      return fill("Centroid #", {point_text(trace, figure.points[0])});
-    case FigureKind::centre:
-      return fill("Centre of mass C #", {point_text(trace, trace.centre)});
-    case FigureKind::vertex:
-      return fill("Vertex # #", {item, point_text(trace, figure.points[0])});
-    case FigureKind::radial_edge:
-      return fill("Edge #, in line with C", {item});
-    case FigureKind::ray:
-      return fill("Ray from vertex # through C", {item});
-    case FigureKind::chord:
-      return fill(
-          "Chord from vertex #, load ratio #",
-          {counted_from_1(trace.rays.chords[index].vertex), ratio_text(figure.value, least)});
-    case FigureKind::edge:
-      return fill("Edge #", {item});
-    case FigureKind::section:
-      return fill("Section of edge #", {item});
-    case FigureKind::reflected:
-      return fill("Edge # reflected through C", {item});
-    case FigureKind::section_end:
-      return fill("End of the sections, load ratio #", {ratio_text(figure.value, least)});
-    case FigureKind::bisecting:
-      return "The chord between the edges' lines that C bisects";
-    case FigureKind::chosen:
-      return fill(detail.balanced   ? "The chord that two robots take, with M in its middle"
-                  : detail.opposite ? "The chord between the two vertices, load ratio #"
-                  : !figure.item    ? "The best chord of the pair, load ratio #"
-                                    : "The pair's candidate, load ratio #",
-                  {ratio_text(figure.value, least)});
-    case FigureKind::candidate: {
-      const double ratio = trace.placement.candidates[index].chord.ratio;
-      std::string text = fill("Candidate #, load ratio #", {item, ratio_text(ratio, least)});
-      if (!detail.scores) return text;
-      const Score& score = detail.scores->of_candidate[index];
-      if (detail.scores->rule == Rule::most_even) return text;
-      return text + fill(detail.scores->rule == Rule::score ? ", score ##" : ", length ##",
-                         {score.exact ? "" : "at most ",
-                          score_text(trace, detail.scores->rule, score.value, 0)});
-    }
-    case FigureKind::team:
-      return fill("Team #, load ratio #", {item, ratio_text(figure.value, least)});
-    case FigureKind::robot:
-      return loaded(trace, figure);
-    case FigureKind::gain_triangle:
-    case FigureKind::gain_part:
-      return fill(trace.placement.settings.method == Method::area
-                      ? "Adds # of the object to H"
-                      : "Triangle between H and the end",
-                  {score_text(trace, Rule::score, figure.value, 0)});
-    case FigureKind::gain_circle:
-      return fill("Inscribed circle, radius #", {length_text(trace, figure.value)});
-    case FigureKind::arm_before:
-      return fill("Arm to H's edge: #", {length_text(trace, figure.value)});
-    case FigureKind::arm_after:
-      return fill("Arm to the new edge: #", {length_text(trace, figure.value)});
-    case FigureKind::base_before:
-      return "Lifting base H before";
-    case FigureKind::base:
-      return "Lifting base H";
-    case FigureKind::contact: {
-      const Contact& contact = trace.contacts[index];
-      return fill("Contact #: # on edge #",
-                  {item, robot_of_contact(trace, contact), counted_from_1(contact.edge)});
-    }
-    case FigureKind::normal:
-      return fill("Normal line of contact #", {item});
-    case FigureKind::clockwise:
-      return "About these points it can turn clockwise";
-    case FigureKind::counterclockwise:
-      return "About these points it can turn counter-clockwise";
-    case FigureKind::translation:
-      return "A way to slide";
-    case FigureKind::lever:
-      return "A lever that turns about C";
-    case FigureKind::side:
-      return "Two robots that lift together, as if at the middle between them";
-    case FigureKind::arm:
-      return fill("From C to robot #", {item});
-    case FigureKind::sum:
-      return "The arrows end to end, each shortened to its part of the weight: they come back to C";
-    case FigureKind::middle:
-      return fill("M #, the middle between two robots", {point_text(trace, figure.points[0])});
-    case FigureKind::stand:
-      return fill("A stand #, where one robot comes", {point_text(trace, figure.points[0])});
-    case FigureKind::mirrored:
-      return "The object turned about M by half a turn";
-    case FigureKind::even_chord:
-      return fill("Chord #, with M in its middle", {item});
-    case FigureKind::left:
-      return fill("Where robot # stood before", {item});
-    case FigureKind::way:
-      return "Where the robot went";
-    case FigureKind::range:
-      return fill("Where a robot may stand on edge #, with its partner straight across C", {item});
-    case FigureKind::range_end:
-      return fill("End of the range, load ratio #", {ratio_text(figure.value, least)});
-    case FigureKind::former:
-      return fill("Candidate #, which a team left, load ratio #",
-                  {item, ratio_text(figure.value, least)});
-    case FigureKind::unusable:
-      return fill("Edge #: #", {counted_from_1(trace.placement.stands->unusable()[index].edge),
-                                why_unusable(trace, index)});
-    case FigureKind::body:
-    case FigureKind::hand:
-      return figure.item ? fill("No robot: #", {why_unusable(trace, index)})
-                         : std::string("A robot that fits");
-  }
-  return {};
 }
 
 }  // namespace evenlift

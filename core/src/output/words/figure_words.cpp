@@ -1,0 +1,169 @@
+// What a figure of a step is.
+#include <array>
+#include <cmath>
+
+#include "evenlift/output/trace_words.h"
+#include "evenlift/output/words.h"
+#include "output/words/trace_text.h"
+
+namespace evenlift {
+namespace {
+
+// One figure, and the words and numbers that its sentence needs.
+class FigureWords {
+ public:
+  FigureWords(const Trace& trace, const StepDetail& detail, const Figure& figure)
+      : trace_(trace), detail_(detail), figure_(figure), index_(figure.item.value_or(0)) {}
+
+  std::string item() const { return written(counted_from_1(index_)); }
+  std::string ratio() const { return written(ratio_text(figure_.value, least_ratio())); }
+  std::string point() const { return written(point_text(trace_, figure_.points[0])); }
+  std::string length() const { return written(length_text(trace_, figure_.value)); }
+  std::string gain() const { return written(score_text(trace_, Rule::score, figure_.value, 0)); }
+
+  std::string signed_share() const {
+    return fill("##", {figure_.value < 0 ? "−" : "", percent(std::abs(figure_.value))});
+  }
+  std::string start_of_chord() const {
+    return written(counted_from_1(trace_.rays.chords[index_].vertex));
+  }
+  std::string robot_of_contact() const {
+    return evenlift::robot_of_contact(trace_, trace_.contacts[index_]);
+  }
+  std::string edge_of_contact() const {
+    return written(counted_from_1(trace_.contacts[index_].edge));
+  }
+  std::string edge_of_unusable() const {
+    return written(counted_from_1(trace_.placement.stands->unusable()[index_].edge));
+  }
+  std::string why_unusable() const {
+    const Stands& stands = *trace_.placement.stands;
+    return unusable_in_words(stands.unusable()[index_].why, stands.robot());
+  }
+
+  std::string chosen() const {
+    return fill(detail_.balanced   ? "The chord that two robots take, with M in its middle"
+                : detail_.opposite ? "The chord between the two vertices, load ratio #"
+                : !figure_.item    ? "The best chord of the pair, load ratio #"
+                                   : "The pair's candidate, load ratio #",
+                {ratio()});
+  }
+  std::string candidate() const {
+    const double ratio = trace_.placement.candidates[index_].chord.ratio;
+    std::string text =
+        fill("Candidate #, load ratio #", {item(), ratio_text(ratio, least_ratio())});
+    if (!detail_.scores) return text;
+    const Score& score = detail_.scores->of_candidate[index_];
+    const Rule rule = detail_.scores->rule;
+    if (rule == Rule::most_even) return text;
+    return text + fill(rule == Rule::score ? ", score ##" : ", length ##",
+                       {score.exact ? "" : "at most ", score_text(trace_, rule, score.value, 0)});
+  }
+  std::string gain_area() const {
+    return fill(trace_.placement.settings.method == Method::area ? "Adds # of the object to H"
+                                                                 : "Triangle between H and the end",
+                {gain()});
+  }
+  std::string robot() const {
+    std::string text;
+    if (trace_.balanced()) {
+      text = fill("Robot #", {item()});
+    } else {
+      const auto [team, number] = find_robot(trace_.placement.teams, index_);
+      text = fill("Team #, robot #", {counted_from_1(team), counted_from_1(number)});
+    }
+    if (!(figure_.value > 0)) return text;
+    const double largest = trace_.balanced() ? figure_.value : trace_.placement.loads->max;
+    return text + fill(": #", {weight_text(trace_, figure_.value, largest)});
+  }
+  std::string body() const {
+    return figure_.item ? fill("No robot: #", {why_unusable()}) : "A robot that fits";
+  }
+
+ private:
+  double least_ratio() const { return trace_.placement.settings.min_ratio; }
+
+  const Trace& trace_;
+  const StepDetail& detail_;
+  const Figure& figure_;
+  std::uint32_t index_;
+};
+
+// A sentence, and what its blanks # are filled with.
+struct FigureRow {
+  FigureKind kind;
+  std::string_view pattern;
+  std::array<std::string (FigureWords::*)() const, 3> blanks = {};
+};
+
+using W = FigureWords;
+
+// clang-format off
+constexpr FigureRow rows[] = {
+    {FigureKind::object,        "The object"},
+    {FigureKind::triangle,      "Triangle at edge #: # of the area", {&W::item, &W::signed_share}},
+    {FigureKind::centroid,      "Centroid #", {&W::point}},
+    {FigureKind::centre,        "Centre of mass C #", {&W::point}},
+    {FigureKind::vertex,        "Vertex # #", {&W::item, &W::point}},
+    {FigureKind::radial_edge,   "Edge #, in line with C", {&W::item}},
+    {FigureKind::ray,           "Ray from vertex # through C", {&W::item}},
+    {FigureKind::chord,         "Chord from vertex #, load ratio #", {&W::start_of_chord, &W::ratio}},
+    {FigureKind::edge,          "Edge #", {&W::item}},
+    {FigureKind::section,       "Section of edge #", {&W::item}},
+    {FigureKind::reflected,     "Edge # reflected through C", {&W::item}},
+    {FigureKind::section_end,   "End of the sections, load ratio #", {&W::ratio}},
+    {FigureKind::bisecting,     "The chord between the edges' lines that C bisects"},
+    {FigureKind::chosen,        "#", {&W::chosen}},
+    {FigureKind::candidate,     "#", {&W::candidate}},
+    {FigureKind::team,          "Team #, load ratio #", {&W::item, &W::ratio}},
+    {FigureKind::robot,         "#", {&W::robot}},
+    {FigureKind::gain_triangle, "#", {&W::gain_area}},
+    {FigureKind::gain_part,     "#", {&W::gain_area}},
+    {FigureKind::gain_circle,   "Inscribed circle, radius #", {&W::length}},
+    {FigureKind::arm_before,    "Arm to H's edge: #", {&W::length}},
+    {FigureKind::arm_after,     "Arm to the new edge: #", {&W::length}},
+    {FigureKind::base_before,   "Lifting base H before"},
+    {FigureKind::base,          "Lifting base H"},
+    {FigureKind::contact,       "Contact #: # on edge #", {&W::item, &W::robot_of_contact, &W::edge_of_contact}},
+    {FigureKind::normal,        "Normal line of contact #", {&W::item}},
+    {FigureKind::clockwise,     "About these points it can turn clockwise"},
+    {FigureKind::counterclockwise, "About these points it can turn counter-clockwise"},
+    {FigureKind::translation,   "A way to slide"},
+    {FigureKind::lever,         "A lever that turns about C"},
+    {FigureKind::side,          "Two robots that lift together, as if at the middle between them"},
+    {FigureKind::arm,           "From C to robot #", {&W::item}},
+    {FigureKind::sum,           "The arrows end to end, each shortened to its part of the weight: they come back to C"},
+    {FigureKind::middle,        "M #, the middle between two robots", {&W::point}},
+    {FigureKind::stand,         "A stand #, where one robot comes", {&W::point}},
+    {FigureKind::mirrored,      "The object turned about M by half a turn"},
+    {FigureKind::even_chord,    "Chord #, with M in its middle", {&W::item}},
+    {FigureKind::left,          "Where robot # stood before", {&W::item}},
+    {FigureKind::way,           "Where the robot went"},
+    {FigureKind::range,         "Where a robot may stand on edge #, with its partner straight across C", {&W::item}},
+    {FigureKind::range_end,     "End of the range, load ratio #", {&W::ratio}},
+    {FigureKind::former,        "Candidate #, which a team left, load ratio #", {&W::item, &W::ratio}},
+    {FigureKind::unusable,      "Edge #: #", {&W::edge_of_unusable, &W::why_unusable}},
+    {FigureKind::body,          "#", {&W::body}},
+    {FigureKind::hand,          "#", {&W::body}},
+};
+// clang-format on
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < std::size(rows); ++i)
+    if (rows[i].kind != static_cast<FigureKind>(i)) return false;
+  return std::size(rows) == static_cast<std::size_t>(FigureKind::hand) + 1;
+}
+static_assert(in_order(), "figure_text() finds a row by its kind");
+
+}  // namespace
+
+std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure) {
+  const FigureWords words(trace, detail, figure);
+  const FigureRow& row = rows[static_cast<std::size_t>(figure.kind)];
+  std::array<std::string, 3> blanks;
+  for (std::size_t i = 0; i < blanks.size(); ++i)
+    if (row.blanks[i]) blanks[i] = (words.*row.blanks[i])();
+  return fill(row.pattern, {blanks[0], blanks[1], blanks[2]});
+}
+
+}  // namespace evenlift
