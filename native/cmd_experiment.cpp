@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "evenlift/experiment/outputs.h"
 #include "evenlift/numbers.h"
+#include "evenlift/output/words.h"
 #include "experiment_run.h"
 #include "options.h"
 #include "report.h"
@@ -21,10 +22,6 @@ struct Options {
 
 std::uint32_t whole_option_32(const std::string& option, const std::string& text) {
   return static_cast<std::uint32_t>(whole_option(option, text, ~std::uint32_t{0}));
-}
-
-std::string counted(std::size_t n, const char* what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
 experiment::ExperimentSettings settings_of(const Options& options) {
@@ -63,9 +60,10 @@ experiment::Shard shard_of(const Options& options) {
   const auto n =
       slash == std::string::npos ? std::nullopt : read_whole(options.shard->substr(slash + 1));
   if (!i || !n || *i < 1 || *i > *n || *n > experiment::max_shards)
-    throw Failure{bad_input_status, "--shard",
-                  "expected I/N, with I from 1 to N and N up to " +
-                      std::to_string(experiment::max_shards) + ", not \"" + *options.shard + "\""};
+    throw bad_value(
+        "--shard",
+        "expected I/N, with I from 1 to N and N up to " + std::to_string(experiment::max_shards),
+        *options.shard);
   return {static_cast<std::uint32_t>(*i), static_cast<std::uint32_t>(*n)};
 }
 
@@ -89,8 +87,8 @@ std::string write_results(std::vector<experiment::Part> parts, const ExperimentF
   write_file(folder.file("thesis.md"), experiment::claims_markdown(outputs.claims));
   write_file(folder.file("robots.md"), experiment::few_robots_markdown(outputs.few_robots));
   write_file(folder.file("report.html"), report_html(sets, outputs, settings));
-  return counted(parts.size(), "polygon") + ", " + counted(rows, "measurement") + ": " +
-         folder.file("report.html") + "\n";
+  return count_of(parts.size(), "polygon", "polygons") + ", " +
+         count_of(rows, "measurement", "measurements") + ": " + folder.file("report.html") + "\n";
 }
 
 void report_refused(const std::vector<Failure>& refused, std::size_t polygons) {
@@ -118,7 +116,7 @@ void run(const Options& options) {
     said += write_results(collect({folder}), folder);
   } else {
     said += "shard " + std::to_string(shard.i) + " of " + std::to_string(shard.n) + ": " +
-            counted(outcome.polygons, "polygon") +
+            count_of(outcome.polygons, "polygon", "polygons") +
             "; `evenlift experiment --merge` makes the report\n";
   }
   write_output(said);

@@ -18,9 +18,8 @@ double time_limit_option(const std::optional<std::string>& text) {
   if (!text) return usual_time_limit_s;
   const std::optional<double> seconds = read_number(*text);
   if (!seconds || !(*seconds > 0 && *seconds <= longest_time_limit_s))
-    throw Failure{
-        bad_input_status, "--time-limit",
-        "the time limit is a number of seconds above 0 and up to 86400, not \"" + *text + "\""};
+    throw bad_value("--time-limit", "the time limit is a number of seconds above 0 and up to 86400",
+                    *text);
   return *seconds;
 }
 

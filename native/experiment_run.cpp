@@ -28,7 +28,7 @@ experiment::Part measured(const PolygonFile& file, const experiment::Subject& su
                           const experiment::ExperimentSettings& settings) {
   experiment::Part part;
   part.settings = settings;
-  part.result = experiment::describe(file.set, file.name, subject);
+  part.result = experiment::result_of(file.set, file.name, subject);
   for (const Method method : all_methods) {
     const Clock::time_point start = Clock::now();
     for (experiment::Measurement& m : experiment::measure(subject, method, settings))

@@ -342,7 +342,7 @@ TEST_CASE("what a pair is said to offer to robots with a size is its best chord"
   int checked = 0;
   for (std::uint32_t i = 0; i < pairs->size(); ++i) {
     if ((*pairs)[i].a + (*pairs)[i].b != 2 || (*pairs)[i].a == 1) continue;
-    REQUIRE(found->of_source[i] != no_candidate);
+    REQUIRE(found->of_source[i] != no_index);
     CHECK(found->candidates[found->of_source[i]].chord.ratio == Approx(1).epsilon(1e-6));
     ++checked;
   }

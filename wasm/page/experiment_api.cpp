@@ -56,7 +56,7 @@ experiment::PolygonResult measured(const std::string& set, const std::string& na
   const Document& document = import->shapes.front().document;
   const Result<experiment::Subject> subject = experiment::prepare(document, settings().min_ratio);
   if (!subject) return refused(set, name, problem_of(subject.error()));
-  experiment::PolygonResult result = experiment::describe(set, name, *subject);
+  experiment::PolygonResult result = experiment::result_of(set, name, *subject);
   for (const Method method : all_methods) {
     if (only && *only != method) continue;
     for (experiment::Measurement& m : experiment::measure(*subject, method, settings()))

@@ -10,7 +10,7 @@
 // about (m C - sum Q) / 2, if that point is strictly inside the convex hull of P, and one of
 // m = |Q| + 3 by a stand b and the ends of an even candidate for Q and b.
 //
-// Of two sets the better one is that which wins the first of these keys that decides:
+// Of two sets that one is better which is ahead in the first key in which they differ:
 // 1. the fewer pairs of robots nearer to each other than `apart`;
 // 2. with survive = F > 0: min(F, the number of failures that leave the object steady), the larger;
 // 3. for the goal hold: how many of 0.001, 0.4 mu and mu the margin reaches, mu being min_margin;
@@ -112,8 +112,7 @@ struct BalancedStep {
 };
 BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch search);
 
-// The search at the end of the present round, and at its own end.
-BalancedSearch finish_round(const BalancedProblem& problem, BalancedSearch search);
+// The search at its end: try_next_triple() until it is finished.
 BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search);
 
 // The robots, at least three, when somebody moves one of them along the outline: its two neighbours in

@@ -15,7 +15,8 @@ namespace evenlift {
 // The keys of balanced.h, in their order.
 enum class BalancedKey : std::uint8_t { near_pairs, steady, level, coverage, spread, places };
 
-// Which key tells two sets of equally many robots apart; nothing if they tie in all.
+// The first key in which two sets of equally many robots differ; nothing if they tie in all. The cost
+// is that of balanced_keys() at most, for each set.
 std::optional<BalancedKey> decided_by(const BalancedProblem& problem,
                                       const std::vector<LiftingPoint>& a,
                                       const std::vector<LiftingPoint>& b);
@@ -38,11 +39,11 @@ struct BalancedMove {
 };
 
 struct BalancedHistory {
-  std::vector<BalancedSet> start;   // of S_2, S_3 ... those that exist
+  std::vector<BalancedSet> start;   // those of S_2, S_3 ... that exist (start_balanced())
   bool found = false;               // whether S_m exists: then it is the last of them
   std::vector<BalancedMove> moves;  // in their order
-  std::uint32_t rounds = 0;         // that were ended
-  bool settled = false;             // the last of them changed nothing
+  std::uint32_t rounds = 0;         // rounds that were gone through to their end
+  bool settled = false;             // whether the last of them changed nothing
   std::uint32_t triples = 0;        // tried in each round
   std::size_t stands = 0;           // tried for each triple
 };

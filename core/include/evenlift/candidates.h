@@ -93,20 +93,22 @@ inline constexpr double range_places[] = {1.0 / 16, 15.0 / 16};
 
 // All candidates in candidate order; `min_ratio` in [0, 1]. It is an error if there are more than
 // max_edge_pairs edge-pairs and opposite vertices, or a third of that with positions anywhere in the
-// range. For K of them O(n log n + K) if few candidates
-// lie on one line through C, and O(n log n + K log K) at worst.
+// range. For K of them O(n log n + K) if few candidates lie on one line through C, and
+// O(n log n + K log K) at worst.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
                                                double min_ratio,
                                                Positions positions = Positions::best);
 
+// Stands for "none" in arrays of indices, where an optional would double the memory.
+inline constexpr std::uint32_t no_index = ~std::uint32_t{0};
+
 // The same candidates, and their sources. The sources are numbered: first the edge-pairs in the
 // order of edge_pairs(), then the opposite vertices in the order of opposite_vertices(). The
 // `source` of a candidate is the one whose chord was kept when duplicates were merged.
-inline constexpr std::uint32_t no_candidate = ~std::uint32_t{0};  // not an optional: memory
 struct TracedCandidates {
   std::vector<Candidate> candidates;
-  std::vector<std::uint32_t> of_source;  // the candidate that each source led to, or no_candidate
-  // What the two range candidates of each source became, in order of slope, or no_candidate; empty
+  std::vector<std::uint32_t> of_source;  // the candidate that each source led to, or no_index
+  // What the two range candidates of each source became, in order of slope, or no_index; empty
   // with the best positions only.
   std::vector<std::array<std::uint32_t, 2>> ranges_of_source;
 };
@@ -119,7 +121,7 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
 // anywhere in the range also one at each of range_places in the longest of the standing_ranges(). Each is
 // wholly usable, its robots do not collide, and its ends are lifting points. Of several candidates of a
 // source `of_source` is the best one. A source whose edges do not face each other on the outline itself is
-// no_candidate. The cost is that of find_candidates(), and O(stretches of a times those of b) for each pair.
+// no_index. The cost is that of find_candidates(), and O(stretches of a times those of b) for each pair.
 class Stands;
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,

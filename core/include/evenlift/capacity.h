@@ -29,21 +29,21 @@ struct CapacityPlan {
   double greatest_load = 0;  // if possible, the greatest load of a robot with so many teams
   std::uint32_t tried = 0;   // the most teams that were tried; if not possible and below
                              // most_teams_tried(), the method found no place for more
-  std::uint32_t team_size =
-      2;  // robots in a team. Balanced robots are one team: if possible of the
-          // least number of robots, and otherwise most_robots were tried
+  // Robots in a team. Balanced robots are one team: of the least number of robots if that is possible,
+  // and otherwise of most_robots.
+  std::uint32_t team_size = 2;
   bool operator==(const CapacityPlan&) const = default;
 };
 
 // Plans for the object of a placement, which must come from place(), and for robots that carry up
 // to `capacity` > 0 each, in the unit of its weight. The plan depends on the placement's polygon and
-// centre of mass, and on its settings but for the number of teams or robots and what only describes
-// (overlays, units and the like); same_plan() compares just these. The candidates of the placement are
-// reused.
+// centre of mass, and on its settings, except for the number of teams or robots and what only describes
+// the result (overlays, units and the like); same_plan() compares exactly these. The candidates of the
+// placement are reused.
 //
 // The methods area, circle, distance and random choose teams one after another, so the first k teams
-// of a selection are a placement of k teams; they cost as much as selecting the teams that are needed,
-// or 512. Distributed teams are others for each number, of which only the loads are computed, and a
+// of a selection are a placement of k teams; a plan costs as much as selecting the teams that are needed,
+// at most most_teams_tried(). Distributed teams are others for each number, of which only the loads are computed, and a
 // number of teams is rejected as soon as one robot carries too much. Teams that are exchanged until
 // they hold are others for each number, too: each costs as much as its exchanges (exchange.h).
 // Balanced robots bear the same, so their least number follows from the weight, and from the failures

@@ -105,9 +105,8 @@ struct EdgePart {
 };
 
 struct Settings {
-  std::optional<std::uint32_t> teams =
-      3;  // 1 .. max_teams; none means every candidate ("max"), for
-          // methods that choose among candidates
+  // 1 .. max_teams; none means every candidate ("max"), for methods that choose among candidates.
+  std::optional<std::uint32_t> teams = 3;
   Method method = Method::area;
   double min_ratio = 0.8;  // minimum load ratio, 0 .. 1, both included
   double weight = 100;     // of the object, > 0 and finite; loads are in its unit
@@ -122,9 +121,9 @@ struct Settings {
   std::uint32_t survive = 0;    // failures of balanced robots that should leave the object
                                 // steady; they take at least 2 survive + 3 robots
   double com_radius = 0;  // the centre of mass is known only within this distance, >= 0 and finite,
-                          // in units of length; nothing is placed otherwise for it
+                          // in units of length; it changes no placement
   std::optional<double> capacity;  // what one robot can carry, > 0 and finite, in the unit of the
-                                   // weight; none means no limit; nor is anything for it
+                                   // weight; none means no limit; it changes no placement
   Units units;
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
   RobotSize robot;
@@ -132,8 +131,9 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
-// The goal of a placement: the one given, or the usual one, which is to hold with balanced robots,
-// unless they are two or three, where holding would cost too much base, and else to cover. O(1).
+// The goal of a placement: the one given, or else the usual one. That is to hold for four or more
+// balanced robots, and to cover for all others: with two or three, holding would cost too much of the
+// base. O(1).
 Goal goal_of(const Settings& settings);
 
 // Whether teams of two are exchanged until they hold (exchange.h). O(1).
@@ -155,9 +155,9 @@ struct MovedTeam {
   bool operator==(const MovedTeam&) const = default;
 };
 
-// Robots that somebody moved by hand from where the method puts them: balanced ones, all of them in their
-// row by the points that they touch; or teams of two, each at most once and in ascending order. At most
-// one of the two is there. moved.h says where they may stand.
+// Robots that somebody moved by hand from where the method puts them. Of balanced robots all are listed,
+// by the points that they touch; of teams of two those that were moved, in ascending order. At most one
+// of the two lists has entries. moved.h says where they may stand.
 struct Moved {
   std::vector<EdgePoint> robots;  // at most most_robots
   std::vector<MovedTeam> teams;   // at most most_moved_teams

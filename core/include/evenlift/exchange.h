@@ -2,18 +2,19 @@
 // holds). This is beyond the thesis, whose choice looks at the lifting base alone.
 //
 // It is a local search that begins with the teams that a metric selects. Of two choices of equally
-// many teams the better one is that which wins the first of these keys that decides:
+// many teams that one is better which is ahead in the first key in which they differ:
 // 1. the level: how many of 0.001, 0.4 mu and mu the margin reaches, mu being the minimum margin;
 // 2. the coverage, the larger by more than 1e-9;
 // 3. the sum of the load ratios, the larger by more than tau.
-// In each round, of all exchanges (a team goes to a candidate that no team has) that make the choice
-// better, the best one is made: of those that tie by the keys, compared one after another, that to the
-// first candidate in their order, and then of the first team. Two teams among at most 100 candidates
-// first go to the best of all pairs, if it is better. It ends with a round without such an exchange,
-// with the 4 t-th round, or when more than most_exchanges choices were compared. If the level is not 3
-// then, all of this is done for t - 1 teams; what they come to with the best further candidate takes the
-// teams' place if it is better, and exchanges go on within the same 4 t rounds. So a team more never
-// loses a level, though the teams may be others; only of robots with a size one more may have no room.
+// In an exchange a team goes to a candidate that no team has. Each round makes the best of the exchanges
+// that make the choice better; of those that tie in all keys, the one to the first candidate in candidate
+// order, and then the one of the first team. Two teams among at most most_candidates_for_pairs candidates
+// begin by going to the best of all pairs, if that is better. The search ends with a round without an
+// exchange, with the 4 t-th round of t teams, or when more than most_exchanges choices were compared. If
+// the level is below 3 then, the same is done for t - 1 teams. What they come to with the best further
+// candidate replaces the t teams if it is better, and exchanges go on within the same 4 t rounds. So one
+// team more never loses a level, though the teams may be others; only for one more team of robots with a
+// size there may be no room.
 #pragma once
 
 #include <cstddef>
@@ -78,9 +79,9 @@ struct ExchangeHistory {
   }
 };
 
-// The error if so many teams among so many candidates cannot be exchanged: more than
-// most_exchanged_teams of them, or more exchanges at a time than most_exchanges. Where all candidates
-// are taken there is nothing to exchange; of robots with a size some may find no room. O(1).
+// The error if so many teams among so many candidates cannot be exchanged: there are more than
+// most_exchanged_teams, or a round would have more than most_exchanges exchanges. None if all candidates
+// are taken, since there is nothing to exchange; but with `stands` some teams may find no room. O(1).
 std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams,
                                           const Stands* stands = nullptr);
 

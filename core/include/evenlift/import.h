@@ -25,9 +25,8 @@ struct ImportOptions {
 
 struct ImportedShape {
   Document document;
-  std::string
-      name;  // of the object or its layer, in UTF-8 without control characters; may be empty
-  std::string kind;                 // in words, such as "rectangle"
+  std::string name;  // of the object or its layer, UTF-8 without control characters; may be empty
+  std::string kind;  // in words, such as "rectangle"
   std::optional<double> tolerance;  // if it had curves: how far its edges may be from them
 };
 

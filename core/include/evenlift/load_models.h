@@ -60,7 +60,7 @@ struct SpringLoads {
 std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diagonal,
                                         double weight);
 
-// The least possible greatest load; nothing if the robots do not carry the object. It is the
+// The least possible value of the greatest load; nothing if the robots do not carry the object. It is the
 // larger of weight / m and the greatest of weight g(C) / (sum over robots of max(0, g)), over the
 // functions g that measure the distance to the left of a line through two robots. O(m^3) for up to
 // 64 robots. For more it is found to 13 digits by cutting planes through the centre of gravity (A. Yu.

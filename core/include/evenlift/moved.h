@@ -28,10 +28,11 @@ std::optional<Moved> moved_along_outline(const Placement& placement, std::size_t
 std::optional<Moved> moved_along_range(const Placement& placement, std::size_t robot,
                                        const Vec2& to);
 
-// The placement with these robots moved, at least one. What the method chose is not it any more: team_candidates is
-// empty. It is an error if they are not as many as the placement has, if an edge does not exist, if
-// balanced robots do not have C as their centroid, have no room or get into each other's way, or if the
-// chord of a team does not end where it should, or robots with a size get into each other's way. O(n log n).
+// The placement with these robots moved, of which there is at least one. Its team_candidates are empty,
+// since its teams are no longer those that the method chose. It is an error if there are not as many
+// robots or teams in the placement, if an edge does not exist, if C is not the centroid of balanced
+// robots, if the chord of a team does not end where it should, or if robots with a size have no room or
+// get into each other's way. O(n log n).
 Result<Placement> with_moved(Placement placement, const Moved& moved);
 
 }  // namespace evenlift

@@ -6,8 +6,8 @@
 // covers no more than the hull of its ends. So the greatest coverage of t teams is the greatest sum of
 // such triangles over all rings of ends of at most t chords, and dynamic programming finds it.
 //
-// Whether robots with a size get into each other's way is not asked: of such robots the optimum bounds
-// what they can cover.
+// This dynamic programme does not ask whether robots with a size get into each other's way. Of such
+// robots it gives a bound of what they can cover, and choices of which only those count that have room.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,10 @@
 namespace evenlift {
 
 struct Optimum {
-  std::vector<std::uint32_t> taken;  // the best choice that was found: candidates, increasing
-  double coverage = 0;               // of it, 0 .. 1
+  std::vector<std::uint32_t> taken;  // the candidates of the best choice that was found, increasing
+  double coverage = 0;               // of that choice, 0 .. 1
   double bound = 1;                  // no choice covers more, up to rounding
-  bool proved = false;               // it is the best one
+  bool proved = false;               // whether no choice is better
 };
 
 // Asked now and then; true ends the computation, and the bound is then what all candidates cover.
@@ -38,7 +38,7 @@ inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bound
 // in candidate order, and `start` is a choice of as many, which counts if nothing better is found. With
 // `stands` no choice counts whose robots get into each other's way, but the bound is that of all. For K
 // candidates O(n K^2 + K^4 teams) up to most_candidates_proved. With more the ends of a chord are taken
-// one by one, as if each had a team of its own, and that is O(n K^2 + K^3 teams): a bound, and the best
+// one by one, as if each had a team of its own, in O(n K^2 + K^3 teams). That gives a bound, and the best
 // choice if its ends belong to few enough chords. Beyond most_candidates_bounded the bound is what all
 // candidates cover, in O(n K) at worst.
 Optimum widest_choice(const Polygon& polygon, const Vec2& centre,
@@ -55,8 +55,8 @@ struct FirmestChoice {
   // No choice reaches a higher level, nor covers more, up to rounding.
   std::uint32_t most_level = 3;
   double most_coverage = 1;
-  bool compared = false;  // all choices were
-  // It is the best one: by all keys if all choices were compared, or else by level and coverage.
+  bool compared = false;  // whether all choices were compared
+  // Whether no choice is better: by all keys if all were compared, or else by level and coverage.
   bool proved = false;
 };
 

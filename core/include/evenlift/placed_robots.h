@@ -19,9 +19,9 @@ struct PlacedRobot {
   Vec2 stand = Vec2::Zero();    // the middle of its body
   std::uint32_t team = 0;
   double load = 0;  // by plan
-  double heading_deg =
-      0;  // the direction of the inward normal there, in (-180, 180]; of a point at
-          // a vertex the middle between those of its two edges
+  // The direction of the inward normal there, in (-180, 180]; of a point at a vertex the middle between
+  // those of its two edges.
+  double heading_deg = 0;
   Vec2 direction = Vec2(1, 0);  // the same as a vector of length 1, but for rounding
 };
 
@@ -38,14 +38,15 @@ struct ModelLoads {
 };
 std::optional<ModelLoads> model_loads(const Placement& placement);
 
-// What each robot bears by a model, as it is shown: a range if C is known only within `com_radius` > 0
-// and the model has ranges (doubt.h, which says how far they are exact), and else one value. Of the best
-// loads only the greatest is known, so each robot has that. Without `models` it is the plan. O(m).
+// What each robot bears by a model, as people are shown it: a range if C is known only within
+// `com_radius` > 0 and the model has ranges (doubt.h says how far they are exact), and otherwise one
+// value. Of the best loads only the greatest is known, so each robot has that. Without `models` the loads
+// are those of the plan. O(m).
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models, double com_radius);
 
-// How much may go wrong before the object is not carried any more or tips; see failures.h and
-// doubt.h. O(m log m).
+// How much may go wrong before the object is not carried any more or tips. failures.h says how failures
+// are counted (-1 without robots), and doubt.h what the distance is. O(m log m).
 struct Robustness {
   int failures_carried = -1, failures_steady = -1;
   double tipping_distance = 0;

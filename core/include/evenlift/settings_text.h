@@ -80,23 +80,24 @@ InputError setting_error(Setting setting, std::string why);
 //   robot_radius, robot_reach, robot_depth, robot_width, robot_gap   one of these numbers
 //   no_go      edges from 1, or parts of them from 0 to 1, such as "3,5:0.25-0.75"; or "none"
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
-// hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text and any
-// value out of range is an error and changes nothing. loads and failed are no settings of a document
-// and always an error. All but weight, overlays, step, com_radius, capacity, unit and weight_unit say where
-// robots stand: they put robots that were moved by hand back. O(bytes).
+// hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text, and any value
+// out of range, is an error and changes nothing. loads and failed are not settings of a document, and
+// always an error. A setting that says where robots stand puts robots that were moved by hand back:
+// every one except weight, overlays, step, com_radius, capacity, unit and weight_unit. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
 // The texts of two settings as read_setting() takes them. O(bytes).
 std::string robot_text(const RobotSize& robot);
 std::string no_go_text(const std::vector<EdgePart>& no_go);
 
-// Robots that were moved by hand, as text: balanced ones each as EDGE:PART, teams as TEAM@EDGE:PART/EDGE,
-// numbers from 1 and parts from 0 to 1, with commas between them, such as "3:0.25,5:0.5,9:1" or
-// "2@3:0.25/9"; without any, nothing. And back: nothing if the text is none of the two. O(bytes).
+// Robots that were moved by hand, as text: each balanced robot as EDGE:PART, each team as
+// TEAM@EDGE:PART/EDGE, with numbers from 1 and parts from 0 to 1, and commas between them, such as
+// "3:0.25,5:0.5,9:1" or "2@3:0.25/9"; an empty text if there are none. read_moved() gives nothing for
+// any other text. O(bytes).
 std::string moved_text(const Moved& moved);
 std::optional<Moved> read_moved(std::string_view text);
 
-// Whether their numbers are within their bounds, and teams in ascending order. O(robots).
+// Whether the numbers of moved robots are within their bounds, and teams in ascending order. O(robots).
 bool is_moved(const Moved& moved);
 
 // The number of the robot that fails, from 1, from text: a whole number, or "none", which is 0. O(bytes).
@@ -109,7 +110,6 @@ std::optional<InputError> check_ranges(const Settings& settings);
 // The rules themselves. O(1).
 bool is_min_ratio(double value);  // 0 <= value <= 1
 bool is_weight(double value);     // 0 < value, finite; also the rule of a capacity
-bool is_length(
-    double value);  // 0 <= value, finite; the rule of apart, com_radius and a robot's sizes
+bool is_length(double value);     // 0 <= value, finite; the rule of apart, com_radius, robot sizes
 
 }  // namespace evenlift

@@ -61,9 +61,9 @@ struct EdgeFrame {
 // is one inside the edge.
 class Stands {
  public:
-  // For each edge the other edges near it are found in a tree of boxes. O(n log n + k log k) for k pairs
-  // of edges that are so near to each other that one may stand in the way of a robot at the other, if the
-  // outline does not wind much.
+  // The size and the parts must be in their ranges, and the edges must exist. For each edge the others
+  // near it are found in a tree of boxes. O(n log n + k log k) for k pairs of edges so near to each other
+  // that one may be in the way of a robot at the other, if the outline does not wind much.
   Stands(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go);
 
   const RobotSize& robot() const { return robot_; }
@@ -72,8 +72,7 @@ class Stands {
   // Whether robots can stand anywhere at all.
   bool any() const { return !usable_.empty(); }
 
-  // Where an edge can be used: disjoint closed stretches in ascending order, none shorter than tau L. All
-  // of them together, edge after edge.
+  // Where an edge can be used: disjoint closed stretches in ascending order, none shorter than tau L.
   struct Stretches {
     const Stretch* first;
     const Stretch* last;
@@ -84,8 +83,8 @@ class Stands {
   Stretches usable(std::uint32_t edge) const {
     return {usable_.data() + begins_[edge], usable_.data() + begins_[edge + std::size_t{1}]};
   }
-  // All else, edge after edge, in ascending order. Where several reasons hold the first in the order of
-  // WhyUnusable stands. The bits of 2 tau L at vertices are not listed.
+  // What cannot be used, edge after edge, in ascending order. If there are several reasons, it is the
+  // first of them in the order of WhyUnusable. The bits of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
   // Why nobody can stand at t along an edge; nothing where somebody can, to tau L. O(log n) and the
   // edge's stretches.
@@ -99,7 +98,7 @@ class Stands {
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
   // The way along its edge from the first vertex to a lifting point or contact. O(1).
   double along(const LiftingPoint& point) const;
-  // Whether a robot can lift there, within tau L along the edge. As why_not().
+  // Whether a robot can lift there, within tau L along the edge. The cost is that of why_not().
   bool can_lift(const LiftingPoint& point) const;
 
   // Whether two robots get into each other's way: their bodies' middles must be 2 r + gap apart, and the
@@ -128,14 +127,18 @@ bool stands_anywhere(const Settings& settings);
 // Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon, const Settings& settings);
 
-// How marks follow what somebody does by hand. All results are in order and without overlaps.
-// with_part() adds a part and without_part() takes one away; is_marked() says whether a place is marked.
-// after_split() has the marks after a vertex was put on an edge, and after_removal() those after one of
-// n > 3 vertices was removed: the new edge has the marks of both old ones. `at` is a part of the edge's
-// length. O(parts log parts), is_marked() O(parts).
+// The parts that must not be touched, when somebody marks or edits the outline by hand. Results are in
+// order and without overlaps; `at` is a place on an edge as a part of its length. O(parts log parts).
+
+// With one part more, and without what lies in a part.
 std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);
 std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& part);
+
+// Whether a place is marked. O(parts).
 bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at);
+
+// The marks after a vertex was put on an edge; and after one of n > 3 vertices was removed, whose two
+// edges become one with the marks of both.
 std::vector<EdgePart> after_split(const std::vector<EdgePart>& no_go, std::uint32_t edge,
                                   double at);
 std::vector<EdgePart> after_removal(const std::vector<EdgePart>& no_go, const Points& vertices,

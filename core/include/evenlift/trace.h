@@ -116,9 +116,6 @@ struct Step {
   bool operator==(const Step&) const = default;
 };
 
-// Stands for "none" in arrays of indices.
-inline constexpr std::uint32_t no_index = ~std::uint32_t{0};
-
 // Longer traces are refused: nobody would watch them, and a browser could not hold them.
 inline constexpr std::uint32_t max_trace_steps = 1u << 20;
 
@@ -195,10 +192,6 @@ struct Trace {
   bool balanced() const { return problem.has_value(); }
 };
 
-// The set of the start whose completion is shown in full: the first one of more than two robots, or
-// else the last. Nothing if there is none. O(1).
-const BalancedSet* shown_completion(const Trace& trace);
-
 // Whether C lies outside of the polygon. Its boundary counts as inside. Exact. O(n).
 bool centre_is_outside(const Trace& trace);
 
@@ -236,12 +229,14 @@ struct Progress {
 // `sources`. O(1).
 Progress progress_at(const Trace& trace, std::uint32_t k);
 
-// The teams that stand where so much is known; the first `known.teams` of them count. O(1).
+// The teams as they are after the exchanges that are known; the first `known.teams` of them are taken.
+// O(1).
 const std::vector<Team>& teams_at(const Trace& trace, const Progress& known);
 
-// The lifting base H of the first `teams` teams that the metric selects; of those that stand where so
-// much is known. O(teams log teams).
+// The lifting base H of the first `teams` teams that the metric selects. O(teams log teams).
 Points lifting_base(const Trace& trace, std::uint32_t teams);
+
+// The lifting base H of the first `known.base_teams` of teams_at(). O(teams log teams).
 Points lifting_base(const Trace& trace, const Progress& known);
 
 // What became of an edge-pair.
@@ -407,16 +402,16 @@ struct StepDetail {
   std::optional<SwapDetail> swap;          // swap
   std::optional<StandsDetail> stands;      // stands
   std::optional<TeamScores> scores;        // scores, team: by candidates
-  Points base_before, base;  // scores, team, base: H without and with the team; start,
-                             // exchange, and all that follows: likewise
+  // scores, team, base: H without and with the team. start, exchange and all that follows: H of the
+  // set before, and of the step's own.
+  Points base_before, base;
   std::optional<BalancedDetail> balanced;  // balanced robots, from the first of them on
   FreeRegion clockwise, counterclockwise;  // contacts, cut: what is left after the step
   bool clockwise_before = true, counterclockwise_before = true;  // whether a region was left before
 };
 // O(1), except: `scores` and `team` cost as much as look_at_scores; `base` O(teams log teams);
 // `contacts` and `cut` O(n + c^2) at worst for c contacts so far; `swap` as look_at_swap; steps of
-// balanced robots a completion
-// and the keys of a set.
+// balanced robots a completion and the keys of a set.
 StepDetail look_at(const Trace& trace, std::uint32_t k);
 
 // What a figure means. The comment says its shape, and what its item and value are.
@@ -512,8 +507,8 @@ struct Question {
 // The question to ask before step detail.number is shown. Nothing if the step is not a choice.
 // O(1).
 std::optional<Question> question(const Trace& trace, const StepDetail& detail);
-// All that can be answered, increasing: of coming_candidate the candidates that no team has, and at which
-// robots with a size would have room. O(K teams).
+// The answers that can be given, increasing. Of coming_candidate these are the candidates that no team
+// has, and at which robots with a size would have room. O(K teams).
 std::vector<std::uint32_t> choices(const Trace& trace, const StepDetail& detail,
                                    const Question& question);
 // The chord that a choice of a question stands for: of a team the one that it may leave. O(1).

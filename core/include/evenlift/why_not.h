@@ -44,16 +44,12 @@ struct WhyNot {
 // choice, the last one before (the first, before any). The cost of look_at_scores.
 WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate);
 
-// The chords through C along the line of `direction`: one for each boundary point ahead of C with
-// each one behind, at most most_chords_through. None if the direction is zero. O(n log n).
-inline constexpr std::size_t most_chords_through = 256;
-std::vector<Chord> chords_through(const Trace& trace, const Vec2& direction);
-
-// Of the chords through C and `point` the shortest that reaches the point, or the longest if none
-// does. Nothing if there is no chord, or if the point is C itself. O(n log n).
+// Of the chords through C and `point`, of which there is one for each boundary point ahead of C with
+// each one behind it, the shortest that reaches the point, or the longest if none does. Nothing if there
+// is no chord, or if the point is C itself. Looks at 256 chords at most. O(n log n).
 std::optional<Chord> chord_at(const Trace& trace, const Vec2& point);
 
-// Why a chord of chords_through or chord_at is not a team; with nothing, why there is no chord.
+// Why a chord such as that of chord_at() is not a team; with nothing, why there is no chord.
 // O(n + K), besides the cost of why_not.
 WhyNot why_not_chord(const Trace& trace, std::uint32_t k, const std::optional<Chord>& chord);
 
@@ -62,7 +58,7 @@ struct SetComparison {
   BalancedKeys keys, keys_now;               // of the set asked about, and of that of the step
   std::optional<double> margin, margin_now;  // none without contacts
   BalancedKey decided_by = BalancedKey::coverage;
-  bool better = false;  // whether the set asked about is
+  bool better = false;  // whether the set asked about is the better one
 };
 
 // Why no balanced robot stands at a place, or why one does.
@@ -82,9 +78,9 @@ struct WhyNoRobot {
   SetComparison comparison;  // other_set: of that set with the step's
 };
 
-// About the boundary point that is nearest to `at`, and the robots of step k, or of the last set if
-// they are less than three. A robot within `reach` of `at` counts as standing there. One completion
-// for each three robots that could leave.
+// Answers for the boundary point nearest to `at` and the robots of step k, or those of the last set if
+// they are fewer than three. A robot within `reach` of `at` counts as standing there. The cost is one
+// completion (balanced.h) for each three robots that could leave.
 WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, double reach);
 
 // What the other robots and another of the even chords of a completion or an exchange would make,

@@ -102,15 +102,8 @@ BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch sear
   return {ended(std::move(search), triples.size()), exchange};
 }
 
-BalancedSearch finish_round(const BalancedProblem& problem, BalancedSearch search) {
-  const std::uint32_t round = search.round;
-  while (!search.finished && search.round == round)
-    search = try_next_triple(problem, std::move(search)).search;
-  return search;
-}
-
 BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search) {
-  while (!search.finished) search = finish_round(problem, std::move(search));
+  while (!search.finished) search = try_next_triple(problem, std::move(search)).search;
   return search;
 }
 

@@ -119,9 +119,9 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
   auto found = find(polygon, centre, min_ratio, positions, true);
   if (!found) return found.error();
   TracedCandidates traced{std::move(found->candidates), {}, {}};
-  traced.of_source.assign(found->sources, no_candidate);
+  traced.of_source.assign(found->sources, no_index);
   if (positions == Positions::range)
-    traced.ranges_of_source.assign(found->sources, {no_candidate, no_candidate});
+    traced.ranges_of_source.assign(found->sources, {no_index, no_index});
   for (std::size_t i = 0; i < found->became.size(); ++i) {
     const std::uint32_t source = found->source_of_chord[i];
     if (found->in_range[i] == 0) {
@@ -129,7 +129,7 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
       continue;
     }
     auto& ranges = traced.ranges_of_source[source];
-    ranges[ranges[0] == no_candidate ? 0 : 1] = found->became[i];
+    ranges[ranges[0] == no_index ? 0 : 1] = found->became[i];
   }
   return traced;
 }

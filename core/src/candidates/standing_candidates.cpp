@@ -101,7 +101,7 @@ std::uint32_t number_of_pair(const std::vector<NumberedPair>& pairs, std::uint32
   const auto at = std::lower_bound(
       pairs.begin(), pairs.end(), edges,
       [](const NumberedPair& pair, const auto& wanted) { return pair.edges < wanted; });
-  return at != pairs.end() && at->edges == edges ? at->number : no_candidate;
+  return at != pairs.end() && at->edges == edges ? at->number : no_index;
 }
 
 void add_lines(const Wanted& wanted, const StandLine& a, const StandLine& b, std::uint32_t source,
@@ -139,17 +139,17 @@ std::optional<InputError> find_on_moved_edges(const Wanted& wanted, Found& found
 // What became of each source.
 void note_sources(const Found& found, const std::vector<std::uint32_t>& became_of,
                   Positions positions, TracedCandidates& traced) {
-  traced.of_source.assign(found.sources, no_candidate);
+  traced.of_source.assign(found.sources, no_index);
   if (positions == Positions::range)
-    traced.ranges_of_source.assign(found.sources, {no_candidate, no_candidate});
+    traced.ranges_of_source.assign(found.sources, {no_index, no_index});
   for (std::size_t i = 0; i < found.origins.size(); ++i) {
     const auto& [source, in_range] = found.origins[i];
-    if (source == no_candidate) continue;
+    if (source == no_index) continue;
     std::uint32_t& of_pair = traced.of_source[source];
-    if (!in_range && of_pair == no_candidate) of_pair = became_of[i];
+    if (!in_range && of_pair == no_index) of_pair = became_of[i];
     if (!in_range) continue;
     auto& ranges = traced.ranges_of_source[source];
-    ranges[ranges[0] == no_candidate ? 0 : 1] = became_of[i];
+    ranges[ranges[0] == no_index ? 0 : 1] = became_of[i];
   }
   for (auto& [first, last] : traced.ranges_of_source)
     if (last < first) std::swap(first, last);

@@ -36,11 +36,11 @@ double units(int decimals);
 // symmetric.
 std::int64_t nearest(double value);
 
-GridPolygon regular(std::size_t n);              // O(n)
-GridPolygon convex(std::size_t n, Rng& rng);     // expected O(n log n)
-GridPolygon star(std::size_t n, Rng& rng);       // O(n)
-GridPolygon comb(std::size_t n, Rng& rng);       // O(n)
-GridPolygon spiral(std::size_t n, Rng& rng);     // O(n)
-GridPolygon labyrinth(std::size_t n, Rng& rng);  // expected O(n); Family::random
+GridPolygon regular(std::size_t n);           // O(n)
+GridPolygon convex(std::size_t n, Rng& rng);  // expected O(n log n)
+GridPolygon star(std::size_t n, Rng& rng);    // O(n)
+GridPolygon comb(std::size_t n, Rng& rng);    // O(n)
+GridPolygon spiral(std::size_t n, Rng& rng);  // O(n)
+GridPolygon random(std::size_t n, Rng& rng);  // expected O(n)
 
 }  // namespace evenlift::families

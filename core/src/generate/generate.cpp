@@ -189,7 +189,7 @@ families::GridPolygon draw(Family family, std::size_t n, std::uint64_t seed) {
     case Family::spiral:
       return families::spiral(n, rng);
     case Family::random:
-      return families::labyrinth(n, rng);
+      return families::random(n, rng);
   }
   return {};
 }

@@ -139,7 +139,7 @@ experiment::PolygonResult measured(const NamedPolygon& polygon,
   if (!polygon.document) return refused(polygon.document.error());
   const auto subject = experiment::prepare(*polygon.document, settings.min_ratio);
   if (!subject) return refused(subject.error());
-  experiment::PolygonResult result = experiment::describe(polygon.set, polygon.name, *subject);
+  experiment::PolygonResult result = experiment::result_of(polygon.set, polygon.name, *subject);
   for (const Method method : all_methods)
     for (experiment::Measurement& m : experiment::measure(*subject, method, settings))
       result.measurements.push_back(std::move(m));

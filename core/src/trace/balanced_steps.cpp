@@ -81,6 +81,15 @@ const BalancedSet* last_set(const Trace& trace) {
   return history.moves.empty() ? &history.start.back() : &history.moves.back().set;
 }
 
+// The set of the start whose completion is shown in full: the first one of more than two robots, or
+// else the last.
+const BalancedSet* shown_completion(const Trace& trace) {
+  const std::vector<BalancedSet>& start = trace.history.start;
+  const auto more = std::find_if(start.begin(), start.end(),
+                                 [](const BalancedSet& set) { return set.robots.size() > 2; });
+  return more != start.end() ? &*more : start.empty() ? nullptr : &start.back();
+}
+
 const BalancedSet* set_after_round(const Trace& trace, std::uint32_t round) {
   const BalancedSet* set = &trace.history.start.back();
   for (const BalancedMove& move : trace.history.moves)
@@ -193,13 +202,6 @@ std::optional<InputError> trace_search(Trace& trace, HistoryLength length) {
     if (length == HistoryLength::whole) trace.in_pairs = place_in_pairs(trace);
   }
   return std::nullopt;
-}
-
-const BalancedSet* shown_completion(const Trace& trace) {
-  const std::vector<BalancedSet>& start = trace.history.start;
-  const auto more = std::find_if(start.begin(), start.end(),
-                                 [](const BalancedSet& set) { return set.robots.size() > 2; });
-  return more != start.end() ? &*more : start.empty() ? nullptr : &start.back();
 }
 
 const BalancedSet* balanced_set_at(const Trace& trace, const Step& step) {

@@ -187,7 +187,7 @@ std::optional<InputError> collect_candidates(Trace& trace) {
   trace.candidate_of_source = std::move(traced->of_source);
   for (std::uint32_t source = 0; source < traced->ranges_of_source.size(); ++source) {
     const auto& candidates = traced->ranges_of_source[source];
-    if (candidates[0] == no_candidate) continue;
+    if (candidates[0] == no_index) continue;
     trace.ranges.push_back(source);
     trace.candidates_of_range.push_back(candidates);
   }

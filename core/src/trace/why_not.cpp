@@ -75,6 +75,24 @@ void answer_by_pair(const Trace& trace, const Chord& chord, WhyNot& answer) {
   }
 }
 
+constexpr std::size_t most_chords_through = 256;
+
+// The chords through C along the line of a direction.
+std::vector<Chord> chords_through(const Trace& trace, const Vec2& direction) {
+  std::vector<Chord> chords;
+  if (!(length(direction) > 0)) return chords;
+  const RayCaster rays(trace.polygon, trace.centre);
+  const auto ahead = rays.hits(direction), behind = rays.hits(-direction);
+  for (const RayCaster::Hit& a : ahead) {
+    for (const RayCaster::Hit& b : behind) {
+      if (!(a.distance > 0 && b.distance > 0)) continue;
+      if (chords.size() == most_chords_through) return chords;
+      chords.push_back(order_ends(a.point, a.distance, b.point, b.distance, direction));
+    }
+  }
+  return chords;
+}
+
 }  // namespace
 
 WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
@@ -109,21 +127,6 @@ WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate) {
                : own.eligible      ? Why::behind
                                    : Why::not_even;
   return answer;
-}
-
-std::vector<Chord> chords_through(const Trace& trace, const Vec2& direction) {
-  std::vector<Chord> chords;
-  if (!(length(direction) > 0)) return chords;
-  const RayCaster rays(trace.polygon, trace.centre);
-  const auto ahead = rays.hits(direction), behind = rays.hits(-direction);
-  for (const RayCaster::Hit& a : ahead) {
-    for (const RayCaster::Hit& b : behind) {
-      if (!(a.distance > 0 && b.distance > 0)) continue;
-      if (chords.size() == most_chords_through) return chords;
-      chords.push_back(order_ends(a.point, a.distance, b.point, b.distance, direction));
-    }
-  }
-  return chords;
 }
 
 std::optional<Chord> chord_at(const Trace& trace, const Vec2& point) {

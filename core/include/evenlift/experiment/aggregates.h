@@ -12,8 +12,7 @@ namespace evenlift::experiment {
 
 struct Statistics {
   double mean = 0;
-  std::optional<double>
-      deviation;  // standard deviation of a sample (divided by n - 1); none of one
+  std::optional<double> deviation;  // standard, of a sample (divided by n - 1); none for one value
 };
 
 // Mean and deviation of at least one value, added up in order. O(n).

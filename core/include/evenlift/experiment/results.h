@@ -37,7 +37,7 @@ std::string fingerprint(const Document& document, const ExperimentSettings& sett
 inline constexpr const char* refused_fingerprint = "refused";
 
 // A result without measurements yet. O(1).
-PolygonResult describe(const std::string& set, const std::string& polygon, const Subject& subject);
+PolygonResult result_of(const std::string& set, const std::string& polygon, const Subject& subject);
 
 // Sorts by set, then by polygon, both by their bytes. O(n log n).
 void sort_results(std::vector<PolygonResult>& results);

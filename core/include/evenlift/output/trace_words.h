@@ -22,11 +22,12 @@ std::string caption(const Trace& trace, const StepDetail& detail);
 // where there is nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
-// What the letters of the step's formula stand for, in one sentence; empty if the formula has none that need it. O(1).
+// What the letters of the step's formula stand for, in one or two sentences; empty if it has no letters
+// that need a word. O(1).
 std::string_view formula_letters(const Trace& trace, const StepDetail& detail);
 
-// The algorithm in our own words, as the settings have it: by their method, positions and goal. Each line is a statement, indented by two spaces
-// for each level. O(1).
+// The algorithm as pseudo-code, for the method, positions and goal of the settings. Each line is a
+// statement, indented by two spaces for each level. O(1).
 std::vector<std::string_view> pseudo_code(const Settings& settings);
 
 // Which of these lines the step carries out, from 0. O(1).
@@ -41,10 +42,12 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer);
 // Why no balanced robot stands at a place, or why one does. O(1).
 std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer);
 
-// What two robots on another of the even chords would come to. As compare_even_chord().
+// What the set would be like with two robots on another of the even chords. The cost is that of
+// compare_even_chord().
 std::string even_chord_text(const Trace& trace, const StepDetail& detail, std::uint32_t choice);
 
-// What another answer to a question about an exchange of teams would come to. As compare_swap().
+// What another answer to a question about an exchange of teams would lead to. The cost is that of
+// compare_swap().
 std::string other_swap_text(const Trace& trace, const StepDetail& detail, const Question& question,
                             std::uint32_t choice);
 

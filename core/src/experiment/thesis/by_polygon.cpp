@@ -56,7 +56,7 @@ const Measurement* find(const PolygonResult& result, Method method, std::uint32_
 }
 
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
-                  std::uint32_t most_vertices) {
+                  std::size_t most_vertices) {
   Count count;
   for (const PolygonResult& result : results) {
     if (result.vertices > most_vertices) continue;
@@ -147,7 +147,7 @@ Count closed(const std::vector<PolygonResult>& results, Closed closed) {
 }
 
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,
-                  std::uint32_t robots, std::uint32_t most_vertices) {
+                  std::uint32_t robots, std::size_t most_vertices) {
   Count count;
   for (const PolygonResult& result : results) {
     const Measurement* m = find(result, method, robots);

@@ -21,9 +21,8 @@ const Measurement* find(const PolygonResult& result, Method method, std::uint32_
 // Polygons with candidates for `teams` on which area, circle and distance choose the same last
 // team; with more than two teams, of those on which they chose the same one before, too (5.4).
 // Only polygons with up to `most_vertices`.
-inline constexpr std::uint32_t any_number = ~std::uint32_t{0};
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
-                  std::uint32_t most_vertices = any_number);
+                  std::size_t most_vertices = max_vertices);
 
 // Counts the polygons on which the three metrics choose different second teams, and among them
 // those on which the coverages still differ by less than `difference` of the polygon.
@@ -55,7 +54,7 @@ Count closed(const std::vector<PolygonResult>& results, Closed closed);
 // Polygons with up to `most_vertices` that can be closed and on which the method can place so many
 // robots, and those that it closes with them.
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,
-                  std::uint32_t robots, std::uint32_t most_vertices);
+                  std::uint32_t robots, std::size_t most_vertices);
 
 // Steps from one number of teams to the next at which a polygon in form closure loses it; and the
 // numbers of robots after the step at which that happens, each once, rising.

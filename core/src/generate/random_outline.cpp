@@ -277,7 +277,7 @@ bool is_star_shaped(const std::vector<GridPoint>& outline) {
 
 }  // namespace
 
-GridPolygon labyrinth(std::size_t n, Rng& rng) {
+GridPolygon random(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   // The tree has a third more vertices than are kept, because cuts make edges of all lengths and
   // directions. For few vertices it has enough cells for a bend.
