@@ -1,3 +1,5 @@
+// Numbers from text. std::from_chars finds the same doubles; it can replace the conversion once no
+// supported Emscripten lacks it for them.
 #include <cfloat>
 #include <cmath>
 #include <cstdlib>

@@ -67,12 +67,15 @@ class Settings(TypedDict, total=False):
     weight_unit: Literal["kg", "t", "N", "lb", None]
 
 
-def _request(polygon: Polygon, centre_of_mass: Optional[Point], settings: Mapping[str, Any]) -> dict[str, Any]:
-    request: dict[str, Any] = {}
+def _shape(polygon: Polygon) -> dict[str, Any]:
+    """The members of a request that say what the polygon is."""
     if isinstance(polygon, str):
-        request["text"] = polygon
-    else:
-        request["polygon"] = [[float(x), float(y)] for x, y in polygon]
+        return {"text": polygon}
+    return {"polygon": [[float(x), float(y)] for x, y in polygon]}
+
+
+def _request(polygon: Polygon, centre_of_mass: Optional[Point], settings: Mapping[str, Any]) -> dict[str, Any]:
+    request = _shape(polygon)
     if centre_of_mass is not None:
         x, y = centre_of_mass
         request["centre_of_mass"] = [float(x), float(y)]
@@ -144,11 +147,7 @@ def experiment(
     with 30 candidates some seconds. Polygons have their names in a mapping, and else numbers. One that cannot be measured is left
     out, and `refused` says why."""
     named = polygons.items() if isinstance(polygons, Mapping) else ((f"polygon {i}", p) for i, p in enumerate(polygons, 1))
-    asked = []
-    for name, polygon in named:
-        request = _request(polygon, None, {})
-        del request["settings"]
-        asked.append({"name": name, **request})
+    asked = [{"name": name, **_shape(polygon)} for name, polygon in named]
     settings = {"min_ratio": min_ratio, "samples": samples, "max_teams": max_teams, "max_balanced": max_balanced}
     return Experiment({"command": "experiment", "polygons": asked, "settings": {k: _plain(v) for k, v in settings.items()}})
 

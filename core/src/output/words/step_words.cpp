@@ -95,6 +95,14 @@ const StepRow& row_of(const StepDetail& detail) {
   return steps[static_cast<std::size_t>(detail.step.kind)];
 }
 
+std::string_view letters_of_choice(const StepDetail& detail) {
+  if (!detail.scores) return {};
+  if (detail.scores->rule != Rule::score) return "r1 and r2 are the two ends of the chord.";
+  return detail.step.kind == StepKind::scores
+             ? "r1 and r2 are the candidate's two ends, and f is what an end adds."
+             : "";
+}
+
 }  // namespace
 
 std::string_view title(Chapter chapter) { return titles[static_cast<std::size_t>(chapter)]; }
@@ -115,11 +123,7 @@ std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {
       return "ra and rb are the ends of a chord on the two edges. Where g is 1, the arms are equal; above 1, rb is the farther end.";
     case StepKind::scores:
     case StepKind::team:
-      if (!trace.by_candidates() || !detail.scores) return {};
-      if (detail.scores->rule != Rule::score) return "r1 and r2 are the two ends of the chord.";
-      return detail.step.kind == StepKind::scores
-                 ? "r1 and r2 are the candidate's two ends, and f is what an end adds."
-                 : "";
+      return letters_of_choice(detail);
     case StepKind::base:
       return "H is the lifting base.";
     case StepKind::share:
