@@ -55,7 +55,7 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
       near_(near_distance(polygon.diagonal())),
       floor_(floor_of(polygon, centre, metric)),
       stands_(stands),
-      is_taken_(candidates.size()) {
+      states_(candidates.size(), State::open) {
   ends_.reserve(2 * candidates.size());
   for (const Candidate& candidate : candidates) {
     for (const LiftingPoint* point : {&candidate.chord.r1, &candidate.chord.r2}) {
@@ -97,7 +97,7 @@ bool Selector::take_next() {
 
 void Selector::take(std::uint32_t candidate) {
   taken_.push_back(candidate);
-  is_taken_[candidate] = 1;
+  states_[candidate] = State::taken;
   ++out_;
   const bool was_best = !line_.empty() && bound(candidate) == best_score_;
   if (!line_.empty()) line_.pop_back();
@@ -112,9 +112,9 @@ void Selector::drop_colliding(Index taken) {
     return stands_->collide(point, team.r1) || stands_->collide(point, team.r2);
   };
   for (Index i = 0; i < candidates_.size(); ++i) {
-    if (is_taken_[i]) continue;
+    if (!is_open(i)) continue;
     if (!collides(candidates_[i].chord.r1) && !collides(candidates_[i].chord.r2)) continue;
-    is_taken_[i] = dropped;
+    states_[i] = State::dropped;
     ++out_;
   }
   line_.clear();
@@ -178,7 +178,7 @@ double Selector::find_best_score() {
   double best = -std::numeric_limits<double>::infinity();
   Indices open;  // those of which only a bound is known
   for (Index i = 0; i < candidates_.size(); ++i) {
-    if (is_taken_[i]) continue;
+    if (!is_open(i)) continue;
     if (exact(i))
       best = std::max(best, bound(i));
     else
@@ -211,12 +211,12 @@ Selector::Indices Selector::find_leaders() {
   best_score_ = find_best_score();
   Indices leaders;
   for (Index i = 0; i < candidates_.size(); ++i)
-    if (!is_taken_[i] && exact(i) && ties(best_score_, bound(i))) leaders.push_back(i);
+    if (is_open(i) && exact(i) && ties(best_score_, bound(i))) leaders.push_back(i);
   return leaders;
 }
 
 void Selector::line_up(Indices leaders) {
-  std::erase_if(leaders, [&](Index i) { return is_taken_[i] != 0; });
+  std::erase_if(leaders, [&](Index i) { return !is_open(i); });
   best_in_line_ = static_cast<std::size_t>(std::count_if(
       leaders.begin(), leaders.end(), [&](Index i) { return bound(i) == best_score_; }));
   if (best_in_line_ == 0) return;

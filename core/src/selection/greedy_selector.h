@@ -36,7 +36,7 @@ class Selector {
   const std::vector<std::uint32_t>& taken() const { return taken_; }
 
   // Whether a candidate that is not taken collides with a team.
-  bool dropped_out(std::uint32_t candidate) const { return is_taken_[candidate] == dropped; }
+  bool dropped_out(std::uint32_t candidate) const { return states_[candidate] == State::dropped; }
 
   // The score of a candidate against the teams taken so far, of which there is at least one.
   double score(std::uint32_t candidate);
@@ -75,6 +75,8 @@ class Selector {
     std::optional<Index> other_wedge;
     Gain gain;
   };
+  enum class State : std::uint8_t { open, taken, dropped };
+  bool is_open(Index candidate) const { return states_[candidate] == State::open; }
   Index best_first_team() const;
   double find_best_score();
   Indices find_leaders();
@@ -109,10 +111,9 @@ class Selector {
   Indices edges_;              // the wedge of each edge of H, from corner i to i + 1
   std::vector<Wedge> wedges_;  // past ones, too, so that indices stay valid
 
-  static constexpr char dropped = 2;
   const Stands* stands_;
-  std::size_t out_ = 0;         // candidates that are taken or dropped
-  std::vector<char> is_taken_;  // 1: taken, 2: dropped
+  std::size_t out_ = 0;        // candidates that are taken or dropped
+  std::vector<State> states_;  // of the candidates
   std::vector<std::uint32_t> taken_;
   Indices line_;                  // the next candidates while H does not change, last first
   std::size_t best_in_line_ = 0;  // how many of them have the best score itself
