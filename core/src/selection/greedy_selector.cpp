@@ -167,11 +167,6 @@ Selector::Index Selector::best_first_team() const {
   return all.front();
 }
 
-// Whether a score ties with the largest one.
-bool Selector::ties(double largest, double score) const {
-  return score >= largest - score_slack(std::fabs(largest), floor_);
-}
-
 // The best score of the candidates that are not taken. By lazy greedy selection (greedy_selector.h) the
 // one with the largest bound is evaluated first; whoever cannot tie with the best keeps its bound.
 double Selector::find_best_score() {

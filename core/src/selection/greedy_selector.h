@@ -1,6 +1,7 @@
 // The greedy choice of teams among candidates (algorithm.md, Selection).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,9 +10,15 @@
 #include "evenlift/document.h"
 #include "evenlift/selection.h"
 #include "evenlift/stands.h"
+#include "evenlift/tolerance.h"
 #include "selection/base_edge.h"
 
 namespace evenlift {
+
+// Whether a score ties with the best one, which is the largest; `floor` is that of the selector. O(1).
+inline bool scores_tie(double best, double score, double floor) {
+  return score >= best - score_slack(std::fabs(best), floor);
+}
 
 // Chooses by lazy greedy evaluation (M. Minoux, Accelerated greedy algorithms for maximizing
 // submodular set functions, 1978). Each end of a candidate carries an upper bound of its gain, and
@@ -80,7 +87,7 @@ class Selector {
   Index best_first_team() const;
   double find_best_score();
   Indices find_leaders();
-  bool ties(double largest, double score) const;
+  bool ties(double best, double score) const { return scores_tie(best, score, floor_); }
   double bound(Index candidate) const {
     return ends_[2 * candidate].gain.value + ends_[2 * candidate + 1].gain.value;
   }

@@ -1,6 +1,5 @@
 // The detail of a choice: the score of every candidate, by the selection's own gain functions.
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "evenlift/selection.h"
@@ -89,7 +88,7 @@ class Tournament {
       case Quantity::score:
         break;
     }
-    return value >= best - score_slack(std::fabs(best), floor_);
+    return scores_tie(best, value, floor_);
   }
 
   void play(std::uint32_t which) {
