@@ -13,7 +13,7 @@
 
 namespace evenlift {
 
-// `range` is a place of a range that is none of the others.
+// `range` is a chord at some other place of the range of its edge-pair.
 enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex, range };
 
 // "bisecting", "midpoint", "vertex" or "range". O(1).

@@ -96,7 +96,7 @@ ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
                                const Stands* stands = nullptr);
 
 // The best exchange of one team alone; nothing if none makes the choice better. Like one round of
-// exchange_teams(), but for one team.
+// exchange_teams(), but of one team.
 std::optional<Exchange> best_exchange_of(const Polygon& polygon, const Vec2& centre,
                                          const std::vector<Candidate>& candidates,
                                          const std::vector<std::uint32_t>& taken,

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t most_main_steps = 22;
 // else the first pair; without any, the first opposite vertices); the first range; the scores and choices
 // of the first three teams, then the last team and the base that it completes; the first three exchanges
 // of teams; of balanced robots the last set of the start, and the three exchanges that widen the coverage
-// the most. What is done once is in the list, but for the centroid, radial edges, duplicates, the search
+// the most. What is done once is in the list, except the centroid, radial edges, duplicates, the search
 // for a direction to slide, and the contacts of balanced robots. O(pairs), and with balanced robots
 // balanced_keys() for each exchange.
 std::vector<std::uint32_t> main_steps(const Trace& trace);

@@ -22,7 +22,7 @@ struct PlacedRobot {
   // The direction of the inward normal there, in (-180, 180]; of a point at a vertex the middle between
   // those of its two edges.
   double heading_deg = 0;
-  Vec2 direction = Vec2(1, 0);  // the same as a vector of length 1, but for rounding
+  Vec2 direction = Vec2(1, 0);  // the same as a vector of length 1, up to rounding
 };
 
 // The robots, team after team. A robot is at a vertex if it is within tolerance (tau L) of an end of

@@ -18,7 +18,7 @@ class Polygon {
  public:
   // Makes a polygon, or says what is wrong with the vertices: their number, the size of their
   // coordinates, repeated vertices, no area, edges that cross, touch or overlap, or a bounding box
-  // whose diagonal is below min_diagonal. All decisions are exact, but for the rounding of that
+  // whose diagonal is below min_diagonal. All decisions are exact, up to the rounding of that
   // diagonal. Where one or two vertices or two edges are at fault, the error names them.
   // O(n log n).
   static Result<Polygon> create(Points vertices);

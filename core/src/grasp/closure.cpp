@@ -41,7 +41,7 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
 // The largest distance along an axis at which a rotation centre still counts. A rotation about a
 // point farther away is a translation within tolerance. Where a translation is free, some contacts
 // may be on edges that were drawn parallel. Rounding turns these by some 1e-14, so whether their
-// normal lines meet farther away than L / sqrt(tau), about 3e4 L, is no property of the shape.
+// normal lines meet farther away than L / sqrt(tau), about 3e4 L, is not a property of the shape.
 double farthest_centre(const Grasp& grasp, bool translation_free) {
   return grasp.diagonal / (translation_free ? std::sqrt(tau) : tau);
 }

@@ -109,7 +109,7 @@ std::vector<Chain> chained(const std::vector<Outline>& parts, double near) {
     Chain chain{parts[i], 1, false};
     for (;;) {
       Outline& outline = chain.outline;
-      // A part that is itself no longer than `near` is no way round.
+      // A part that is itself no longer than `near` is not a way round.
       const bool back = chain.parts > 1 || outline.curved() || outline.pieces.size() > 1;
       if (back && are_near(outline.end(), outline.start, near)) {
         outline.pieces.back().end = outline.start;

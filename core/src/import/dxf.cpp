@@ -28,7 +28,7 @@ class Groups {
  public:
   explicit Groups(std::string_view text) : text_(text) {}
 
-  // The next pair; nothing at the end, or if the code is no whole number.
+  // The next pair; nothing at the end, or if the code is not a whole number.
   std::optional<Group> next() {
     if (at_ >= text_.size()) return std::nullopt;
     code_at_ = at_;
@@ -167,7 +167,7 @@ class DxfReader {
   std::optional<std::string> gap_;  // where the first chain does not close
 };
 
-// A part that has no length is none.
+// A part without a length does not count.
 void DxfReader::add_part(Outline part, std::string_view layer) {
   if (part.pieces.empty()) return;
   if (++part_count_ > max_vertices && !error_)

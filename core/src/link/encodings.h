@@ -1,4 +1,4 @@
-// Chooses the encodings of a polygon that are worth trying. This is no part of the format: a reader
+// Chooses the encodings of a polygon that are worth trying. This is not part of the format: a reader
 // accepts every encoding.
 #pragma once
 

@@ -25,7 +25,7 @@ struct Support {
 // edge of H nearest to C. O(m log m).
 std::optional<Support> find_support(const Points& robots, const Vec2& centre, double diagonal);
 
-// A list of m loads that are 0 but for those of the robots of the support. O(m).
+// A list of m loads: those of the robots of the support, and 0 for all others. O(m).
 std::vector<double> spread_out(const Support& support, const std::vector<double>& loads,
                                std::size_t m);
 

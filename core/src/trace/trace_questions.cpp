@@ -54,7 +54,7 @@ std::vector<std::uint32_t> open_to(const Trace& trace, std::uint32_t swap, std::
 
 bool is_choice(const Trace& trace, std::uint32_t k) {
   const Step step = trace.step(k);
-  if (step.kind == StepKind::scores)  // of one candidate there is no choice
+  if (step.kind == StepKind::scores)  // one candidate alone is not a choice
     return trace.placement.candidates.size() > step.item + std::size_t{1};
   if (step.kind == StepKind::completion || step.kind == StepKind::exchange)
     return look_at(trace, k).balanced->chords.size() > 1;

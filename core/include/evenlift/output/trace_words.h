@@ -36,7 +36,7 @@ std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);
 // What a learner is asked before the step is shown: question(trace, detail) in words. O(1).
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question);
 
-// Why a chord is no team, or which one it is, with the numbers. O(1).
+// Why a chord is not a team, or which one it is, with the numbers. O(1).
 std::string why_not_text(const Trace& trace, const WhyNot& answer);
 
 // Why no balanced robot stands at a place, or why one does. O(1).

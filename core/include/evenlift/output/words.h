@@ -89,7 +89,7 @@ std::string free_motions_in_words(const Closure& closure);
 // Whether the robots hold the object, if only to second order.
 bool is_held(const Placement& placement);
 
-// Less of the object above the lifting base than this is no good result.
+// A result that covers less of the object than this is not a good one.
 inline constexpr double good_coverage = 0.5;
 
 // The sentences that follow loads_in_words: shortage, coverage and closure; what is wrong comes first.

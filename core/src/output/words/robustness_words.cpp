@@ -28,7 +28,7 @@ std::string springs_in_words(const SpringLoads& springs, const Units& units) {
          (idle.size() == 1 ? " lets go." : " let go.");
 }
 
-// "five", or the digits of what is no small number.
+// "five", or digits if the number is larger.
 std::string in_letters(std::size_t number) {
   constexpr std::array<const char*, 13> words = {"no",   "one",    "two",   "three", "four",
                                                  "five", "six",    "seven", "eight", "nine",
