@@ -29,9 +29,7 @@ void cmd_generate(const Arguments& arguments) {
   if (!line.parse(arguments)) return;
 
   const std::optional<Family> family = family_from_name(family_text);
-  if (!family)
-    throw Failure{bad_input_status, "FAMILY",
-                  "expected one of " + family_names() + ", not \"" + family_text + "\""};
+  if (!family) throw bad_value("FAMILY", "expected one of " + family_names(), family_text);
   const std::uint64_t n = n_text ? whole_option("--n", *n_text) : 12;
   Document document;  // its settings hold the seed
   if (seed_text) setting_option(Setting::seed, *seed_text, document);

@@ -9,7 +9,8 @@ namespace evenlift::native {
 namespace {
 
 // Only a document that can be placed becomes a link: whoever opens it sees a result.
-void check(const Document& document, const Input& input, const SettingOptions& options) {
+void check(const Input& input, const SettingOptions& options) {
+  const Document& document = input.document;
   if (const std::optional<InputError> error = check_settings(document.settings))
     throw options.failure(input.source, *error);
   const Result<Polygon> polygon = Polygon::create(document.vertices);
@@ -23,13 +24,9 @@ void encode(const Arguments& arguments) {
       "evenlift link encode",
       "Prints a polygon and its settings as a share link's fragment, without #.",
       "FILE is a path, - for standard input, or a share link, whose settings then are changed.\n");
-  std::string file;
-  SettingOptions options;
+  InputOptions options;
   bool candidates = false;
-  line.positional(file, "FILE", "the polygon, in any format of `evenlift place`");
-  ShapeOptions shapes;
-  options.declare(line);
-  shapes.declare(line);
+  options.declare(line, "the polygon, in any format of `evenlift place`");
   DoubtOptions doubt;
   doubt.declare(line);
   UnitOptions units;
@@ -37,14 +34,13 @@ void encode(const Arguments& arguments) {
   line.flag(candidates, "--candidates", "the page shows the candidates too");
   if (!line.parse(arguments)) return;
 
-  Input input = read_input(file, shapes);
-  options.apply(input.document);
+  Input input = options.read();
   doubt.apply(input.document);
   units.apply(input.document);
   if (candidates) input.document.settings.overlays.candidates = true;
-  check(input.document, input, options);
+  check(input, options.settings);
   const Result<std::string> link = encode_link(input.document);
-  if (!link) throw options.failure(input.source, link.error());
+  if (!link) throw options.settings.failure(input.source, link.error());
   write_output(*link + "\n");
 }
 
@@ -75,7 +71,7 @@ void cmd_link(const Arguments& arguments) {
   if (direction == "encode") return encode(rest);
   if (direction == "decode") return decode(rest);
   if (direction == "--help" || direction == "-h") return write_output(help);
-  throw Failure{bad_input_status, "link", "expected encode or decode, not \"" + direction + "\""};
+  throw bad_value("link", "expected encode or decode", direction);
 }
 
 }  // namespace evenlift::native

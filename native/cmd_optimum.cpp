@@ -7,7 +7,6 @@
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "options.h"
-#include "shapes.h"
 
 namespace evenlift::native {
 namespace {
@@ -142,23 +141,18 @@ void cmd_optimum(const Arguments& arguments) {
       "Among up to 160 candidates the widest base is proved to be the best; with more there is a\n"
       "bound. With --goal hold all choices are compared, up to 4,194,304 of them, or else bounded.\n\n"
       "Example:\n  evenlift optimum table.txt --teams 2\n");
-  std::string file;
-  SettingOptions options;
-  ShapeOptions shapes;
+  InputOptions options;
   std::optional<std::string> time_limit;
   bool json = false;
-  line.positional(file, "FILE", "the polygon");
   options.declare(line);
-  shapes.declare(line);
   line.value(time_limit, "--time-limit", "S",
              "seconds after which the bound is left as it is (default 10)");
   line.flag(json, "--json", "one JSON object instead of sentences");
   if (!line.parse(arguments)) return;
   const double seconds = time_limit_option(time_limit);
-  Input input = read_input(file, shapes);
-  options.apply(input.document);
+  const Input input = options.read();
   const bool holds = goal_of(input.document.settings) == Goal::hold;
-  const Placement greedy = greedy_placement(input, options);
+  const Placement greedy = greedy_placement(input, options.settings);
   const Compared compared = compare(greedy, holds, seconds);
   if (holds && !compared.firmest && !greedy.teams.empty())
     throw Failure{bad_input_status, "--goal",

@@ -126,9 +126,7 @@ std::string for_people(const Placement& placement, bool with_candidates,
 
 // What was typed after `evenlift place`.
 struct PlaceOptions {
-  std::string file;
-  SettingOptions settings;
-  ShapeOptions shapes;
+  InputOptions input;
   DoubtOptions doubt;
   UnitOptions units;
   RobustnessOptions robustness;
@@ -137,9 +135,7 @@ struct PlaceOptions {
   PoseFileOptions poses;
 
   void declare(CommandLine& line) {
-    line.positional(file, "FILE", "the polygon");
-    settings.declare(line);
-    shapes.declare(line);
+    input.declare(line);
     doubt.declare(line);
     units.declare(line);
     robustness.declare(line);
@@ -151,11 +147,10 @@ struct PlaceOptions {
 
   // The polygon with all settings that were typed. Throws Failure.
   Input read() const {
-    Input input = read_input(file, shapes);
-    settings.apply(input.document);
-    doubt.apply(input.document);
-    units.apply(input.document);
-    return input;
+    Input read = input.read();
+    doubt.apply(read.document);
+    units.apply(read.document);
+    return read;
   }
 };
 
@@ -187,7 +182,7 @@ void cmd_place(const Arguments& arguments) {
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   const RobustnessAsked asked(options.robustness, input.document.settings);
   const Result<Placement> placement = place(input.document);
-  if (!placement) throw options.settings.failure(input.source, placement.error());
+  if (!placement) throw options.input.settings.failure(input.source, placement.error());
   std::optional<CapacityInJson> capacity;
   if (const auto& limit = placement->settings.capacity)
     capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit)};

@@ -14,24 +14,20 @@ void cmd_trace(const Arguments& arguments) {
       "  evenlift trace table.txt\n"
       "  evenlift trace table.txt --metric circle --teams 2 --json\n"
       "  evenlift trace table.txt --metric balanced --robots 6\n");
-  std::string file;
-  SettingOptions options;
+  InputOptions options;
   bool as_json = false;
-  line.positional(file, "FILE", "the polygon");
-  ShapeOptions shapes;
   options.declare(line);
-  shapes.declare(line);
   line.flag(as_json, "--json", "one JSON array of steps instead of a list");
   if (!line.parse(arguments)) return;
 
-  Input input = read_input(file, shapes);
-  options.apply(input.document);
+  const Input input = options.read();
   // The trace of balanced robots searches by itself.
   const Result<Placement> placement = place(input.document, Effort::start);
-  if (!placement) throw options.failure(input.source, placement.error());
+  if (!placement) throw options.settings.failure(input.source, placement.error());
   const Result<Trace> trace = make_trace(*placement);
-  if (!trace) throw options.failure(input.source, trace.error());
-  if (const auto error = check_printed_size(*trace)) throw options.failure(input.source, *error);
+  if (!trace) throw options.settings.failure(input.source, trace.error());
+  if (const auto error = check_printed_size(*trace))
+    throw options.settings.failure(input.source, *error);
   write_output(as_json ? trace_json(*trace) : trace_list(*trace));
 }
 

@@ -34,8 +34,7 @@ std::string read_all(std::FILE* file, const std::string& source) {
 }
 
 Input parsed(const std::string& text, const std::string& source, const ShapeOptions& options) {
-  ChosenShape chosen = choose_shape(text, source, options);
-  return {source, std::move(chosen.document)};
+  return {source, choose_shape(text, source, options)};
 }
 
 bool exists(const std::string& path) {

@@ -92,6 +92,18 @@ void SettingOptions::check_method(const Settings& settings) const {
     throw Failure{bad_input_status, "--min-margin", "it is for --goal hold"};
 }
 
+void InputOptions::declare(CommandLine& line, const std::string& help) {
+  line.positional(file, "FILE", help);
+  settings.declare(line);
+  shapes.declare(line);
+}
+
+Input InputOptions::read() const {
+  Input input = read_input(file, shapes);
+  settings.apply(input.document);
+  return input;
+}
+
 void DoubtOptions::declare(CommandLine& line) {
   line.value(capacity, "--capacity", "K",
              "what one robot can carry: who is overloaded, and how many are needed");

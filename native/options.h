@@ -11,6 +11,7 @@
 #include "evenlift/settings_text.h"
 #include "failure.h"
 #include "files.h"
+#include "shapes.h"
 
 namespace evenlift::native {
 
@@ -40,6 +41,18 @@ struct SettingOptions {
 
  private:
   void check_method(const Settings& settings) const;
+};
+
+// A polygon and its settings, as all commands take them that place robots on it.
+struct InputOptions {
+  std::string file;
+  SettingOptions settings;
+  ShapeOptions shapes;
+
+  void declare(CommandLine& line, const std::string& help = "the polygon");
+
+  // What the file holds, with the settings that were typed. Throws Failure.
+  Input read() const;
 };
 
 // The labels of lengths and weights, as they were typed.

@@ -15,9 +15,8 @@ ImportOptions import_options(const ShapeOptions& options) {
   if (!options.flatten) return import;
   import.tolerance = read_number(*options.flatten);
   if (!import.tolerance || !(*import.tolerance > 0))
-    throw Failure{bad_input_status, "--flatten",
-                  "the distance between curves and edges is a number above 0, not \"" +
-                      *options.flatten + "\""};
+    throw bad_value("--flatten", "the distance between curves and edges is a number above 0",
+                    *options.flatten);
   return import;
 }
 
@@ -71,8 +70,8 @@ void ShapeOptions::declare(CommandLine& line) {
              "how far edges may be from curves (default about 1/1000 of the shape)");
 }
 
-ChosenShape choose_shape(const std::string& text, const std::string& source,
-                         const ShapeOptions& options) {
+Document choose_shape(const std::string& text, const std::string& source,
+                      const ShapeOptions& options) {
   Result<Import> read = read_shapes(text, import_options(options));
   if (!read) throw bad_input(source, read.error());
   Import import = std::move(read).value();
@@ -86,7 +85,7 @@ ChosenShape choose_shape(const std::string& text, const std::string& source,
                    "curves were flattened to within " + shortest(*shape.tolerance) +
                        (options.flatten || !options.offered ? "" : "; --flatten T sets that"),
                    {}});
-  return {shape.document};
+  return shape.document;
 }
 
 }  // namespace evenlift::native

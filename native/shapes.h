@@ -17,15 +17,10 @@ struct ShapeOptions {
   void declare(CommandLine& line);
 };
 
-// What a command reads from a text.
-struct ChosenShape {
-  Document document;
-};
-
 // Reads the text and takes the shape that is meant, or the only one. What was left out or decided is
 // said on standard error, a line each. Throws Failure; if no shape is named and there are several, it
 // lists them.
-ChosenShape choose_shape(const std::string& text, const std::string& source,
-                         const ShapeOptions& options);
+Document choose_shape(const std::string& text, const std::string& source,
+                      const ShapeOptions& options);
 
 }  // namespace evenlift::native
