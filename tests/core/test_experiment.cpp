@@ -48,7 +48,7 @@ experiment::Part some_part() {
   const Document document = corpus::polygon("thesis-sample-centroid");
   part.fingerprint = experiment::fingerprint(document, part.settings);
   const experiment::Subject subject = subject_of(document, part.settings.min_ratio);
-  part.result = experiment::describe("a set", "a name, with \"quotes\"\nand two lines", subject);
+  part.result = experiment::result_of("a set", "a name, with \"quotes\"\nand two lines", subject);
   for (const Method method : all_methods)
     for (const experiment::Measurement& m : experiment::measure(subject, method, part.settings))
       part.result.measurements.push_back(m);

@@ -15,7 +15,7 @@ const std::vector<std::string> tiny = {"square", "star-moved", "letter-e-moved"}
 experiment::PolygonResult measured(const std::string& name) {
   const Result<experiment::Subject> subject = experiment::prepare(corpus::polygon(name), 0.8);
   REQUIRE(subject.ok());
-  experiment::PolygonResult result = experiment::describe("tiny", name, *subject);
+  experiment::PolygonResult result = experiment::result_of("tiny", name, *subject);
   for (const Method method : all_methods)
     for (const experiment::Measurement& m :
          experiment::measure(*subject, method, {.samples = 2, .most_balanced = 5}))

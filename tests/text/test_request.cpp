@@ -109,7 +109,7 @@ TEST_CASE("an experiment of requests is that of the program", "[request]") {
   const experiment::ExperimentSettings settings{0.7, 2, 2, 3};
   const auto subject = experiment::prepare(l_document(), 0.7);
   REQUIRE(subject.ok());
-  experiment::PolygonResult result = experiment::describe("polygons", "l", *subject);
+  experiment::PolygonResult result = experiment::result_of("polygons", "l", *subject);
   for (const Method method : all_methods)
     for (const auto& m : experiment::measure(*subject, method, settings))
       result.measurements.push_back(m);
