@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "canvas/canvas_drawing.h"
-#include "canvas/canvas_marks.h"
-#include "canvas/canvas_view.h"
 #include "canvas/canvas_walkthrough.h"
 #include "canvas/hint.h"
-#include "canvas/painter.h"
 #include "evenlift/candidates.h"
 #include "evenlift/moved.h"
+#include "marks/marks.h"
+#include "marks/tool_marks.h"
+#include "picture/canvas_view.h"
+#include "picture/painter.h"
 #include "tools/pick.h"
-#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 namespace {

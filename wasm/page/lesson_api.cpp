@@ -9,12 +9,13 @@
 
 #include "app/app.h"
 #include "app/open_lesson.h"
-#include "app/update.h"
+#include "edits/sight.h"
 #include "evenlift/output/words.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/browser.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/script.h"
+#include "walkthrough/timeline.h"
 
 using namespace evenlift::view;
 

@@ -1,5 +1,5 @@
 // Everything that the view knows. The canvas and the panels read it; only commands change it
-// (app/update.h, and walkthrough.h for the walkthrough). It does not depend on Dear ImGui.
+// (app/update.h). It does not depend on Dear ImGui.
 #pragma once
 
 #include <cstddef>
