@@ -16,8 +16,6 @@
 namespace evenlift::view {
 namespace {
 
-Rect window_of(const AppState& state) { return {0, 0, state.screen.width, state.screen.height}; }
-
 // The grid of dots, at 1, 2 or 5 times a power of ten units.
 void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
   const Camera& camera = state.camera;
@@ -224,13 +222,13 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
   sharpen(list, state);
   draw_ground(list, state, colours);
   if (state.tool == Tool::draw) {
-    draw_drawing(Painter(list, state.camera, window_of(state)), state, colours);
+    draw_drawing(Painter(list, state.camera, state.screen.area()), state, colours);
     draw_hint(list, state, layout, colours);
     return;
   }
   const Placement* placement = state.placement ? &shown_placement(state) : nullptr;
-  const CanvasView view{state, colours,      layout,           placement,
-                        scene, state.camera, window_of(state), false};
+  const CanvasView view{state, colours, layout, placement, scene, state.camera, state.screen.area(),
+                        false};
   if (state.second_method)
     draw_both(list, view, second, layout);
   else

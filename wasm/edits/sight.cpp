@@ -39,10 +39,9 @@ bool centre_is_shown(const AppState& state) {
 }
 
 bool well_shown(const AppState& state) {
-  const Screen& screen = state.screen;
   const double best = fitting_camera(state).scale;
   if (state.camera.scale < best * 0.4) return false;
-  const Rect window{0, 0, screen.width, screen.height};
+  const Rect window = state.screen.area();
   return std::all_of(state.document.vertices.begin(), state.document.vertices.end(),
                      [&](const Vec2& p) { return window.contains(state.camera.to_screen(p)); });
 }
