@@ -29,6 +29,14 @@ void renew_drawing(AppState& state) {
   browser::document_changed();
 }
 
+// Moves the last point to the end of others. Returns false if there is none.
+bool move_last(Points& from, Points& to) {
+  if (from.empty()) return false;
+  to.push_back(from.back());
+  from.pop_back();
+  return true;
+}
+
 void check_drawing(Drawing& drawing) {
   if (drawing.checked) return;
   drawing.checked = true;
@@ -67,19 +75,11 @@ void move_point(AppState& state, std::size_t point, const Vec2& to) {
 }
 
 void take_point_back(AppState& state) {
-  Drawing& drawing = state.drawing;
-  if (drawing.points.empty()) return;
-  drawing.undone.push_back(drawing.points.back());
-  drawing.points.pop_back();
-  renew_drawing(state);
+  if (move_last(state.drawing.points, state.drawing.undone)) renew_drawing(state);
 }
 
 void put_point_back(AppState& state) {
-  Drawing& drawing = state.drawing;
-  if (drawing.undone.empty()) return;
-  drawing.points.push_back(drawing.undone.back());
-  drawing.undone.pop_back();
-  renew_drawing(state);
+  if (move_last(state.drawing.undone, state.drawing.points)) renew_drawing(state);
 }
 
 void set_draw_cursor(AppState& state, const SetDrawCursor& cursor) {

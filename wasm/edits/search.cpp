@@ -8,6 +8,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/settings_text.h"
 #include "state/browser.h"
+#include "state/notice.h"
 #include "state/robots_text.h"
 
 namespace evenlift::view {
@@ -88,9 +89,8 @@ void stop_search(AppState& state, std::uint64_t number) {
   if (!state.search.under_way || number != state.search.number) return;
   state.search.under_way = false;
   renew_failures(state);
-  state.notice = {Notice::Kind::problem,
-                  "The search for better places stopped: a part of the page could not be loaded."};
-  browser::announce(state.notice.text);
+  show(state, {Notice::Kind::problem,
+               "The search for better places stopped: a part of the page could not be loaded."});
   browser::summary_changed();
 }
 

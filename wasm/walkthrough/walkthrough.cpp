@@ -8,6 +8,7 @@
 #include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
 #include "state/browser.h"
+#include "state/notice.h"
 #include "state/opened.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
@@ -105,8 +106,7 @@ bool trace_it(AppState& state, std::optional<Trace> made = std::nullopt) {
   Result<Trace> trace =
       made ? Result<Trace>(std::move(*made)) : compute_trace(*state.placement, length);
   if (!trace) {
-    state.notice = {Notice::Kind::problem, sentence(trace.error()) + "."};
-    browser::announce(state.notice.text);
+    show(state, {Notice::Kind::problem, sentence(trace.error()) + "."});
     close_walkthrough(state);
     return false;
   }
@@ -146,10 +146,9 @@ void follow_placement(AppState& state, std::optional<Trace> made) {
   const std::uint32_t last = walk.trace->size() - 1;
   enter(state, *wanted);
   if (*wanted <= last) return;
-  state.notice = {Notice::Kind::problem, "This lesson has no step " + std::to_string(*wanted + 1) +
-                                             ": it is at its last, " + std::to_string(last + 1) +
-                                             "."};
-  browser::announce(state.notice.text);
+  show(state,
+       {Notice::Kind::problem, "This lesson has no step " + std::to_string(*wanted + 1) +
+                                   ": it is at its last, " + std::to_string(last + 1) + "."});
 }
 
 void open_walkthrough(AppState& state, std::optional<std::uint32_t> at) {
