@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace evenlift::view {
 namespace {
@@ -41,16 +42,16 @@ class Crossings {
   std::vector<RowSpan> spans(std::size_t most) const {
     std::vector<RowSpan> found;
     for (std::int64_t row = 0; row < rows_ && found.size() <= most; ++row) {
-      std::int64_t begin = -1;
+      std::optional<std::int64_t> begin;
       for (std::int64_t word = 0; word < words_; ++word) {
         std::uint64_t left = bits_[static_cast<std::size_t>(row * words_ + word)];
         for (; left != 0; left &= left - 1) {
           const std::int64_t column = word * 64 + lowest(left);
-          if (begin >= 0) found.push_back(span(row, begin, column));
-          begin = begin < 0 ? column : -1;
+          if (begin) found.push_back(span(row, *begin, column));
+          begin = begin ? std::nullopt : std::optional(column);
         }
       }
-      if (begin >= 0) found.push_back(span(row, begin, columns_));
+      if (begin) found.push_back(span(row, *begin, columns_));
     }
     return found;
   }

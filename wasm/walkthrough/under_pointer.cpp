@@ -27,11 +27,11 @@ std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen
 std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen) {
   const std::vector<Figure>& figures = state.walkthrough.figures;
   std::optional<std::size_t> best;
-  double best_score = 1e300;
+  double best_score = 0;
   // Later figures are drawn above earlier ones.
   for (std::size_t i = figures.size(); i-- > 0;) {
     const Points& p = figures[i].points;
-    double score = 1e300;
+    std::optional<double> score;
     if (p.size() == 1 && figures[i].kind != FigureKind::gain_circle) {
       const double away = length(state.camera.to_screen(p[0]) - screen);
       if (away <= 14) score = away;
@@ -42,8 +42,8 @@ std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen) 
     } else if (p.size() > 2 && inside(p, state.camera.to_world(screen))) {
       score = 1000;
     }
-    if (score < best_score) {
-      best_score = score;
+    if (score && (!best || *score < best_score)) {
+      best_score = *score;
       best = i;
     }
   }
