@@ -193,11 +193,15 @@ void fail_next(const AppState& s, Commands& out) {
   out.push_back(Fail{is_one ? std::optional<std::size_t>(next) : std::nullopt});
 }
 
+void close_card(Commands& out) {
+  out.push_back(Explain{});
+  out.push_back(Fail{});
+}
 void dismiss(const AppState& s, Commands& out) {
   if (s.list_open)
     out.push_back(CloseList{});
   else if (s.explanation || failing(s))
-    out.insert(out.end(), {Command(Explain{}), Command(Fail{})});
+    close_card(out);
   else if (when::drawing(s) && !s.drawing.points.empty())
     out.push_back(TakePointBack{});  // and the notice, if there is one, is about it
   else if (!s.notice.text.empty())
