@@ -3,8 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/search.h"
 #include "app/update.h"
+#include "edits/open_document.h"
+#include "edits/search.h"
+#include "edits/sight.h"
 #include "evenlift/balanced.h"
 #include "evenlift/link.h"
 #include "evenlift/main_steps.h"
@@ -16,7 +18,7 @@
 #include "tools/pick.h"
 #include "tools/shorter_way.h"
 #include "view/view_page.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/timeline.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "app/outlook.h"
-#include "app/search.h"
+#include "edits/outlook.h"
+#include "edits/search.h"
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
 #include "panels/summary.h"

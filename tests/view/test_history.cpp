@@ -6,7 +6,6 @@
 
 #include "actions/actions.h"
 #include "actions/key_list.h"
-#include "app/update.h"
 #include "kit/catch.h"
 #include "state/history.h"
 #include "state/layout.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/update.h"
+#include "edits/open_document.h"
 #include "evenlift/generate.h"
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
@@ -17,7 +17,7 @@
 #include "tools/pick.h"
 #include "view/view_page.h"
 #include "walkthrough/explain.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/questions.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

@@ -14,11 +14,8 @@
 #include "app/open_lesson.h"
 #include "app/set_settings.h"
 #include "app/update.h"
-#include "canvas/fill_rows.h"
-#include "canvas/heat.h"
 #include "canvas/hint.h"
-#include "canvas/labels.h"
-#include "canvas/triangulate.h"
+#include "edits/try_edit.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/json.h"
@@ -26,6 +23,10 @@
 #include "evenlift/stability.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
+#include "picture/fill_rows.h"
+#include "picture/heat.h"
+#include "picture/labels.h"
+#include "picture/triangulate.h"
 #include "state/history.h"
 #include "state/layout.h"
 #include "state/opened.h"
@@ -34,7 +35,7 @@
 #include "ui/controls.h"
 #include "ui/theme.h"
 #include "view/view_page.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/script.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

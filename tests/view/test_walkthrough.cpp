@@ -4,13 +4,17 @@
 #include <vector>
 
 #include "app/open_lesson.h"
+#include "edits/try_edit.h"
 #include "evenlift/generate.h"
 #include "evenlift/link.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
 #include "state/layout.h"
 #include "view/view_page.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/playing.h"
+#include "walkthrough/questions.h"
+#include "walkthrough/script.h"
+#include "walkthrough/timeline.h"
 
 using namespace evenlift;
 using namespace evenlift::view;

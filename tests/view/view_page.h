@@ -13,6 +13,7 @@
 #include "actions/actions.h"
 #include "app/app.h"
 #include "app/update.h"
+#include "edits/open_document.h"
 #include "evenlift/formats.h"
 #include "kit/catch.h"
 #include "state/opened.h"

@@ -4,21 +4,15 @@
 #include <cmath>
 #include <iterator>
 
-#include "evenlift/moved.h"
-#include "state/layout.h"
+#include "actions/nudge.h"
+#include "actions/when.h"
 #include "state/method.h"
 #include "tools/drawing.h"
-#include "tools/pick.h"
 #include "tools/transform.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/timeline.h"
 
 namespace evenlift::view {
 namespace {
-
-bool always(const AppState&) { return true; }
-bool editing(const AppState& s) { return !s.screen.embed; }
-
-bool has_teams_number(const AppState& s) { return editing(s) && s.placement.has_value(); }
 
 // If all teams were asked for, one step down begins at the number that was placed.
 std::uint32_t teams_now(const AppState& s) { return settings(s).teams.value_or(placed_teams(s)); }
@@ -72,17 +66,6 @@ void take(const AppState& s, Commands& out) {
   out.push_back(SetTool{s.tool == tool ? Tool::parts : tool});
 }
 
-bool drawing(const AppState& s) { return s.tool == Tool::draw; }
-// Whether keys moved the cursor to where a vertex can be placed.
-bool keys_place(const AppState& s) {
-  const Drawing& d = s.drawing;
-  return d.by_keys && d.cursor && (d.points.empty() || *d.cursor != d.points.back()) &&
-         !closes(s, s.camera.to_screen(*d.cursor));
-}
-bool can_place(const AppState& s) { return drawing(s) && s.drawing.cursor.has_value(); }
-bool can_finish(const AppState& s) {
-  return drawing(s) && (keys_place(s) || s.drawing.points.size() >= 3);
-}
 void place(const AppState& s, Commands& out) {
   if (closes(s, s.camera.to_screen(*s.drawing.cursor)))
     out.push_back(FinishDrawing{});
@@ -90,27 +73,18 @@ void place(const AppState& s, Commands& out) {
     out.push_back(AddPoint{*s.drawing.cursor});
 }
 void finish(const AppState& s, Commands& out) {
-  if (keys_place(s))
+  if (when::keys_place(s))
     place(s, out);
   else
     out.push_back(FinishDrawing{});
 }
-bool on_parts(const AppState& s) { return editing(s) && s.tool == Tool::parts; }
 
-bool in_walkthrough(const AppState& s) { return walkthrough_is_open(s); }
-bool can_teach(const AppState& s) { return s.placement && !s.refusal && s.tool != Tool::draw; }
 void begin_or_end_walkthrough(const AppState& s, Commands& out) {
-  if (in_walkthrough(s))
+  if (when::in_walkthrough(s))
     out.push_back(CloseWalkthrough{});
   else
     out.push_back(OpenWalkthrough{});
 }
-bool can_present(const AppState& s) { return in_walkthrough(s) && editing(s); }
-bool can_go_on(const AppState& s) {
-  const Timeline t = timeline(s);
-  return in_walkthrough(s) && (t.at + 1 < t.count || s.walkthrough.ask);
-}
-bool can_go_back(const AppState& s) { return in_walkthrough(s) && timeline(s).at > 0; }
 template <int by>
 void move_step(const AppState&, Commands& out) {
   out.push_back(MoveSteps{by});
@@ -119,24 +93,15 @@ template <int by>
 void move_chapter(const AppState&, Commands& out) {
   out.push_back(MoveChapters{by});
 }
-bool transforming(const AppState& s) { return editing(s) && s.tool == Tool::transform; }
-bool on_vertex(const AppState& s) { return on_parts(s) && s.selected.has_value(); }
 
-// While a polygon is drawn, undo takes back one vertex.
-bool can_undo(const AppState& s) {
-  return drawing(s) ? !s.drawing.points.empty() : s.history.can_undo();
-}
-bool can_redo(const AppState& s) {
-  return drawing(s) ? !s.drawing.undone.empty() : s.history.can_redo();
-}
 void undo(const AppState& s, Commands& out) {
-  if (drawing(s))
+  if (when::drawing(s))
     out.push_back(TakePointBack{});
   else
     out.push_back(Undo{});
 }
 void redo(const AppState& s, Commands& out) {
-  if (drawing(s))
+  if (when::drawing(s))
     out.push_back(PutPointBack{});
   else
     out.push_back(Redo{});
@@ -155,48 +120,13 @@ void insert_vertex(const AppState& s, Commands& out) {
   out.push_back(InsertVertex{*s.selected, a + (b - a) / 2});
 }
 
-bool can_take_back(const AppState& s) { return drawing(s) && !s.drawing.points.empty(); }
-
-// Moves the cursor of the drawing to the next dots of the grid, or by a pixel.
-template <int x, int y, bool finely>
-void move_cursor(const AppState& s, Commands& out) {
-  const Drawing& d = s.drawing;
-  Vec2 at = d.cursor            ? *d.cursor
-            : !d.points.empty() ? d.points.back()
-                                : nearest_dot(s.camera, s.camera.to_world(layout(s).free.middle()));
-  const bool begins = !d.cursor && d.points.empty();  // the first press shows the cursor
-  if (!begins) {
-    const double step = finely ? 1 / s.camera.scale : grid_step(s.camera);
-    const Vec2 wanted = at + Vec2(x * step, y * step);
-    const Vec2 to = finely ? rounded_finely(s.camera, wanted) : nearest_dot(s.camera, wanted);
-    (x != 0 ? at.x() : at.y()) = x != 0 ? to.x() : to.y();
-  }
-  out.push_back(SetDrawCursor{at, {}, true});
-}
-
-// Moves the selected vertex, or the whole polygon, by a dot of the grid.
-// A robot that can be moved by hand can be moved while its card is open.
-bool on_robot(const AppState& s) {
-  return on_parts(s) && s.explanation && s.explanation->robot && s.placement &&
-         (settings(s).method == Method::balanced || can_move_teams(*s.placement));
-}
-bool can_nudge(const AppState& s) {
-  return on_vertex(s) || on_robot(s) || transforming(s) || drawing(s);
+template <int x, int y>
+void move_cursor_finely(const AppState& s, Commands& out) {
+  move_cursor(s, out, x, y, true);
 }
 template <int x, int y>
-void nudge(const AppState& s, Commands& out) {
-  if (drawing(s)) return move_cursor<x, y, false>(s, out);
-  if (transforming(s)) return out.push_back(moved_polygon(s, x, y));
-  if (on_robot(s)) {
-    const Vec2 along = Vec2(x, y) * (grid_step(s.camera) / 10);
-    out.push_back(MoveRobot{*s.explanation->robot, s.explanation->at + along});
-    return out.push_back(EndEdit{});
-  }
-  const double step = grid_step(s.camera) / (s.snap.grid ? 1 : 10);
-  const Vec2 to = s.document.vertices[*s.selected] + Vec2(x * step, y * step);
-  out.push_back(MoveVertex{
-      *s.selected, s.snap.grid ? nearest_dot(s.camera, to) : rounded_to_pixels(s.camera, to)});
-  out.push_back(EndEdit{});
+void nudge_by(const AppState& s, Commands& out) {
+  nudge(s, out, x, y);
 }
 
 template <int steps>
@@ -227,9 +157,6 @@ void next_second_method(const AppState& s, Commands& out) {
       Compare{next == std::end(all_methods) ? std::nullopt : std::optional<Method>(*next)});
 }
 
-bool by_candidates(const AppState& s) {
-  return has_teams_number(s) && selects_candidates(settings(s).method);
-}
 void take_all_teams(const AppState& s, Commands& out) {
   Settings changed = settings(s);
   changed.teams =
@@ -256,15 +183,7 @@ void type_doubt(const AppState& s, Commands& out) {
   out.push_back(SetMoreOpen{true});
   type_value<typed_doubt>(s, out);
 }
-bool is_random(const AppState& s) { return editing(s) && settings(s).method == Method::random; }
-bool has_own_centre(const AppState& s) {
-  return editing(s) && s.document.centre_of_mass.has_value();
-}
 
-bool can_fail(const AppState& s) {
-  return on_parts(s) && s.placement && !s.placement->teams.empty() && !s.refusal &&
-         !in_walkthrough(s);
-}
 // The robot whose card is open, or else the next one; after the last, none.
 void fail_next(const AppState& s, Commands& out) {
   const std::optional<std::size_t> asked = s.explanation ? s.explanation->robot : std::nullopt;
@@ -274,23 +193,22 @@ void fail_next(const AppState& s, Commands& out) {
   out.push_back(Fail{is_one ? std::optional<std::size_t>(next) : std::nullopt});
 }
 
-// Escape closes the topmost thing that is open.
-bool anything_open(const AppState& s) {
-  return s.list_open || s.explanation || failing(s) || s.selected || s.tool != Tool::parts ||
-         !s.notice.text.empty() || (in_walkthrough(s) && editing(s));
+void close_card(Commands& out) {
+  out.push_back(Explain{});
+  out.push_back(Fail{});
 }
 void dismiss(const AppState& s, Commands& out) {
   if (s.list_open)
     out.push_back(CloseList{});
   else if (s.explanation || failing(s))
-    out.insert(out.end(), {Command(Explain{}), Command(Fail{})});
-  else if (drawing(s) && !s.drawing.points.empty())
+    close_card(out);
+  else if (when::drawing(s) && !s.drawing.points.empty())
     out.push_back(TakePointBack{});  // and the notice, if there is one, is about it
   else if (!s.notice.text.empty())
     out.push_back(ShowNotice{});
   else if (s.presenting)
     out.push_back(SetPresenting{false});
-  else if (in_walkthrough(s))
+  else if (when::in_walkthrough(s))
     out.push_back(CloseWalkthrough{});
   else if (s.tool != Tool::parts)
     out.push_back(SetTool{Tool::parts});
@@ -300,103 +218,103 @@ void dismiss(const AppState& s, Commands& out) {
 
 // clang-format off
 const std::vector<Action> table = {
-    {ActionId::samples, Icon::shapes, "Samples", "G", {{"g"}}, editing, show<browser::Dialog::samples>},
-    {ActionId::draw, Icon::draw, "Draw", "D", {{"d"}}, editing, take<Tool::draw>},
-    {ActionId::lessons, Icon::board, "Lessons", "Shift+B", {{"B"}}, editing, show<browser::Dialog::lessons>},
-    {ActionId::walkthrough, Icon::board, "The algorithm step by step, on this object", "B", {{"b"}}, can_teach, begin_or_end_walkthrough},
-    {ActionId::step_on, Icon::step_on, "Next step", "Right", {{"ArrowRight"}}, can_go_on, move_step<1>},
-    {ActionId::step_back, Icon::step_back, "Previous step", "Left", {{"ArrowLeft"}}, can_go_back, move_step<-1>},
-    {ActionId::next_chapter, Icon::chapter_on, "Next chapter", "Page down", {{"PageDown"}}, in_walkthrough, move_chapter<1>},
-    {ActionId::previous_chapter, Icon::chapter_back, "Previous chapter", "Page up", {{"PageUp"}}, in_walkthrough, move_chapter<-1>},
-    {ActionId::first_step, Icon::first, "First step", "Home", {{"Home"}}, in_walkthrough,
+    {ActionId::samples, Icon::shapes, "Samples", "G", {{"g"}}, when::editing, show<browser::Dialog::samples>},
+    {ActionId::draw, Icon::draw, "Draw", "D", {{"d"}}, when::editing, take<Tool::draw>},
+    {ActionId::lessons, Icon::board, "Lessons", "Shift+B", {{"B"}}, when::editing, show<browser::Dialog::lessons>},
+    {ActionId::walkthrough, Icon::board, "The algorithm step by step, on this object", "B", {{"b"}}, when::can_teach, begin_or_end_walkthrough},
+    {ActionId::step_on, Icon::step_on, "Next step", "Right", {{"ArrowRight"}}, when::can_go_on, move_step<1>},
+    {ActionId::step_back, Icon::step_back, "Previous step", "Left", {{"ArrowLeft"}}, when::can_go_back, move_step<-1>},
+    {ActionId::next_chapter, Icon::chapter_on, "Next chapter", "Page down", {{"PageDown"}}, when::in_walkthrough, move_chapter<1>},
+    {ActionId::previous_chapter, Icon::chapter_back, "Previous chapter", "Page up", {{"PageUp"}}, when::in_walkthrough, move_chapter<-1>},
+    {ActionId::first_step, Icon::first, "First step", "Home", {{"Home"}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, 0)}); }},
-    {ActionId::last_step, Icon::last, "Last step", "End", {{"End"}}, in_walkthrough,
+    {ActionId::last_step, Icon::last, "Last step", "End", {{"End"}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, timeline(s).count - 1)}); }},
-    {ActionId::play, Icon::play, "Play or pause the lesson", "Space", {{" "}}, in_walkthrough,
+    {ActionId::play, Icon::play, "Play or pause the lesson", "Space", {{" "}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(SetPlaying{!s.walkthrough.playing}); }},
-    {ActionId::faster, Icon::none, "Play faster or slower", "Up, down", {{"ArrowUp"}}, in_walkthrough,
+    {ActionId::faster, Icon::none, "Play faster or slower", "Up, down", {{"ArrowUp"}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.walkthrough.speed * 2}); }},
-    {ActionId::slower, Icon::none, "Play slower", "", {{"ArrowDown"}}, in_walkthrough,
+    {ActionId::slower, Icon::none, "Play slower", "", {{"ArrowDown"}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.walkthrough.speed / 2}); }},
-    {ActionId::predict, Icon::none, "Predict before each choice", "Q", {{"q"}}, in_walkthrough,
+    {ActionId::predict, Icon::none, "Predict before each choice", "Q", {{"q"}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.walkthrough.predict}); }},
-    {ActionId::all_steps, Icon::none, "All steps, or only the main ones", "U", {{"u"}}, in_walkthrough,
+    {ActionId::all_steps, Icon::none, "All steps, or only the main ones", "U", {{"u"}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(ShowAllSteps{s.walkthrough.script || !s.walkthrough.all_steps}); }},
-    {ActionId::present, Icon::none, "Present to a room: large words, full screen", "Shift+P", {{"P"}}, can_present,
+    {ActionId::present, Icon::none, "Present to a room: large words, full screen", "Shift+P", {{"P"}}, when::can_present,
      [](const AppState& s, Commands& out) { out.push_back(SetPresenting{!s.presenting}); }},
-    {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, editing, show<browser::Dialog::open>},
-    {ActionId::save, Icon::save, "Save", "S", {{"s"}}, editing, show<browser::Dialog::save>},
-    {ActionId::undo, Icon::undo, "Undo", "Ctrl+Z", {{"z", true}}, can_undo, undo},
-    {ActionId::redo, Icon::redo, "Redo", "Ctrl+Shift+Z", {{"z", true, true}, {"y", true}}, can_redo, redo},
-    {ActionId::copy_link, Icon::link, "Copy link", "Ctrl+C", {{"c", true}}, always, ask<CopyLink>},
-    {ActionId::table, Icon::table, "Coordinates", "E", {{"e"}}, editing, show<browser::Dialog::table>},
-    {ActionId::transform, Icon::transform, "Move, turn or scale the whole", "W", {{"w"}}, editing, take<Tool::transform>},
-    {ActionId::mark, Icon::draw, "Mark what no robot may touch", "Shift+N", {{"N"}}, editing, take<Tool::mark>},
-    {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, can_finish, finish},
-    {ActionId::place, Icon::none, "Place a vertex where the cursor is", "Space", {{" "}}, can_place, place},
-    {ActionId::take_back, Icon::none, "Take the last vertex back", "Backspace", {{"Backspace"}}, can_take_back, ask<TakePointBack>},
-    {ActionId::next_vertex, Icon::none, "Select the next vertex", "V", {{"v"}}, on_parts, select_vertex<1>},
-    {ActionId::previous_vertex, Icon::none, "Select the vertex before", "Shift+V", {{"V"}}, on_parts, select_vertex<-1>},
-    {ActionId::insert_vertex, Icon::none, "Add a vertex after the selected one", "I", {{"i"}}, on_vertex, insert_vertex},
-    {ActionId::remove_vertex, Icon::close, "Remove the selected vertex", "Delete", {{"Delete"}, {"Backspace"}}, on_vertex,
+    {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, when::editing, show<browser::Dialog::open>},
+    {ActionId::save, Icon::save, "Save", "S", {{"s"}}, when::editing, show<browser::Dialog::save>},
+    {ActionId::undo, Icon::undo, "Undo", "Ctrl+Z", {{"z", true}}, when::can_undo, undo},
+    {ActionId::redo, Icon::redo, "Redo", "Ctrl+Shift+Z", {{"z", true, true}, {"y", true}}, when::can_redo, redo},
+    {ActionId::copy_link, Icon::link, "Copy link", "Ctrl+C", {{"c", true}}, when::always, ask<CopyLink>},
+    {ActionId::table, Icon::table, "Coordinates", "E", {{"e"}}, when::editing, show<browser::Dialog::table>},
+    {ActionId::transform, Icon::transform, "Move, turn or scale the whole", "W", {{"w"}}, when::editing, take<Tool::transform>},
+    {ActionId::mark, Icon::draw, "Mark what no robot may touch", "Shift+N", {{"N"}}, when::editing, take<Tool::mark>},
+    {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, when::can_finish, finish},
+    {ActionId::place, Icon::none, "Place a vertex where the cursor is", "Space", {{" "}}, when::can_place, place},
+    {ActionId::take_back, Icon::none, "Take the last vertex back", "Backspace", {{"Backspace"}}, when::can_take_back, ask<TakePointBack>},
+    {ActionId::next_vertex, Icon::none, "Select the next vertex", "V", {{"v"}}, when::on_parts, select_vertex<1>},
+    {ActionId::previous_vertex, Icon::none, "Select the vertex before", "Shift+V", {{"V"}}, when::on_parts, select_vertex<-1>},
+    {ActionId::insert_vertex, Icon::none, "Add a vertex after the selected one", "I", {{"i"}}, when::on_vertex, insert_vertex},
+    {ActionId::remove_vertex, Icon::close, "Remove the selected vertex", "Delete", {{"Delete"}, {"Backspace"}}, when::on_vertex,
      [](const AppState& s, Commands& out) { out.push_back(RemoveVertex{*s.selected}); }},
-    {ActionId::left_finely, Icon::none, "Move the cursor while drawing by a pixel", "Shift+arrows", {{"ArrowLeft", false, true}}, drawing, move_cursor<-1, 0, true>},
-    {ActionId::right_finely, Icon::none, "Move the cursor to the right by a pixel", "", {{"ArrowRight", false, true}}, drawing, move_cursor<1, 0, true>},
-    {ActionId::up_finely, Icon::none, "Move the cursor up by a pixel", "", {{"ArrowUp", false, true}}, drawing, move_cursor<0, 1, true>},
-    {ActionId::down_finely, Icon::none, "Move the cursor down by a pixel", "", {{"ArrowDown", false, true}}, drawing, move_cursor<0, -1, true>},
-    {ActionId::left, Icon::none, "Move the selected vertex, the balanced robot whose card is open, the whole, or the cursor while drawing", "Arrows", {{"ArrowLeft"}}, can_nudge, nudge<-1, 0>},
-    {ActionId::right, Icon::none, "Move to the right", "", {{"ArrowRight"}}, can_nudge, nudge<1, 0>},
-    {ActionId::up, Icon::none, "Move up", "", {{"ArrowUp"}}, can_nudge, nudge<0, 1>},
-    {ActionId::down, Icon::none, "Move down", "", {{"ArrowDown"}}, can_nudge, nudge<0, -1>},
-    {ActionId::turn_left, Icon::none, "Turn the whole by 15°", "[ ]", {{"["}}, transforming, turn<1>},
-    {ActionId::turn_right, Icon::none, "Turn the whole clockwise", "", {{"]"}}, transforming, turn<-1>},
-    {ActionId::larger, Icon::none, "Scale the whole", "{ }", {{"}"}}, transforming, scale<11>},
-    {ActionId::smaller, Icon::none, "Make the whole smaller", "", {{"{"}}, transforming, scale<9>},
-    {ActionId::snap_grid, Icon::none, "Snap to the grid", "N", {{"n"}}, editing, snap<&Snap::grid>},
-    {ActionId::snap_axis, Icon::none, "Snap to the axis", "X", {{"x"}}, editing, snap<&Snap::axis>},
-    {ActionId::more_teams, Icon::plus, "One team more, or one balanced robot", "T", {{"t"}}, has_teams_number, change_number<1>},
-    {ActionId::fewer_teams, Icon::minus, "One team fewer, or one balanced robot", "Shift+T", {{"T"}}, has_teams_number, change_number<-1>},
-    {ActionId::next_method, Icon::none, "Next method", "M", {{"m"}}, editing, next_method},
-    {ActionId::compare, Icon::compare, "Compare with another method", "K", {{"k"}}, editing, next_second_method},
-    {ActionId::experiment, Icon::none, "Compare all methods in charts", "Shift+K", {{"K"}}, editing,
+    {ActionId::left_finely, Icon::none, "Move the cursor while drawing by a pixel", "Shift+arrows", {{"ArrowLeft", false, true}}, when::drawing, move_cursor_finely<-1, 0>},
+    {ActionId::right_finely, Icon::none, "Move the cursor to the right by a pixel", "", {{"ArrowRight", false, true}}, when::drawing, move_cursor_finely<1, 0>},
+    {ActionId::up_finely, Icon::none, "Move the cursor up by a pixel", "", {{"ArrowUp", false, true}}, when::drawing, move_cursor_finely<0, 1>},
+    {ActionId::down_finely, Icon::none, "Move the cursor down by a pixel", "", {{"ArrowDown", false, true}}, when::drawing, move_cursor_finely<0, -1>},
+    {ActionId::left, Icon::none, "Move the selected vertex, the balanced robot whose card is open, the whole, or the cursor while drawing", "Arrows", {{"ArrowLeft"}}, when::can_nudge, nudge_by<-1, 0>},
+    {ActionId::right, Icon::none, "Move to the right", "", {{"ArrowRight"}}, when::can_nudge, nudge_by<1, 0>},
+    {ActionId::up, Icon::none, "Move up", "", {{"ArrowUp"}}, when::can_nudge, nudge_by<0, 1>},
+    {ActionId::down, Icon::none, "Move down", "", {{"ArrowDown"}}, when::can_nudge, nudge_by<0, -1>},
+    {ActionId::turn_left, Icon::none, "Turn the whole by 15°", "[ ]", {{"["}}, when::transforming, turn<1>},
+    {ActionId::turn_right, Icon::none, "Turn the whole clockwise", "", {{"]"}}, when::transforming, turn<-1>},
+    {ActionId::larger, Icon::none, "Scale the whole", "{ }", {{"}"}}, when::transforming, scale<11>},
+    {ActionId::smaller, Icon::none, "Make the whole smaller", "", {{"{"}}, when::transforming, scale<9>},
+    {ActionId::snap_grid, Icon::none, "Snap to the grid", "N", {{"n"}}, when::editing, snap<&Snap::grid>},
+    {ActionId::snap_axis, Icon::none, "Snap to the axis", "X", {{"x"}}, when::editing, snap<&Snap::axis>},
+    {ActionId::more_teams, Icon::plus, "One team more, or one balanced robot", "T", {{"t"}}, when::has_teams_number, change_number<1>},
+    {ActionId::fewer_teams, Icon::minus, "One team fewer, or one balanced robot", "Shift+T", {{"T"}}, when::has_teams_number, change_number<-1>},
+    {ActionId::next_method, Icon::none, "Next method", "M", {{"m"}}, when::editing, next_method},
+    {ActionId::compare, Icon::compare, "Compare with another method", "K", {{"k"}}, when::editing, next_second_method},
+    {ActionId::experiment, Icon::none, "Compare all methods in charts", "Shift+K", {{"K"}}, when::editing,
      show<browser::Dialog::experiment>},
-    {ActionId::higher_ratio, Icon::none, "Raise the minimum load ratio", ".", {{"."}}, editing,
+    {ActionId::higher_ratio, Icon::none, "Raise the minimum load ratio", ".", {{"."}}, when::editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, 1); }},
-    {ActionId::lower_ratio, Icon::none, "Lower the minimum load ratio", ",", {{","}}, editing,
+    {ActionId::lower_ratio, Icon::none, "Lower the minimum load ratio", ",", {{","}}, when::editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, -1); }},
-    {ActionId::all_teams, Icon::none, "A team on every candidate, or as many as before", "*", {{"*"}}, by_candidates, take_all_teams},
-    {ActionId::fail, Icon::none, "Let the next robot fail; after the last one, none", "Shift+F", {{"F"}}, can_fail, fail_next},
-    {ActionId::type_ratio, Icon::none, "Type the minimum load ratio", "Shift+R", {{"R"}}, editing, type_value<typed_ratio>},
-    {ActionId::type_weight, Icon::none, "Type the weight", "Y", {{"y"}}, editing, type_value<typed_weight>},
-    {ActionId::type_robot, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, editing,
+    {ActionId::all_teams, Icon::none, "A team on every candidate, or as many as before", "*", {{"*"}}, when::by_candidates, take_all_teams},
+    {ActionId::fail, Icon::none, "Let the next robot fail; after the last one, none", "Shift+F", {{"F"}}, when::can_fail, fail_next},
+    {ActionId::type_ratio, Icon::none, "Type the minimum load ratio", "Shift+R", {{"R"}}, when::editing, type_value<typed_ratio>},
+    {ActionId::type_weight, Icon::none, "Type the weight", "Y", {{"y"}}, when::editing, type_value<typed_weight>},
+    {ActionId::type_robot, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, when::editing,
      [](const AppState& s, Commands& out) { out.push_back(SetRobotOpen{true}); type_value<typed_radius>(s, out); }},
-    {ActionId::type_capacity, Icon::none, "Type what a robot carries", "Shift+Y", {{"Y"}}, editing, type_capacity},
-    {ActionId::type_doubt, Icon::none, "Type within which distance the centre of mass is known", "Shift+E", {{"E"}}, editing, type_doubt},
-    {ActionId::type_seed, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, is_random, type_value<typed_seed>},
-    {ActionId::type_centre, Icon::none, "Type the centre of mass", "J", {{"j"}}, editing, type_value<typed_centre>},
-    {ActionId::free_centre, Icon::none, "Centre of mass back to the centroid", "Shift+J", {{"J"}}, has_own_centre, ask<ReleaseCentre>},
-    {ActionId::toggle_hull, Icon::none, "Show the lifting base", "H", {{"h"}}, always, toggle<&Overlays::lifting_base>},
-    {ActionId::toggle_clockwise, Icon::none, "Show free clockwise turns", "R", {{"r"}}, always, toggle<&Overlays::clockwise>},
-    {ActionId::toggle_counterclockwise, Icon::none, "Show free counter-clockwise turns", "L", {{"l"}}, always,
+    {ActionId::type_capacity, Icon::none, "Type what a robot carries", "Shift+Y", {{"Y"}}, when::editing, type_capacity},
+    {ActionId::type_doubt, Icon::none, "Type within which distance the centre of mass is known", "Shift+E", {{"E"}}, when::editing, type_doubt},
+    {ActionId::type_seed, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, when::is_random, type_value<typed_seed>},
+    {ActionId::type_centre, Icon::none, "Type the centre of mass", "J", {{"j"}}, when::editing, type_value<typed_centre>},
+    {ActionId::free_centre, Icon::none, "Centre of mass back to the centroid", "Shift+J", {{"J"}}, when::has_own_centre, ask<ReleaseCentre>},
+    {ActionId::toggle_hull, Icon::none, "Show the lifting base", "H", {{"h"}}, when::always, toggle<&Overlays::lifting_base>},
+    {ActionId::toggle_clockwise, Icon::none, "Show free clockwise turns", "R", {{"r"}}, when::always, toggle<&Overlays::clockwise>},
+    {ActionId::toggle_counterclockwise, Icon::none, "Show free counter-clockwise turns", "L", {{"l"}}, when::always,
      toggle<&Overlays::counterclockwise>},
-    {ActionId::toggle_chords, Icon::none, "Show the teams' chords", "C", {{"c"}}, always, toggle<&Overlays::chords>},
-    {ActionId::toggle_candidates, Icon::none, "Show the candidates", "A", {{"a"}}, always, toggle<&Overlays::candidates>},
-    {ActionId::toggle_tipping, Icon::none, "Show the force that tips", "F", {{"f"}}, always, toggle<&Overlays::tipping>},
-    {ActionId::toggle_halo, Icon::none, "Show how far the centre of mass may be off", "Shift+C", {{"C"}}, always, toggle<&Overlays::halo>},
-    {ActionId::zoom_in, Icon::plus, "Zoom in", "+", {{"+"}, {"="}}, always,
+    {ActionId::toggle_chords, Icon::none, "Show the teams' chords", "C", {{"c"}}, when::always, toggle<&Overlays::chords>},
+    {ActionId::toggle_candidates, Icon::none, "Show the candidates", "A", {{"a"}}, when::always, toggle<&Overlays::candidates>},
+    {ActionId::toggle_tipping, Icon::none, "Show the force that tips", "F", {{"f"}}, when::always, toggle<&Overlays::tipping>},
+    {ActionId::toggle_halo, Icon::none, "Show how far the centre of mass may be off", "Shift+C", {{"C"}}, when::always, toggle<&Overlays::halo>},
+    {ActionId::zoom_in, Icon::plus, "Zoom in", "+", {{"+"}, {"="}}, when::always,
      [](const AppState&, Commands& out) { out.push_back(ZoomView{1.25}); }},
-    {ActionId::zoom_out, Icon::minus, "Zoom out", "−", {{"-"}}, always,
+    {ActionId::zoom_out, Icon::minus, "Zoom out", "−", {{"-"}}, when::always,
      [](const AppState&, Commands& out) { out.push_back(ZoomView{0.8}); }},
-    {ActionId::fit, Icon::fit, "Show all of the object", "0", {{"0"}}, always, ask<FitView>},
-    {ActionId::fold_panel, Icon::fold, "Fold the panel away", "P", {{"p"}}, editing,
+    {ActionId::fit, Icon::fit, "Show all of the object", "0", {{"0"}}, when::always, ask<FitView>},
+    {ActionId::fold_panel, Icon::fold, "Fold the panel away", "P", {{"p"}}, when::editing,
      [](const AppState& s, Commands& out) { out.push_back(SetPanelOpen{!s.panel_open}); }},
-    {ActionId::motion, Icon::none, "Motion on or off", "Shift+M", {{"M"}}, always,
+    {ActionId::motion, Icon::none, "Motion on or off", "Shift+M", {{"M"}}, when::always,
      [](const AppState& s, Commands& out) { out.push_back(SetMotion{!s.motion}); }},
-    {ActionId::help, Icon::help, "Keys", "?", {{"?"}}, always, show<browser::Dialog::keys>},
-    {ActionId::about, Icon::none, "About evenlift", "Shift+A", {{"A"}}, editing, show<browser::Dialog::about>},
-    {ActionId::glossary, Icon::none, "Glossary", "Shift+G", {{"G"}}, always, show<browser::Dialog::glossary>},
-    {ActionId::welcome, Icon::none, "How to begin, and the tour", "Shift+W", {{"W"}}, editing, show<browser::Dialog::welcome>},
-    {ActionId::dismiss, Icon::close, "Close, or select nothing", "Esc", {{"Escape"}}, anything_open, dismiss},
+    {ActionId::help, Icon::help, "Keys", "?", {{"?"}}, when::always, show<browser::Dialog::keys>},
+    {ActionId::about, Icon::none, "About evenlift", "Shift+A", {{"A"}}, when::editing, show<browser::Dialog::about>},
+    {ActionId::glossary, Icon::none, "Glossary", "Shift+G", {{"G"}}, when::always, show<browser::Dialog::glossary>},
+    {ActionId::welcome, Icon::none, "How to begin, and the tour", "Shift+W", {{"W"}}, when::editing, show<browser::Dialog::welcome>},
+    {ActionId::dismiss, Icon::close, "Close, or select nothing", "Esc", {{"Escape"}}, when::anything_open, dismiss},
 };
 // clang-format on
 

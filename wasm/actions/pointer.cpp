@@ -7,7 +7,7 @@
 #include "tools/drawing.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/under_pointer.h"
 
 namespace evenlift::view {
 namespace {

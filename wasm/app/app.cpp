@@ -4,9 +4,10 @@
 
 #include "app/update.h"
 #include "canvas/canvas.h"
+#include "edits/sight.h"
 #include "panels/panels.h"
 #include "state/browser.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/playing.h"
 
 namespace evenlift::view {
 

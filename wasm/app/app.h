@@ -2,7 +2,7 @@
 #pragma once
 
 #include "actions/pointer.h"
-#include "canvas/scene.h"
+#include "picture/scene.h"
 #include "state/command.h"
 #include "state/state.h"
 

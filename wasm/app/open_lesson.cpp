@@ -2,10 +2,11 @@
 
 #include <utility>
 
-#include "app/update.h"
+#include "edits/open_document.h"
 #include "evenlift/formats.h"
 #include "evenlift/lesson.h"
 #include "state/opened.h"
+#include "walkthrough/script.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
@@ -40,11 +41,9 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   of_it->trace = std::move(trace).value();
   const std::optional<Script>& former = state.walkthrough.script;
   if (script.preview && former && former->preview) {
-    reopen(state, std::move(of_it).value());
+    show_opened(state, std::move(of_it).value());
   } else {
-    Commands commands;
-    commands.push_back(OpenDocument{std::move(of_it).value()});
-    apply(state, commands);
+    open(state, std::move(of_it).value());
   }
   begin_script(state, std::move(script));
   return std::nullopt;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/update.h"
+#include "edits/open_document.h"
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
 #include "state/opened.h"

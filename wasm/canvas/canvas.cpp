@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "canvas/canvas_drawing.h"
-#include "canvas/canvas_marks.h"
-#include "canvas/canvas_view.h"
 #include "canvas/canvas_walkthrough.h"
 #include "canvas/hint.h"
-#include "canvas/painter.h"
 #include "evenlift/candidates.h"
 #include "evenlift/moved.h"
+#include "marks/marks.h"
+#include "marks/tool_marks.h"
+#include "picture/canvas_view.h"
+#include "picture/painter.h"
 #include "tools/pick.h"
-#include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
 namespace {
-
-Rect window_of(const AppState& state) { return {0, 0, state.screen.width, state.screen.height}; }
 
 // The grid of dots, at 1, 2 or 5 times a power of ten units.
 void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
@@ -225,13 +222,13 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
   sharpen(list, state);
   draw_ground(list, state, colours);
   if (state.tool == Tool::draw) {
-    draw_drawing(Painter(list, state.camera, window_of(state)), state, colours);
+    draw_drawing(Painter(list, state.camera, state.screen.area()), state, colours);
     draw_hint(list, state, layout, colours);
     return;
   }
   const Placement* placement = state.placement ? &shown_placement(state) : nullptr;
-  const CanvasView view{state, colours,      layout,           placement,
-                        scene, state.camera, window_of(state), false};
+  const CanvasView view{state, colours, layout, placement, scene, state.camera, state.screen.area(),
+                        false};
   if (state.second_method)
     draw_both(list, view, second, layout);
   else

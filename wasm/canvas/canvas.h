@@ -1,7 +1,7 @@
 // The drawing: ground, picture, numbers, grips.
 #pragma once
 
-#include "canvas/scene.h"
+#include "picture/scene.h"
 #include "state/layout.h"
 #include "state/state.h"
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 
-#include "canvas/canvas_marks.h"
 #include "evenlift/output/words.h"
+#include "marks/boxed_text.h"
+#include "marks/stands.h"
 #include "tools/drawing.h"
 #include "tools/pick.h"
-#include "walkthrough/walkthrough.h"
+#include "ui/vec.h"
 
 namespace evenlift::view {
 namespace {
-
-ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 std::string hint_of_walkthrough(const AppState& state) {
   const Walkthrough& walk = state.walkthrough;
@@ -134,12 +133,6 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
 }
 
 }  // namespace
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
 
 std::string hint(const AppState& state) {
   if (state.screen.embed) return {};

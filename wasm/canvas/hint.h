@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "canvas/canvas_view.h"
+#include "picture/canvas_view.h"
 
 namespace evenlift::view {
 
@@ -16,6 +16,5 @@ std::string shown_hint(const AppState& state, const Layout& layout);
 void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme);
 
 // The text with a capital at its beginning, if that is a letter from a to z.
-std::string capitalised(std::string text);
 
 }  // namespace evenlift::view

@@ -13,7 +13,6 @@
 
 #include "actions/key_list.h"
 #include "app/app.h"
-#include "app/update.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"

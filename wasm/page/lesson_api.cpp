@@ -9,12 +9,13 @@
 
 #include "app/app.h"
 #include "app/open_lesson.h"
-#include "app/update.h"
+#include "edits/sight.h"
 #include "evenlift/output/words.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/browser.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/script.h"
+#include "walkthrough/timeline.h"
 
 using namespace evenlift::view;
 
@@ -47,7 +48,10 @@ EMSCRIPTEN_KEEPALIVE void page_go_to_stop(int stop) {
 // a challenge from its first step.
 EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   Commands commands{OpenWalkthrough{}, LeaveScript{}, SetPredict{predict != 0}};
-  if (predict) commands.insert(commands.end(), {ShowAllSteps{false}, GoToStep{0}});
+  if (predict) {
+    commands.push_back(ShowAllSteps{false});
+    commands.push_back(GoToStep{0});
+  }
   carry_out(std::move(commands));
 }
 

@@ -29,7 +29,6 @@
 #include "ui/fonts.h"
 #include "ui/letters.h"
 #include "ui/theme.h"
-#include "ui/widgets.h"
 
 namespace evenlift::view {
 namespace {

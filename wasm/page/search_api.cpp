@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "app/search.h"
+#include "edits/search.h"
 #include "page/page_api.h"
 #include "state/browser.h"
 

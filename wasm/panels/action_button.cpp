@@ -3,8 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "ui/dropdown.h"
-#include "ui/widgets.h"
+#include "widgets/buttons.h"
+#include "widgets/dropdown.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 

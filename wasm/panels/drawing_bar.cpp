@@ -3,8 +3,10 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "tools/drawing.h"
-#include "ui/dropdown.h"
-#include "ui/widgets.h"
+#include "widgets/buttons.h"
+#include "widgets/cards.h"
+#include "widgets/dropdown.h"
+#include "widgets/fields.h"
 
 namespace evenlift::view {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "evenlift/document.h"
-#include "ui/dropdown.h"
+#include "widgets/dropdown.h"
 
 namespace evenlift::view {
 

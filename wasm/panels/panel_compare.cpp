@@ -6,8 +6,8 @@
 #include "evenlift/output/words.h"
 #include "panels/methods.h"
 #include "panels/panels.h"
-#include "ui/dropdown.h"
-#include "ui/widgets.h"
+#include "widgets/dropdown.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

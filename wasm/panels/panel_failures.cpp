@@ -5,7 +5,9 @@
 
 #include "panels/panels.h"
 #include "panels/summary.h"
-#include "ui/widgets.h"
+#include "widgets/buttons.h"
+#include "widgets/sliders.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

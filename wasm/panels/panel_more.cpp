@@ -7,8 +7,10 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
-#include "ui/dropdown.h"
-#include "ui/widgets.h"
+#include "widgets/buttons.h"
+#include "widgets/dropdown.h"
+#include "widgets/fields.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

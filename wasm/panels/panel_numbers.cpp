@@ -2,7 +2,7 @@
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
-#include "ui/widgets.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

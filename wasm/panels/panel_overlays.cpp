@@ -2,11 +2,12 @@
 #include <algorithm>
 #include <iterator>
 
-#include "canvas/heat.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
-#include "ui/widgets.h"
+#include "picture/heat.h"
+#include "widgets/chips.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

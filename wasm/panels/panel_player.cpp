@@ -6,9 +6,14 @@
 #include "panels/action_button.h"
 #include "panels/panels.h"
 #include "state/browser.h"
-#include "ui/dropdown.h"
-#include "ui/widgets.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/playing.h"
+#include "walkthrough/timeline.h"
+#include "walkthrough/words.h"
+#include "widgets/buttons.h"
+#include "widgets/dropdown.h"
+#include "widgets/fields.h"
+#include "widgets/sliders.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

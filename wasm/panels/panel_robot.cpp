@@ -7,7 +7,10 @@
 #include "evenlift/output/words.h"
 #include "evenlift/settings_text.h"
 #include "panels/panels.h"
-#include "ui/widgets.h"
+#include "widgets/buttons.h"
+#include "widgets/fields.h"
+#include "widgets/sliders.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

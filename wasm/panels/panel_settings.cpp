@@ -10,8 +10,11 @@
 #include "panels/summary.h"
 #include "state/method.h"
 #include "tools/pick.h"
-#include "ui/dropdown.h"
-#include "ui/widgets.h"
+#include "widgets/buttons.h"
+#include "widgets/dropdown.h"
+#include "widgets/fields.h"
+#include "widgets/sliders.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

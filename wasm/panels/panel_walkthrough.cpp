@@ -10,8 +10,13 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "state/browser.h"
-#include "ui/widgets.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/script.h"
+#include "walkthrough/timeline.h"
+#include "walkthrough/words.h"
+#include "widgets/buttons.h"
+#include "widgets/cards.h"
+#include "widgets/fields.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

@@ -7,8 +7,9 @@
 #include "actions/actions.h"
 #include "panels/summary.h"
 #include "state/browser.h"
-#include "ui/widgets.h"
-#include "walkthrough/walkthrough.h"
+#include "widgets/buttons.h"
+#include "widgets/cards.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

@@ -6,7 +6,7 @@
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
 #include "tools/drawing.h"
-#include "walkthrough/walkthrough.h"
+#include "walkthrough/words.h"
 
 namespace evenlift::view {
 namespace {

@@ -7,8 +7,10 @@
 #include "panels/action_button.h"
 #include "panels/panels.h"
 #include "state/browser.h"
-#include "ui/dropdown.h"
-#include "ui/widgets.h"
+#include "widgets/buttons.h"
+#include "widgets/cards.h"
+#include "widgets/dropdown.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

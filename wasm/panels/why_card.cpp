@@ -6,7 +6,9 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
-#include "ui/widgets.h"
+#include "widgets/buttons.h"
+#include "widgets/cards.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {

@@ -55,7 +55,7 @@ Layout embedded(const AppState& state) {
   l.control = screen.finger ? 44 : 32;
   l.bar_padding = 4;
   l.wide = screen.width >= 640;
-  l.free = {0, 0, screen.width, screen.height};
+  l.free = screen.area();
   const double most = l.control + (l.wide ? 150 : 170);
   seat_player(l, screen.width - l.margin,
               walkthrough_is_open(state) ? std::min(screen.height * 0.52, most)
@@ -69,7 +69,7 @@ Layout presenting(const AppState& state) {
   const Screen& screen = state.screen;
   Layout l;
   l.control = 44;
-  l.free = {0, 0, screen.width, screen.height};
+  l.free = screen.area();
   seat_player(l, screen.width - l.margin,
               std::clamp(screen.height * 0.36, std::min(240.0, screen.height * 0.5), 400.0));
   split(l, screen.foot, false, 88, 56, 84);

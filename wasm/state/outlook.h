@@ -1,5 +1,5 @@
 // What the robots of a placement bear as it is shown, and what may go wrong with them; and a robot that
-// fails. app/outlook.h computes it.
+// fails. edits/outlook.h computes it.
 #pragma once
 
 #include <cstddef>

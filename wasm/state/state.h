@@ -1,5 +1,5 @@
 // Everything that the view knows. The canvas and the panels read it; only commands change it
-// (app/update.h, and walkthrough.h for the walkthrough). It does not depend on Dear ImGui.
+// (app/update.h). It does not depend on Dear ImGui.
 #pragma once
 
 #include <cstddef>
@@ -54,6 +54,7 @@ struct Screen {
   double foot = 0;              // covered by the page at the foot of the drawing, in CSS pixels
   double side = 0;              // and at its left
   bool window_at_foot = false;  // what covers the foot is as wide as the screen
+  Rect area() const { return {0, 0, width, height}; }
 };
 
 // How far the sheet of a narrow screen is pulled up.

@@ -185,4 +185,11 @@ Pick pick_explained(const AppState& state, const Vec2& screen, bool second) {
   return found;
 }
 
+bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index) {
+  const Pick& held = state.held;
+  if (held.kind != Pick::Kind::none && held.kind != Pick::Kind::ground)
+    return held.kind == kind && held.index == index;
+  return state.hover.kind == kind && state.hover.index == index;
+}
+
 }  // namespace evenlift::view

@@ -28,6 +28,9 @@ Pick pick_explained(const AppState& state, const Vec2& screen, bool second = fal
 std::optional<Vec2> doubt_grip(const AppState& state);
 double doubt_for_grip(const AppState& state, const Vec2& screen);
 
+// Whether the pointer holds this, or else is over it.
+bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index);
+
 // The document's centre of mass; if it has none, that of the last good placement.
 Vec2 centre_of_mass(const AppState& state);
 

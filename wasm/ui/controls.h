@@ -51,7 +51,7 @@ Asked list_control(Control control);
 // The controls of the last pass, in the order in which they were laid out.
 const std::vector<Control>& controls();
 
-// All of them as text: a line for each, its fields parted by tabs. web/page/mirror.js reads it.
+// All of them as text: a line for each, its fields parted by tabs. web/mirror/mirror.js reads it.
 std::string controls_text();
 
 // Asks something of the control with this name on this card, to be done in the next pass: to press it; to choose one of its

@@ -1,7 +1,7 @@
 // Starts the page: checks whether it can run, loads the program, and connects it to the browser.
 import { readAddress } from "./address.js";
 import { createApi } from "./api.js";
-import { createBindings } from "./bindings.js";
+import { Bindings } from "./bindings.js";
 import { connectInput } from "./input.js";
 import { Program } from "./program.js";
 import { Publisher } from "./publisher.js";
@@ -75,6 +75,15 @@ async function loadMirror(program, field, publisher) {
 
 let started;  // the result of beginStart()
 
+// The picture is there, and the person can begin: what needs a running page is loaded and connected.
+function loadTheRest(program, bindings, { begins }) {
+  for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
+  if (embed) return;
+  underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));  // undo begins here then
+  underWay(import("./offline.js")).then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion"))).catch(() => {});
+  if (begins && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
+}
+
 async function start() {
   const reason = missing();
   if (reason) throw new Error(reason);
@@ -85,7 +94,7 @@ async function start() {
     pictureIsThere = done;
   });
   const field = { awaited: "" };  // the name of a field that a key asked for, until the mirror has it
-  const bindings = createBindings(publisher, field, () => {
+  const bindings = new Bindings(publisher, field, () => {
     pictureIsThere();
     publisher.drawn();
     program.onPicture();
@@ -130,11 +139,7 @@ async function start() {
   program.onStop = (error) => startAnew(error, { opening, work: publisher.stop() });
   // Exceptions in SDL's own event handlers, which call the program.
   addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && program.stop(error));
-  for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
-  if (embed) return;
-  underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));  // undo begins here then
-  underWay(import("./offline.js")).then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion"))).catch(() => {});
-  if (!fragment && !kept.work && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
+  loadTheRest(program, bindings, { begins: !fragment && !kept.work });
 }
 
 // The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded again with the document that

@@ -1,0 +1,43 @@
+// When an action can be done.
+#pragma once
+
+#include "state/state.h"
+
+namespace evenlift::view::when {
+
+bool always(const AppState& s);
+bool editing(const AppState& s);  // not in an <iframe>
+
+// What is in hand.
+bool drawing(const AppState& s);
+bool transforming(const AppState& s);
+bool in_walkthrough(const AppState& s);
+bool on_parts(const AppState& s);
+bool on_vertex(const AppState& s);
+bool on_robot(const AppState& s);  // one that can be moved by hand, while its card is open
+bool can_nudge(const AppState& s);
+
+// While a polygon is drawn, undo takes back one vertex.
+bool keys_place(const AppState& s);  // keys moved the cursor to where a vertex can be placed
+bool can_place(const AppState& s);
+bool can_finish(const AppState& s);
+bool can_take_back(const AppState& s);
+bool can_undo(const AppState& s);
+bool can_redo(const AppState& s);
+
+// The walkthrough.
+bool can_teach(const AppState& s);
+bool can_present(const AppState& s);
+bool can_go_on(const AppState& s);
+bool can_go_back(const AppState& s);
+
+// Settings.
+bool has_teams_number(const AppState& s);
+bool by_candidates(const AppState& s);
+bool is_random(const AppState& s);
+bool has_own_centre(const AppState& s);
+bool can_fail(const AppState& s);
+
+bool anything_open(const AppState& s);  // that Escape closes
+
+}  // namespace evenlift::view::when

@@ -1,0 +1,16 @@
+// The figures of a step of the walkthrough: what the step is about.
+#pragma once
+
+#include "picture/canvas_view.h"
+
+namespace evenlift::view {
+
+void draw_figure(const Painter& painter, const CanvasView& view, const Figure& figure);
+
+// A ring around a place that something is said of.
+void draw_ring(const Painter& painter, const Vec2& at, Colour colour);
+
+// The point M, with its name.
+void draw_middle(const Painter& painter, const CanvasView& view, const Vec2& world);
+
+}  // namespace evenlift::view

@@ -1,0 +1,147 @@
+#include "edits/draw_polygon.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "edits/open_document.h"
+#include "edits/sight.h"
+#include "evenlift/output/words.h"
+#include "evenlift/polygon.h"
+#include "state/browser.h"
+#include "state/layout.h"
+#include "state/notice.h"
+#include "state/opened.h"
+#include "tools/drawing.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+// After a change of the placed vertices.
+void renew_drawing(AppState& state) {
+  Drawing& drawing = state.drawing;
+  drawing.length.reset();
+  drawing.degrees.reset();
+  drawing.checked = false;
+  drawing.refusal.reset();
+  show(state, {});
+  browser::document_changed();
+}
+
+// Moves the last point to the end of others. Returns false if there is none.
+bool move_last(Points& from, Points& to) {
+  if (from.empty()) return false;
+  to.push_back(from.back());
+  from.pop_back();
+  return true;
+}
+
+void check_drawing(Drawing& drawing) {
+  if (drawing.checked) return;
+  drawing.checked = true;
+  const Result<Polygon> polygon = Polygon::create(drawing.points);
+  if (!polygon) drawing.refusal = polygon.error();
+}
+
+}  // namespace
+
+void take_tool(AppState& state, Tool tool) {
+  if (tool == Tool::draw && walkthrough_is_open(state)) close_walkthrough(state);
+  state.tool = tool;
+  browser::summary_changed();
+  state.explanation.reset();
+  if (!state.drawing.points.empty()) browser::document_changed();
+  state.drawing = {};
+  state.selected.reset();
+  state.hover = state.held = {};
+  if (tool == Tool::draw) state.second_method.reset();
+  show(state, {});
+}
+
+void add_point(AppState& state, const Vec2& at) {
+  Points& points = state.drawing.points;
+  if (!points.empty() && points.back() == at) return;
+  points.push_back(at);
+  state.drawing.undone.clear();
+  renew_drawing(state);
+}
+
+void move_point(AppState& state, std::size_t point, const Vec2& to) {
+  Points& points = state.drawing.points;
+  if (point >= points.size() || points[point] == to) return;
+  points[point] = to;
+  renew_drawing(state);
+}
+
+void take_point_back(AppState& state) {
+  if (move_last(state.drawing.points, state.drawing.undone)) renew_drawing(state);
+}
+
+void put_point_back(AppState& state) {
+  if (move_last(state.drawing.undone, state.drawing.points)) renew_drawing(state);
+}
+
+void set_draw_cursor(AppState& state, const SetDrawCursor& cursor) {
+  Drawing& drawing = state.drawing;
+  drawing.cursor = cursor.at;
+  if (cursor.at) drawing.last_cursor = cursor.at;
+  if (cursor.by_keys)
+    keep_in_sight(state, *cursor.at);
+  else
+    drawing.pointer = cursor.pointer;
+  if (cursor.by_keys || drawing.by_keys) browser::summary_changed();
+  drawing.by_keys = cursor.by_keys;
+  if (cursor.at && closes(state, state.camera.to_screen(*cursor.at))) check_drawing(drawing);
+}
+
+void type_edge(AppState& state, const TypeEdge& typed) {
+  Drawing& drawing = state.drawing;
+  if (drawing.points.empty()) return;
+  if (typed.length && !(*typed.length > 0 && *typed.length <= max_coordinate))
+    return show(state, {Notice::Kind::problem, "The length of an edge is a number above 0."});
+  if (typed.degrees && !(std::abs(*typed.degrees) <= 360))
+    return show(state, {Notice::Kind::problem, "The angle of an edge is between −360° and 360°."});
+  if (typed.length) drawing.length = typed.length;
+  if (typed.degrees) drawing.degrees = typed.degrees;
+  const Vec2 from = drawing.points.back(),
+             towards = drawing.cursor.value_or(drawing.last_cursor.value_or(from));
+  if (!drawing.length && towards == from)
+    return show(state, {Notice::Kind::problem, "Type the length of the edge, too."});
+  const Vec2 to = typed_end(drawing, towards);
+  if (!(std::abs(to.x()) <= max_coordinate && std::abs(to.y()) <= max_coordinate))
+    return show(state,
+                {Notice::Kind::problem, "The edge would end beyond the largest coordinate."});
+  drawing.cursor = drawing.last_cursor = to;
+  drawing.by_keys = true;
+  keep_in_sight(state, to);
+  if (typed.place) add_point(state, to);
+  browser::summary_changed();
+}
+
+void finish_drawing(AppState& state) {
+  Document drawn;
+  drawn.vertices = state.drawing.points;
+  drawn.settings = state.document.settings;
+  drawn.settings.step.reset();
+  drawn.settings.com_radius = 0;  // a length of the former polygon
+  drawn.settings.no_go.clear();   // and its edges
+  Result<Opened> polygon = opened(std::move(drawn));
+  if (!polygon) {
+    state.drawing.checked = true;
+    state.drawing.refusal = polygon.error();
+    show(state, {Notice::Kind::problem, sentence(polygon.error()) + "."});
+    return;
+  }
+  open(state, std::move(polygon).value(), Edit::drawn);
+}
+
+void lay_behind(AppState& state, const std::optional<Box>& picture) {
+  state.backdrop = picture;
+  if (!picture) return;
+  if (state.tool != Tool::draw) take_tool(state, Tool::draw);
+  state.camera = fitting_camera(state);
+  state.camera_follows = false;
+}
+
+}  // namespace evenlift::view

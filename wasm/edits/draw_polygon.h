@@ -1,0 +1,31 @@
+// Draws a polygon vertex by vertex.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "evenlift/plane.h"
+#include "state/command.h"
+#include "state/state.h"
+
+namespace evenlift::view {
+
+// Takes another tool, and forgets what was drawn.
+void take_tool(AppState& state, Tool tool);
+
+void add_point(AppState& state, const Vec2& at);
+void move_point(AppState& state, std::size_t point, const Vec2& to);
+void take_point_back(AppState& state);
+void put_point_back(AppState& state);
+void set_draw_cursor(AppState& state, const SetDrawCursor& cursor);
+
+// Takes over what was typed of the next edge, and moves the cursor there.
+void type_edge(AppState& state, const TypeEdge& typed);
+
+// Opens the polygon that was drawn, with the present settings.
+void finish_drawing(AppState& state);
+
+// Lays a picture behind the drawing, at this place in polygon coordinates, shows all of it and begins to draw; or ends that.
+void lay_behind(AppState& state, const std::optional<Box>& picture);
+
+}  // namespace evenlift::view

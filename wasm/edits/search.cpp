@@ -1,0 +1,97 @@
+#include "edits/search.h"
+
+#include <string>
+#include <utility>
+
+#include "edits/outlook.h"
+#include "evenlift/formats.h"
+#include "evenlift/numbers.h"
+#include "evenlift/settings_text.h"
+#include "state/browser.h"
+#include "state/notice.h"
+#include "state/robots_text.h"
+
+namespace evenlift::view {
+namespace {
+
+// Ends a search that found no robots at all. Returns false if there were some before.
+bool find_none(Placement& placement) {
+  if (!placement.teams.empty()) return false;
+  placement.search_ended = true;
+  return true;
+}
+
+// The balanced placement on the screen: the first, the second, or none.
+std::optional<Placement>* balanced(AppState& state) {
+  for (std::optional<Placement>* placement : {&state.placement, &state.second})
+    if (*placement && (*placement)->settings.method == Method::balanced) return placement;
+  return nullptr;
+}
+
+// The settings that the search depends on, as lines for read_setting().
+std::string settings_text(const Settings& settings) {
+  const auto line = [](Setting setting, const std::string& value) {
+    return std::string(name(setting)) + '=' + value + '\n';
+  };
+  std::string text = line(Setting::robots, std::to_string(settings.robots)) +
+                     line(Setting::goal, std::string(name(goal_of(settings)))) +
+                     line(Setting::min_margin, shortest(settings.min_margin)) +
+                     line(Setting::survive, std::to_string(settings.survive));
+  text += line(Setting::robot, robot_text(settings.robot)) +
+          line(Setting::no_go, no_go_text(settings.no_go));
+  if (settings.apart) text += line(Setting::apart, shortest(*settings.apart));
+  return text;
+}
+
+}  // namespace
+
+void drop_search(AppState& state) {
+  if (state.search.under_way) browser::end_search();
+  state.search.under_way = false;
+  state.search.due = true;
+}
+
+void begin_search(AppState& state) {
+  if (!state.search.due || state.edit_open) return;
+  state.search.due = false;
+  const std::optional<Placement>* shown = balanced(state);
+  if (state.refusal || !shown || (*shown)->search_ended) return;
+  const Placement& start = **shown;
+  state.search = {state.search.number + 1, false, true};
+  browser::begin_search(state.search.number, write_thesis(state.placed),
+                        settings_text(start.settings), robots_text(lifting_points(start.teams)));
+}
+
+bool take_robots(AppState& state, std::uint64_t number, std::string_view robots, bool ended) {
+  std::optional<Placement>* shown = balanced(state);
+  if (!state.search.under_way || number != state.search.number || !shown) return false;
+  Placement& placement = **shown;
+  if (ended && robots.empty()) {
+    if (!find_none(placement)) return false;
+  } else {
+    const auto found = read_robots(robots, placement.settings.robots, placement.polygon);
+    if (!found) return false;
+    if (robots_text(lifting_points(placement.teams)) != robots) {
+      state.explanation.reset();
+      ++state.revision;
+      if (shown == &state.placement) forget_failures(state);
+    }
+    *shown = with_robots(std::move(placement), *found, ended);
+  }
+  state.search.under_way = !ended;
+  renew_outlook(state);
+  renew_failures(state);
+  browser::summary_changed();
+  return true;
+}
+
+void stop_search(AppState& state, std::uint64_t number) {
+  if (!state.search.under_way || number != state.search.number) return;
+  state.search.under_way = false;
+  renew_failures(state);
+  show(state, {Notice::Kind::problem,
+               "The search for better places stopped: a part of the page could not be loaded."});
+  browser::summary_changed();
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,79 @@
+#include "edits/try_edit.h"
+
+#include <utility>
+
+#include "edits/by_hand.h"
+#include "edits/changed_settings.h"
+#include "edits/outlook.h"
+#include "edits/placing.h"
+#include "state/opened.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+// Whether only what places nothing differs in the edited document.
+bool places_nothing(const AppState& state, const Document& edited) {
+  const Settings but = placing_as(edited.settings, settings(state));
+  return !state.refusal && edited.vertices == state.document.vertices &&
+         edited.centre_of_mass == state.document.centre_of_mass && but == settings(state);
+}
+
+// Goes to another step of the open document's walkthrough, or closes the walkthrough.
+std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t> step) {
+  std::optional<Trace> made;
+  if (step && !walkthrough_is_open(state)) {
+    put_teams_back(state);
+    Result<Trace> trace = compute_trace(*state.placement);
+    if (!trace) return trace.error();
+    made = std::move(trace).value();
+  }
+  if (step) {
+    if (const auto problem = check_step(*step, made ? *made : *state.walkthrough.trace))
+      return problem;
+  }
+  if (step && !made) {
+    go_to_step(state, *step);
+    return std::nullopt;
+  }
+  state.document.settings.step = state.placed.settings.step = step;
+  follow_placement(state, std::move(made));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<InputError> try_edit(AppState& state, const Document& edited, std::uint64_t failed) {
+  if (places_nothing(state, edited)) {
+    if (const auto problem = check_robot(*state.placement, failed)) return problem;
+    if (const auto problem = try_step(state, edited.settings.step)) return problem;
+    const Settings &before = settings(state), &after = edited.settings;
+    if (before.capacity == after.capacity && before.com_radius == after.com_radius &&
+        before.units == after.units)
+      return std::nullopt;
+    change_beside(state, false, edit_between(before, after), [&](Settings& s) {
+      s.capacity = after.capacity;
+      s.com_radius = after.com_radius;
+      s.units = after.units;
+    });
+    return std::nullopt;
+  }
+  Result<Placement> placement = compute_placement(edited, state.placement);
+  if (!placement) return placement.error();
+  if (const auto problem = check_robot(*placement, failed)) return problem;
+  std::optional<Trace> trace;
+  if (edited.settings.step) {
+    Result<Trace> made = compute_trace(*placement);
+    if (!made) return made.error();
+    if (auto problem = check_step(*edited.settings.step, *made)) return problem;
+    trace = std::move(made).value();
+  }
+  begin_edit(state, false, edit_between(settings(state), edited.settings));
+  state.document = edited;
+  adopt(state, std::move(placement));
+  follow_up(state);
+  follow_placement(state, std::move(trace));
+  return std::nullopt;
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,127 @@
+#include "marks/load_labels.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "evenlift/output/picture.h"
+#include "evenlift/output/words.h"
+#include "tools/pick.h"
+#include "ui/vec.h"
+
+namespace evenlift::view {
+namespace {
+
+// Where the coverage is written, in CSS pixels, if there is room.
+std::optional<Rect> coverage_box(const CanvasView& view) {
+  const CoveragePlace& place = view.scene.coverage;
+  const bool shown = settings(view.state).overlays.lifting_base && view.placement->loads;
+  if (!shown || place.room * view.camera.scale < 24) return std::nullopt;
+  const Vec2 at = view.camera.to_screen(place.at);
+  const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
+  return Rect{at.x() - text.x / 2, at.y() - text.y / 2, at.x() + text.x / 2, at.y() + text.y / 2};
+}
+
+Rect about(const Vec2& middle, double reach) {
+  return {middle.x() - reach, middle.y() - reach, middle.x() + reach, middle.y() + reach};
+}
+
+// Where the picture is drawn and nothing lies over it.
+Rect free_window(const CanvasView& view) {
+  const Rect& free = view.layout.free;
+  return {std::max(free.left, view.window.left) + 4,
+          std::max(free.top, view.window.top) + view.layout.caption + 4,
+          std::min(free.right, view.window.right) - 4,
+          std::min(free.bottom, view.window.bottom) - 4};
+}
+
+}  // namespace
+
+void draw_coverage(const Painter& painter, const CanvasView& view) {
+  if (const std::optional<Rect> box = coverage_box(view))
+    draw_text(painter.list(), Face::verdict, vec(box->left, box->top), view.theme.hull_text,
+              percentage(view.placement->coverage));
+}
+
+Occupied occupied_by_marks(const CanvasView& view, double reach) {
+  const Placement& placement = *view.placement;
+  Occupied occupied(free_window(view));
+  occupied.box(view.layout.tools);
+  for (const Team& team : placement.teams) {
+    for (const Robot& robot : team.robots)
+      occupied.box(about(view.camera.to_screen(robot.point.position), reach));
+    for (const Segment& line : joining_lines(team, placement.centre_of_mass))
+      occupied.line(view.camera.to_screen(line.from), view.camera.to_screen(line.to));
+  }
+  occupied.box(about(view.camera.to_screen(centre_of_mass(view.state)), 12));
+  const Points& vertices = placement.vertices();
+  const std::size_t n = vertices.size();
+  Vec2 last = view.camera.to_screen(vertices[n - 1]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 at = view.camera.to_screen(vertices[i]);
+    occupied.line(last, at);
+    if (n <= 40 && !view.state.screen.embed) occupied.box(about(at, 6));
+    last = at;
+  }
+  if (const std::optional<Rect> coverage = coverage_box(view)) occupied.box(*coverage);
+  return occupied;
+}
+
+void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
+                const std::vector<LoadRange>& loads, double greatest, Occupied& occupied) {
+  if (greatest == 0) return;
+  const Placement& placement = *view.placement;
+  const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
+  const bool few = pairs_of(placement.teams) <= 8;
+  std::vector<LabelRequest> requests;
+  std::vector<std::string> texts;
+  std::vector<bool> over;
+  std::size_t number = 0;
+  for (const Team& team : placement.teams) {
+    for (const Robot& robot : team.robots) {
+      const LoadRange& load = loads[number++];
+      const bool failed = view.failure() && view.failure()->robot + 1 == number;
+      const Vec2 at = view.camera.to_screen(robot.point.position);
+      if (failed || !view.window.contains(at)) continue;
+      const Vec2 away = at - middle;
+      texts.push_back(load_in_words(load.least, load.greatest, greatest, placement.settings.units));
+      over.push_back(view.overloads(load.greatest));
+      const ImVec2 text = text_size(Face::strong_label, texts.back());
+      requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
+    }
+  }
+  // A label may cross a line where there are few of them; of many only those are shown that fit.
+  const auto places =
+      place_labels(requests, occupied, static_cast<double>(size.ring) + 4, few ? 60 : 8);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i]) continue;
+    const Rect& box = *places[i];
+    painter.list().AddRectFilled(vec(box.left, box.top), vec(box.right, box.bottom),
+                                 view.theme.panel.at(0.88f).packed(), 6);
+    draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3),
+              over[i] ? view.theme.amber : view.theme.text, texts[i]);
+  }
+}
+
+void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied) {
+  const Closure& closure = view.placement->closure;
+  if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
+  const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
+  const Vec2 along(closure.translation->x(), -closure.translation->y());
+  const Vec2 tail = from + along * 16, head = from + along * 62;
+  ImDrawList& list = painter.list();
+  painter.arrow(tail, head, view.theme.object, 7);
+  painter.arrow(tail, head, view.theme.amber_on_object, 3);
+  if (!occupied) return;
+  occupied->line(tail, head);
+  const ImVec2 text = text_size(Face::strong_label, "slides");
+  const auto place =
+      place_labels({{head, along, Vec2(text.x + 12, text.y + 6)}}, *occupied, 4, 60)[0];
+  if (!place) return;
+  list.AddRectFilled(vec(place->left, place->top), vec(place->right, place->bottom),
+                     view.theme.panel.at(0.88f).packed(), 6);
+  draw_text(list, Face::strong_label, vec(place->left + 6, place->top + 3), view.theme.amber,
+            "slides");
+}
+
+}  // namespace evenlift::view

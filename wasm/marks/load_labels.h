@@ -1,0 +1,24 @@
+// Numbers in the picture: what the robots bear, and how much of the object the lifting base covers.
+#pragma once
+
+#include <vector>
+
+#include "marks/robot_discs.h"
+#include "picture/canvas_view.h"
+#include "picture/labels.h"
+
+namespace evenlift::view {
+
+void draw_coverage(const Painter& painter, const CanvasView& view);
+
+// What labels keep clear of: robots, the centre of mass, vertices that can be dragged, the coverage, and lines.
+Occupied occupied_by_marks(const CanvasView& view, double reach);
+
+// Writes beside the robots what they bear; nothing at one that fails, nor where nobody bears anything.
+void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
+                const std::vector<LoadRange>& loads, double greatest, Occupied& occupied);
+
+// An arrow from the centre of mass in a direction in which the object can slide, and its name where there is room.
+void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied);
+
+}  // namespace evenlift::view

@@ -1,0 +1,194 @@
+#include "marks/marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evenlift/output/words.h"
+#include "evenlift/stability.h"
+#include "marks/boxed_text.h"
+#include "marks/centre.h"
+#include "marks/load_labels.h"
+#include "marks/robots.h"
+#include "marks/stands.h"
+#include "marks/tool_marks.h"
+#include "marks/walkthrough_robots.h"
+#include "tools/pick.h"
+#include "tools/shorter_way.h"
+#include "ui/vec.h"
+
+namespace evenlift::view {
+namespace {
+
+// A ring to take hold of, or a dot; nothing where they would be so close that they hide the shape.
+void draw_vertices(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  const Theme& theme = view.theme;
+  if (state.tool == Tool::transform) return;  // the frame has the grips
+  const Points& vertices = state.document.vertices;
+  const std::size_t n = vertices.size();
+  const Colour outline = state.refusal ? theme.amber : theme.object_outline;
+  ImDrawList& list = painter.list();
+  for (std::size_t i = 0; i < n; ++i) {
+    const ImVec2 at = painter.at(vertices[i]);
+    if (is_hovered(state, Pick::Kind::vertex, i) || state.selected == i) {
+      list.AddCircleFilled(at, 18, theme.accent.at(0.22f).packed(), 36);
+      list.AddCircleFilled(at, 6, theme.panel.packed(), 24);
+      list.AddCircle(at, 6, theme.accent.packed(), 24, 2);
+      continue;
+    }
+    if (n > 1000 || state.screen.embed) continue;
+    const double before = length(vertices[i] - vertices[i == 0 ? n - 1 : i - 1]);
+    const double after = length(vertices[i] - vertices[i + 1 == n ? 0 : i + 1]);
+    const double room = std::min(before, after) * state.camera.scale;
+    if (n <= 40 && room >= 18) {
+      list.AddCircleFilled(at, 4, theme.panel.packed(), 24);
+      list.AddCircle(at, 4, outline.packed(), 24, 2);
+    } else if (room >= 24) {
+      list.AddCircleFilled(at, 2.5f, outline.packed(), 12);
+    }
+  }
+}
+
+void draw_edge_offer(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  const Theme& theme = view.theme;
+  if (state.hover.kind != Pick::Kind::edge || state.held.kind != Pick::Kind::none ||
+      state.screen.embed)
+    return;
+  const ImVec2 at = painter.at(state.hover.at);
+  painter.list().AddCircleFilled(at, 5, theme.panel.packed(), 24);
+  painter.list().AddCircle(at, 5, theme.accent.packed(), 24, 1.5f);
+}
+
+// Where the robot that is dragged cannot go, up to where it is wanted.
+void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  const auto robot = static_cast<std::size_t>(state.held.end);
+  if (!state.closed_to || view.second || state.held.kind != Pick::Kind::robot) return;
+  const Placement& placement = *view.placement;
+  const bool balanced = placement.settings.method == Method::balanced;
+  const std::size_t team = balanced ? 0 : state.held.index;
+  if (team >= placement.teams.size() || robot >= placement.teams[team].robots.size()) return;
+  LiftingPoint from = placement.teams[team].robots[robot].point;
+  if (placement.stands) from.position = placement.stands->contact(from);
+  const Points way = shorter_way(placement.vertices(), from, *state.closed_to);
+  painter.outline(way, view.theme.amber_on_object, 5, false);
+  const ImVec2 at = painter.at(way.back());
+  const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
+  draw_word(painter.list(), spot, view.window, view.theme, view.theme.amber,
+            balanced ? "Closed to it: the others cannot follow"
+                     : "Closed to it: other robots are in the way");
+}
+
+// How hard a push under the pointer must be to tip the object.
+void draw_push(const Painter& painter, const CanvasView& view) {
+  const Pick& hover = view.state.hover;
+  const Placement& placement = *view.placement;
+  if (hover.kind != Pick::Kind::object || hover.second != view.second || placement.teams.empty())
+    return;
+  const double force = tipping_force(placement.lifting_base, placement.centre_of_mass,
+                                     placement.settings.weight, hover.at);
+  const bool safe = std::isinf(force);
+  const ImVec2 at = painter.at(hover.at);
+  const Colour colour = safe ? view.theme.hull_text : view.theme.amber_on_object;
+  painter.list().AddCircle(at, 5, view.theme.panel.packed(), 20, 4);
+  painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
+  const std::string text =
+      safe ? "Safe: no push here tips it"
+           : "Tips if pushed down with " +
+                 load_in_words(force, placement.settings.weight, placement.settings.units);
+  // The box has the panel's colour, on which the lifting base's dark green could not be read.
+  draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)), view.window,
+            view.theme, safe ? view.theme.text : view.theme.amber, text);
+}
+
+// Writes why a polygon is refused at the place of the fault.
+void draw_reason(const Painter& painter, const CanvasView& view) {
+  const InputError& error = *view.state.refusal;
+  const Points& vertices = view.state.document.vertices;
+  const std::size_t n = vertices.size();
+  Vec2 spot;
+  if (error.place.kind == Place::Kind::vertex && error.place.index < n) {
+    spot = vertices[error.place.index];
+  } else if (error.place.kind == Place::Kind::edge && error.place.index < n &&
+             error.place.other < n) {
+    const Vec2 &a = vertices[error.place.index], &b = vertices[(error.place.index + 1) % n];
+    const Vec2 &c = vertices[error.place.other], &d = vertices[(error.place.other + 1) % n];
+    const double turn = cross(b - a, d - c);
+    const double share = turn != 0 ? std::clamp(cross(c - a, d - c) / turn, 0.0, 1.0) : 0.5;
+    spot = a + (b - a) * share;
+  } else if (error.place.kind == Place::Kind::centre_of_mass) {
+    spot = centre_of_mass(view.state);
+  } else {
+    return;
+  }
+  draw_word(painter.list(), view.camera.to_screen(spot), view.window, view.theme, view.theme.amber,
+            capitalised(error.message));
+}
+
+// What a method came to: its loads, its coverage, and where there is room whether the object can move.
+std::string result_in_words(const Placement& placement, bool wide) {
+  if (!placement.loads) return "no team";
+  const LoadSummary& loads = *placement.loads;
+  const std::string words =
+      load_in_words(loads.min, loads.max, loads.max, placement.settings.units) + " · " +
+      percentage(placement.coverage) + " covered";
+  return wide ? words + (is_held(placement) ? " · cannot move" : " · can move") : words;
+}
+
+// The method's name and result over its picture, while two methods are compared: two lines, or on a narrow screen one.
+void draw_caption(const Painter& painter, const CanvasView& view) {
+  if (!view.placement) return;
+  const bool wide = view.layout.wide;
+  const std::string name =
+      capitalised(std::string(evenlift::name(view.placement->settings.method)));
+  const std::string result = result_in_words(*view.placement, wide);
+  const Face face = wide ? Face::strong : Face::strong_label;
+  const ImVec2 title = text_size(face, name), text = text_size(Face::label, result);
+  const float beside = title.x + 10;  // where the result begins in the same line
+  const float width = (wide ? std::max(title.x, text.x) : beside + text.x) + 24;
+  const double height = wide ? 46 : 28;
+  const ImVec2 low = vec(view.window.middle().x() - static_cast<double>(width) / 2,
+                         view.window.top + view.layout.caption - height);
+  const ImVec2 high(low.x + width, low.y + static_cast<float>(height));
+  painter.list().AddRectFilled(low, high, view.theme.panel.at(0.94f).packed(), 8);
+  const ImVec2 name_at(wide ? low.x + (width - title.x) / 2 : low.x + 12, low.y + 5);
+  const ImVec2 result_at = wide ? ImVec2(low.x + (width - text.x) / 2, low.y + 26)
+                                : ImVec2(name_at.x + beside, name_at.y);
+  draw_text(painter.list(), face, name_at, view.theme.text, name);
+  draw_text(painter.list(), Face::label, result_at, view.theme.second_text, result);
+}
+
+}  // namespace
+
+void draw_marks(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  if (walkthrough_is_open(state) && view.current() && !view.second) {
+    draw_vertices(painter, view);
+    draw_robots_of_walkthrough(painter, view);
+    draw_centre(painter, view);
+    return;
+  }
+  if (view.current()) {
+    draw_stands(painter, view);
+    draw_coverage(painter, view);
+  }
+  if (state.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
+  draw_edge_offer(painter, view);
+  draw_vertices(painter, view);
+  if (view.current()) {
+    draw_halo(painter, view);
+    draw_closed_stretch(painter, view);
+    draw_robots(painter, view);
+  }
+  draw_centre(painter, view);
+  if (view.current()) draw_push(painter, view);
+  if (view.current()) draw_why_unusable(painter, view);
+  if (state.refusal) draw_reason(painter, view);
+  if (state.second_method) draw_caption(painter, view);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,10 @@
+// What is drawn on a picture at a fixed size: grips, robots, the centre of mass, numbers.
+#pragma once
+
+#include "picture/canvas_view.h"
+
+namespace evenlift::view {
+
+void draw_marks(const Painter& painter, const CanvasView& view);
+
+}  // namespace evenlift::view

@@ -1,0 +1,88 @@
+#include "marks/robot_discs.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/vec.h"
+
+namespace evenlift::view {
+
+std::size_t pairs_of(const std::vector<Team>& teams) { return (count_robots(teams) + 1) / 2; }
+
+RobotSize robot_size(std::size_t teams) {
+  if (teams <= 8) return {10.5f, 13.5f, true};
+  if (teams <= 16) return {9, 11.5f, true};
+  if (teams <= most_labelled) return {8.5f, 10.5f, true};
+  return {4, 5.5f, false};
+}
+
+std::size_t robots_of(const std::vector<Team>& all, std::size_t teams) {
+  return all.empty() ? 0 : teams * all.front().robots.size();
+}
+
+std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
+                                   std::size_t teams) {
+  std::vector<RobotSize> sizes(robots_of(all, teams), robot_size(pairs_of(all)));
+  if (pairs_of(all) <= 16 || pairs_of(all) > most_labelled) return sizes;
+  Points robots;
+  for (std::size_t i = 0; i < teams; ++i)
+    for (const Robot& robot : all[i].robots)
+      robots.push_back(view.camera.to_screen(robot.point.position));
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (std::size_t j = 0; j < robots.size(); ++j)
+      if (j != i && length(robots[i] - robots[j]) < 17) sizes[i] = {5.5f, 7, false};
+  }
+  return sizes;
+}
+
+void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
+                const Vec2& world, const RobotLook& look) {
+  ImDrawList& list = painter.list();
+  const ImVec2 at = painter.at(world);
+  const float pi = 3.14159265f, start = -pi / 2;
+  if (look.failed) {
+    list.AddCircleFilled(at, size.ring, theme.object.packed(), 36);
+    list.AddCircle(at, size.disc, theme.robot.packed(), 32, 2);
+  } else {
+    list.AddCircleFilled(at, size.ring + 1.5f, theme.robot_track.packed(), 36);
+    list.PathArcTo(at, size.ring, start, start + 2 * pi * static_cast<float>(look.share), 40);
+    list.PathStroke((look.over ? theme.amber : theme.robot_ring).packed(), 0,
+                    look.over ? 3.0f : 2.0f);
+    list.AddCircleFilled(at, size.disc - 1, theme.robot.packed(), 32);
+  }
+  if (!size.numbered) return;
+  const std::string number = std::to_string(look.number);
+  const ImVec2 text = text_size(Face::tiny, number);
+  draw_text(list, Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
+            look.failed ? theme.robot : theme.robot_text, number);
+}
+
+void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t teams) {
+  constexpr double spot = 3;  // CSS pixels
+  const Rect& window = view.window;
+  const auto across = static_cast<std::size_t>(window.width() / spot) + 1,
+             down = static_cast<std::size_t>(window.height() / spot) + 1;
+  std::vector<bool> taken(across * down);
+  const auto draw = [&](const Vec2& robot, Colour colour) {
+    const Vec2 at = view.camera.to_screen(robot);
+    if (!window.contains(at)) return;
+    const auto column = static_cast<std::size_t>((at.x() - window.left) / spot),
+               row = static_cast<std::size_t>((at.y() - window.top) / spot);
+    if (taken[row * across + column]) return;
+    taken[row * across + column] = true;
+    painter.list().AddRectFilled(vec(at.x() - 2, at.y() - 2), vec(at.x() + 2, at.y() + 2),
+                                 colour.packed());
+  };
+  // Overloaded robots come first, so that no other hides them.
+  for (const bool over : {true, false}) {
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < teams; ++i) {
+      for (const Robot& robot : view.placement->teams[i].robots) {
+        if (view.overloads(view.outlook().loads[number++].greatest) != over) continue;
+        draw(robot.point.position, over ? view.theme.amber_on_object : view.theme.robot);
+      }
+    }
+  }
+}
+
+}  // namespace evenlift::view

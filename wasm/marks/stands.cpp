@@ -1,0 +1,72 @@
+#include "marks/stands.h"
+
+#include "evenlift/output/words.h"
+#include "evenlift/placed_robots.h"
+#include "marks/boxed_text.h"
+
+namespace evenlift::view {
+
+void draw_unusable(const Painter& painter, const Placement& placement, const Theme& theme) {
+  const Polygon& polygon = placement.polygon;
+  for (const UnusablePart& part : placement.stands->unusable()) {
+    const Vec2 &a = polygon.edge_start(part.edge), &b = polygon.edge_end(part.edge);
+    const Vec2 along = (b - a) / length(b - a);
+    const bool marked = part.why == WhyUnusable::no_go;
+    painter.line(a + part.part.from * along, a + part.part.to * along,
+                 marked ? theme.amber : theme.quiet, marked ? 6.0f : 4.0f);
+  }
+}
+
+namespace {
+
+// The hand beneath the object, the arm, and the body, of which nothing is drawn that is too small to see.
+void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot& robot,
+               const RobotSize& size) {
+  const Theme& theme = view.theme;
+  const Vec2 inward = robot.contact - robot.stand;
+  const double way = length(inward);
+  if (way > 0 && size.reach > 0) painter.line(robot.stand, robot.contact, theme.robot, 3);
+  if (way > 0 && (size.width > 0 || size.depth > 0)) {
+    const Vec2 aside = left_normal(inward) * (size.width / 2 / way);
+    const Points hand{robot.contact - aside, robot.contact + aside, robot.at + aside,
+                      robot.at - aside};
+    painter.fill_convex(hand, theme.robot.at(0.35f));
+    painter.outline(hand, theme.robot, 1.5f);
+  }
+  const auto radius = static_cast<float>(size.radius * view.camera.scale);
+  if (radius < 1) return;
+  ImDrawList& list = painter.list();
+  list.AddCircleFilled(painter.at(robot.stand), radius, theme.robot.at(0.22f).packed(), 64);
+  list.AddCircle(painter.at(robot.stand), radius, theme.robot.packed(), 64, 1.5f);
+}
+
+}  // namespace
+
+void draw_stands(const Painter& painter, const CanvasView& view) {
+  if (!view.placement->stands) return;
+  draw_unusable(painter, *view.placement, view.theme);
+  constexpr std::size_t most = 400;
+  if (!view.placement->stands->has_body() || count_robots(view.placement->teams) > most) return;
+  for (const PlacedRobot& robot : placed_robots(*view.placement))
+    draw_body(painter, view, robot, view.placement->stands->robot());
+}
+
+std::optional<WhyUnusable> why_unusable(const AppState& state, const Pick& at) {
+  if (at.kind != Pick::Kind::edge || state.refusal || !state.placement || !state.placement->stands)
+    return std::nullopt;
+  const Stands& stands = *state.placement->stands;
+  if (at.index >= state.placement->polygon.size()) return std::nullopt;
+  const auto edge = static_cast<std::uint32_t>(at.index);
+  return stands.why_not(edge, stands.along({at.at, edge}));
+}
+
+void draw_why_unusable(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  if (state.held.kind != Pick::Kind::none || view.second) return;
+  const auto why = why_unusable(state, state.hover);
+  if (!why) return;
+  draw_word(painter.list(), state.camera.to_screen(state.hover.at), view.window, view.theme,
+            view.theme.text, capitalised(unusable_in_words(*why, settings(state).robot)));
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,91 @@
+#include "marks/walkthrough_robots.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "evenlift/stability.h"
+#include "marks/load_labels.h"
+#include "marks/robots.h"
+#include "walkthrough/questions.h"
+
+namespace evenlift::view {
+namespace {
+
+// Where a robot stood: its disc, hollow and with its number.
+void draw_left(const Painter& painter, const CanvasView& view, const Figure& figure) {
+  const ImVec2 at = painter.at(figure.points[0]);
+  painter.list().AddCircleFilled(at, 11, view.theme.object.packed(), 32);
+  painter.list().AddCircle(at, 10, view.theme.amber_on_object.packed(), 32, 2);
+  const std::string number = std::to_string(figure.item.value_or(0) + 1);
+  const ImVec2 text = text_size(Face::tiny, number);
+  draw_text(painter.list(), Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
+            view.theme.amber_on_object, number);
+}
+
+// The robots that stay where they are while a question is asked about the others. A ring is where
+// one of these comes (canvas_walkthrough.cpp).
+void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
+  const BalancedDetail& balanced = *view.state.walkthrough.ask->detail.balanced;
+  const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);
+  const auto stays = [&](const Vec2& place) {
+    if (balanced.stand && balanced.stand->position == place) return false;
+    return std::any_of(balanced.rest.begin(), balanced.rest.end(),
+                       [&](const LiftingPoint& robot) { return robot.position == place; });
+  };
+  for (std::size_t i = 0; i < balanced.robots.size(); ++i) {
+    const Vec2& place = balanced.robots[i].position;
+    if (stays(place))
+      draw_robot(painter, view.theme, size, place,
+                 {.number = balanced.numbers[i] + std::size_t{1}});
+  }
+}
+
+// The balanced robots of the current step, with their loads from where these are told.
+void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  if (asks_of_other_robots(view.state)) return draw_rest_of_question(painter, view);
+  if (!walk.detail.balanced) return;
+  const BalancedDetail& balanced = *walk.detail.balanced;
+  const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);
+  const Chapter chapter = walk.detail.step.chapter;
+  if (chapter == Chapter::loads || chapter == Chapter::grasp) {
+    // Somebody may have moved the robots of the document by hand.
+    CanvasView found = view;
+    found.placement = &walk.trace->placement;
+    Occupied occupied = occupied_by_marks(found, static_cast<double>(size.ring) + 2);
+    draw_loads(painter, found, size, loads_by(LoadModel::plan, *found.placement, std::nullopt, 0),
+               found.placement->loads->max, occupied);
+  }
+  for (const Figure& figure : walk.figures)
+    if (figure.kind == FigureKind::left) draw_left(painter, view, figure);
+  for (std::size_t i = balanced.robots.size(); i-- > 0;)
+    draw_robot(painter, view.theme, size, balanced.robots[i].position,
+               {.number = balanced.numbers[i] + std::size_t{1}});
+}
+
+}  // namespace
+
+void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) {
+  const Placement& placement = *view.placement;
+  if (view.state.walkthrough.trace->balanced()) return draw_balanced_of_walkthrough(painter, view);
+  const Progress& known = view.state.walkthrough.known;
+  if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
+  const std::vector<Team>& teams = teams_at(*view.state.walkthrough.trace, known);
+  const std::vector<RobotSize> sizes = robot_sizes(view, teams, known.teams);
+  if (known.shares > 0 && known.shares == placement.teams.size() && known.shares <= most_labelled) {
+    const RobotSize size = robot_size(placement.teams.size());
+    Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
+    draw_loads(painter, view, size, loads_by(LoadModel::plan, placement, std::nullopt, 0),
+               placement.loads->max, occupied);
+  }
+  for (std::size_t i = known.teams; i-- > 0;) {
+    std::size_t number = robots_of(teams, i);
+    for (const Robot& robot : teams[i].robots) {
+      const double share = i < known.shares ? robot.load / placement.loads->max : 1;
+      draw_robot(painter, view.theme, sizes[number++], robot.point.position, {i + 1, share});
+    }
+  }
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,29 @@
+// One of the pictures on the canvas: the placement, or beside it that of a second method.
+#pragma once
+
+#include "picture/painter.h"
+#include "picture/scene.h"
+#include "state/layout.h"
+#include "state/state.h"
+
+namespace evenlift::view {
+
+struct CanvasView {
+  const AppState& state;
+  const Theme& theme;
+  const Layout& layout;
+  const Placement* placement;  // null if there is none yet
+  const Scene& scene;
+  const Camera& camera;
+  Rect window;  // the part of the canvas for this picture
+  bool second;  // whether it shows the second method
+  const Outlook& outlook() const { return shown_outlook(state, second); }
+  const Failure* failure() const { return second ? nullptr : failing(state); }
+  bool overloads(double load) const {
+    const std::optional<double>& capacity = settings(state).capacity;
+    return capacity && load > *capacity;
+  }
+  bool current() const { return placement && !state.refusal; }
+};
+
+}  // namespace evenlift::view

@@ -1,0 +1,93 @@
+#include "picture/heat.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+
+#include "evenlift/plane.h"
+
+namespace evenlift::view {
+namespace {
+
+// A side of the lifting base. Distances beyond it are in units of the distance of the centre of
+// mass inside it.
+struct Side {
+  Vec2 a, along;
+  double within;
+  double beyond(const Vec2& p) const { return -cross(along, p - a) / within; }
+};
+
+// A base with thousands of corners is as good as round: not all of its sides are needed.
+constexpr std::size_t most_sides = 1000;
+
+// The sides that some vertex lies beyond; the others cut nothing off.
+std::vector<Side> cutting_sides(const Placement& placement) {
+  std::vector<Side> sides;
+  const Points& hull = placement.lifting_base;
+  const std::size_t step = (hull.size() + most_sides - 1) / most_sides;
+  for (std::size_t i = 0; i < hull.size(); i += step) {
+    const Vec2 along = hull[i + 1 == hull.size() ? 0 : i + 1] - hull[i];
+    const Side side{hull[i], along, cross(along, placement.centre_of_mass - hull[i])};
+    if (!(side.within > 0)) continue;
+    const bool cuts = std::any_of(placement.vertices().begin(), placement.vertices().end(),
+                                  [&](const Vec2& p) { return side.beyond(p) > 0; });
+    if (cuts) sides.push_back(side);
+  }
+  return sides;
+}
+
+// The part of a convex polygon that lies at most `most` beyond the side. `spare` is memory.
+void cut(Points& area, const Side& side, double most, Points& spare) {
+  clip(
+      area, [&](const Vec2& p) { return most - side.beyond(p); }, spare);
+  area.swap(spare);
+}
+
+// A rectangle that holds all of the polygon with room to spare, counter-clockwise.
+Points frame_around(const Points& polygon) {
+  const Box box = bounding_box(polygon);
+  const Vec2 low = box.low - box.size(), high = box.high + box.size();
+  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+HeatBand band(const Placement& placement, const std::vector<std::uint32_t>& triangles,
+              const std::vector<Side>& sides, double share) {
+  HeatBand result{share, {}, {}};
+  const double most = share > 0 ? 1 / share : std::numeric_limits<double>::infinity();
+  if (triangles.empty() && share > 0) {
+    Points spare;
+    result.region = frame_around(placement.vertices());
+    for (const Side& side : sides) {
+      if (!result.region.empty()) cut(result.region, side, most, spare);
+    }
+    return result;
+  }
+  Points area, spare;
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    area.assign({placement.vertices()[triangles[i]], placement.vertices()[triangles[i + 1]],
+                 placement.vertices()[triangles[i + 2]]});
+    for (const Side& side : sides) {
+      if (share == 0 || area.empty()) break;
+      cut(area, side, most, spare);
+    }
+    for (std::size_t j = 2; j < area.size(); ++j) {
+      result.triangles.insert(result.triangles.end(), {area[0], area[j - 1], area[j]});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<HeatBand> heat_bands(const Placement& placement,
+                                 const std::vector<std::uint32_t>& triangles) {
+  if (placement.lifting_base.size() < 3) return {};
+  const std::vector<Side> sides = cutting_sides(placement);
+  std::vector<HeatBand> bands{band(placement, triangles, sides, 0)};
+  for (const double level : heat_levels) bands.push_back(band(placement, triangles, sides, level));
+  bands.push_back(band(placement, triangles, sides, std::numeric_limits<double>::infinity()));
+  return bands;
+}
+
+}  // namespace evenlift::view

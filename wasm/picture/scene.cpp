@@ -1,0 +1,84 @@
+#include "picture/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/triangulate.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr double motion_seconds = 0.16;
+constexpr std::size_t most_lines = 100000;  // of candidates or chords
+
+Points robots_of(const std::vector<Shape>& shapes) {
+  Points robots;
+  for (const Shape& shape : shapes) {
+    if (shape.role == Role::robot) robots.push_back(shape.points[0]);
+  }
+  return robots;
+}
+
+Points hull_of(const std::vector<Shape>& shapes) {
+  const auto hull = std::find_if(shapes.begin(), shapes.end(),
+                                 [](const Shape& s) { return s.role == Role::lifting_base; });
+  return hull == shapes.end() ? Points() : hull->points;
+}
+
+// A change of the teams is animated, except during a drag.
+void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>& before,
+                  double now) {
+  scene.progress = 1;
+  const bool many = state.placement && state.placement->teams.size() > most_single_robots;
+  const bool wanted = state.motion && !state.screen.reduced_motion && !many;
+  const bool moved = state.edit_open || state.held.kind == Pick::Kind::robot;  // by hand
+  if (!wanted || moved || before.empty() || scene.shapes.empty()) return;
+  if (before[0].points != scene.shapes[0].points) return;  // another polygon
+  scene.hull_before = hull_of(before);
+  scene.robots_before = robots_of(before);
+  if (scene.robots_before == robots_of(scene.shapes) && scene.hull_before == hull_of(scene.shapes))
+    return;
+  scene.changed_at = now;
+  scene.progress = 0;
+}
+
+// Computes what depends on the placement, and not on the overlays.
+void follow_anew(Scene& scene, const AppState& state, const Placement& placement,
+                 const std::vector<Shape>& before, double now) {
+  const bool same_polygon = !before.empty() && before[0].points == placement.vertices();
+  if (!same_polygon) {
+    scene.triangles.clear();
+    if (placement.vertices().size() <= most_triangulated)
+      scene.triangles = triangulate(placement.vertices());
+  }
+  scene.heat.clear();
+  scene.coverage = place_coverage(placement, scene.coverage.at);
+  scene.revision = state.revision;
+  begin_motion(scene, state, before, now);
+}
+
+}  // namespace
+
+void follow(Scene& scene, const AppState& state, const Placement& placement, double now) {
+  // Even while the document is refused its overlays are shown, with the last good placement.
+  const Overlays& overlays = state.document.settings.overlays;
+  const bool anew = scene.revision != state.revision;
+  if (anew || !(scene.overlays == overlays)) {
+    const std::vector<Shape> before = std::move(scene.shapes);
+    scene.shapes = make_picture(placement, overlays, most_lines);
+    scene.overlays = overlays;
+    if (anew) follow_anew(scene, state, placement, before, now);
+    if (overlays.tipping && scene.heat.empty()) scene.heat = heat_bands(placement, scene.triangles);
+  }
+  if (scene.progress < 1) {
+    const double share = std::clamp((now - scene.changed_at) / motion_seconds, 0.0, 1.0);
+    scene.progress = static_cast<float>(1 - std::pow(1 - share, 3));  // ease-out
+  }
+}
+
+bool stood_there(const Scene& scene, const Vec2& robot) {
+  return std::find(scene.robots_before.begin(), scene.robots_before.end(), robot) !=
+         scene.robots_before.end();
+}
+
+}  // namespace evenlift::view

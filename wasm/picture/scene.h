@@ -1,0 +1,44 @@
+// What the canvas draws of a placement, kept from frame to frame: the picture's shapes, the object
+// as triangles, the heat map, and the progress of an animation.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "evenlift/output/picture.h"
+#include "picture/heat.h"
+#include "picture/labels.h"
+#include "state/state.h"
+
+namespace evenlift::view {
+
+// A polygon with more vertices than this is filled by rows (fill_rows.h).
+inline constexpr std::size_t most_triangulated = 2000;
+
+// More teams than this are drawn as dots, without animation.
+inline constexpr std::size_t most_single_robots = 400;
+
+struct Scene {
+  std::uint64_t revision = 0;
+  Overlays overlays;
+  std::vector<Shape> shapes;             // of the last good placement, as the overlays ask
+  std::vector<std::uint32_t> triangles;  // of its polygon; none if it is filled by rows
+  std::vector<HeatBand> heat;            // once it has been asked for
+  bool shows_heat() const { return overlays.tipping && !heat.empty(); }
+  CoveragePlace coverage;  // where coverage is written, if there is room
+
+  // The animation of a change: what was there before, and when it changed.
+  Points hull_before, robots_before;
+  double changed_at = -1;  // seconds
+  float progress = 1;      // 0 .. 1
+};
+
+// Brings the scene up to date with the placement. Costs nothing while the document stays the same,
+// and one pass over the shapes when only the overlays change. `now` is in seconds.
+void follow(Scene& scene, const AppState& state, const Placement& placement, double now);
+
+// Whether a robot stood at this point before the change.
+bool stood_there(const Scene& scene, const Vec2& robot);
+
+}  // namespace evenlift::view

@@ -1,0 +1,104 @@
+#include "walkthrough/questions.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "evenlift/output/words.h"
+#include "state/browser.h"
+#include "walkthrough/timeline.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+// Whether there is nothing to guess: one candidate only, or two ends that are as even as each other.
+bool is_trivial(const Ask& asked) {
+  if (asked.question.kind != QuestionKind::nearer_end) return asked.choices.size() < 2;
+  const auto& ends = asked.detail.pair->ends;
+  return ratio_in_words(ends[0].ratio) == ratio_in_words(ends[1].ratio);
+}
+
+// Whether the question is one of the few of its kind; if not, the choice is told.
+bool may_ask(Walkthrough& walk, const Ask& asked) {
+  std::vector<std::uint32_t>& steps =
+      walk.guesses.asked[static_cast<std::size_t>(asked.question.kind)];
+  const auto has = [&](const std::vector<std::uint32_t>& some) {
+    return std::find(some.begin(), some.end(), asked.step) != some.end();
+  };
+  if (has(steps)) return true;
+  if (steps.size() < most_questions) {
+    steps.push_back(asked.step);
+    return true;
+  }
+  if (!has(walk.guesses.told)) walk.guesses.told.push_back(asked.step);
+  return false;
+}
+
+// Any choice but the answer: what is offered first must not give it away.
+std::size_t first_offered(const Ask& asked) {
+  const std::size_t n = asked.choices.size();
+  const auto answer = static_cast<std::size_t>(
+      std::find(asked.choices.begin(), asked.choices.end(), asked.question.answer) -
+      asked.choices.begin());
+  return n < 2 ? 0 : (answer + 1 + asked.step % (n - 1)) % n;
+}
+
+}  // namespace
+
+void ask(Walkthrough& walk, std::uint32_t step) {
+  const Trace& trace = *walk.trace;
+  Ask asked;
+  asked.step = step;
+  asked.detail = look_at(trace, step);
+  const std::optional<Question> question = evenlift::question(trace, asked.detail);
+  if (!question) return;
+  asked.question = *question;
+  asked.text = question_text(trace, asked.detail, *question);
+  // In their order, as a ranking would give the answer away.
+  asked.choices = choices(trace, asked.detail, *question);
+  if (is_trivial(asked) || !may_ask(walk, asked)) return;
+  asked.pointed = first_offered(asked);
+  walk.ask = std::move(asked);
+  walk.playing = false;
+  browser::announce(walk.ask->text);
+}
+
+void set_predict(AppState& state, bool on) {
+  if (on && !state.walkthrough.predict) state.walkthrough.guesses = {};
+  state.walkthrough.predict = on;
+  if (!on) state.walkthrough.ask.reset();
+}
+
+void guess(AppState& state, std::uint32_t answer) {
+  Walkthrough& walk = state.walkthrough;
+  if (!walkthrough_is_open(state) || !walk.ask) return;
+  const Ask asked = *walk.ask;
+  const bool right = answer == asked.question.answer;
+  std::vector<std::uint32_t>& guessed = walk.guesses.steps;
+  if (std::find(guessed.begin(), guessed.end(), asked.step) == guessed.end()) {
+    guessed.push_back(asked.step);
+    walk.guesses.right += right ? 1 : 0;
+  }
+  std::string verdict = right ? "Right." : "Not this time.";
+  if (!right && asked.question.kind == QuestionKind::winning_chord)
+    verdict += " " + why_not_text(*walk.trace, why_not(*walk.trace, asked.step, answer));
+  if (!right && asked.question.kind == QuestionKind::even_chord)
+    verdict += " " + even_chord_text(*walk.trace, asked.detail, answer);
+  if (!right && asked.detail.swap)
+    verdict += " " + other_swap_text(*walk.trace, asked.detail, asked.question, answer);
+  if (walk.script && timeline(state).at + 1 < timeline(state).count)
+    walk.script->position = timeline(state).at + 1;
+  go_to_step(state, asked.step);
+  walk.verdict = verdict;
+  walk.was_right = right;
+  browser::announce(verdict);
+}
+
+bool asks_of_other_robots(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  return walk.ask && walk.ask->question.kind == QuestionKind::even_chord &&
+         walk.detail.step.kind != StepKind::mirror;
+}
+
+}  // namespace evenlift::view

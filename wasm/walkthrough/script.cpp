@@ -1,0 +1,70 @@
+#include "walkthrough/script.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace evenlift::view {
+
+void find_stops(Walkthrough& walk) {
+  if (!walk.script) return;
+  Script& script = *walk.script;
+  script.stops.clear();
+  for (const LessonStep& step : script.lesson.steps) {
+    if (const auto found = find_step(*walk.trace, step.address))
+      script.stops.push_back({*found, step.words});
+  }
+  if (script.stops.empty()) return walk.script.reset();
+  script.position = std::min(script.position, script.stops.size() - 1);
+}
+
+void settle_position(Walkthrough& walk) {
+  if (!walk.script) return;
+  Script& script = *walk.script;
+  if (script.stops[script.position].step == walk.at) return;
+  const auto exact = std::find_if(script.stops.begin(), script.stops.end(),
+                                  [&](const Stop& s) { return s.step == walk.at; });
+  const auto later = std::find_if(script.stops.begin(), script.stops.end(),
+                                  [&](const Stop& s) { return s.step > walk.at; });
+  const auto at = exact != script.stops.end() ? exact : later;
+  const auto index = at - script.stops.begin();
+  script.position = static_cast<std::size_t>(
+      exact != script.stops.end() ? index : std::max<std::ptrdiff_t>(index - 1, 0));
+}
+
+void begin_script(AppState& state, Script script) {
+  Walkthrough& walk = state.walkthrough;
+  walk.predict = script.lesson.predict;
+  walk.guesses = {};
+  walk.all_steps = false;
+  walk.script = std::move(script);
+  walk.script->depth = state.history.depth();
+  find_stops(walk);
+  settle_position(walk);
+}
+
+bool same_settings(Settings a, const Settings& b) {
+  a.overlays = b.overlays;
+  a.step = b.step;
+  return a == b;
+}
+
+std::optional<Settings> settings_before_script(const AppState& state) {
+  const std::optional<Script>& script = state.walkthrough.script;
+  if (!script || !same_settings(script->own, settings(state))) return std::nullopt;
+  return script->before;
+}
+
+bool script_is_true(const AppState& state) {
+  const std::optional<Script>& script = state.walkthrough.script;
+  return script && script->vertices == state.document.vertices;
+}
+
+std::string words_of_stop(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  if (!walk.script) return {};
+  const Stop& stop = walk.script->stops[walk.script->position];
+  return stop.step == walk.at ? stop.words : std::string();
+}
+
+}  // namespace evenlift::view

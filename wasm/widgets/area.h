@@ -1,0 +1,37 @@
+// What all controls share: an area that can be pressed, and the entry in the list of controls.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/controls.h"
+#include "ui/ui.h"
+
+namespace evenlift::view {
+
+// A pressable area at the cursor.
+struct Area {
+  ImVec2 low, high;
+  bool pressed, hovered, active;
+  Asked asked;
+  ImVec2 middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
+};
+
+// Lays out the control that `control` describes.
+Area area(const Ui& ui, ImVec2 size, Control control);
+
+// Controls for the list, by their kinds.
+Control button_control(const char* id, const char* label, bool enabled = true);
+Control toggle_control(const char* id, const char* label, bool on);
+Control number_control(const char* id, const char* label, const char* setting,
+                       const std::string& value);
+Control slider_control(const char* id, const char* label, double at, double low, double high,
+                       double step);
+
+// One that says what is in hand stays down while `on`; without that it never does.
+using Pressed = std::optional<bool>;
+
+// A button, or a toggle where it can be on.
+Control pressed_control(const char* id, const char* label, bool enabled, Pressed on);
+
+}  // namespace evenlift::view

@@ -1,0 +1,39 @@
+// Buttons; true when pressed. `id` is unique within its window. A disabled one is drawn faintly and does nothing.
+#pragma once
+
+#include <string>
+
+#include "ui/icons.h"
+#include "ui/ui.h"
+#include "widgets/area.h"
+
+namespace evenlift::view {
+
+bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const char* about,
+                 float size, Pressed on = {});
+bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* about,
+                 float height, Icon after = Icon::none, Pressed on = {});
+
+float text_button_width(const char* label);  // with an icon before it
+
+// A button with its own background; a strong one stands out as the next thing to do.
+bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled = true,
+                 bool strong = false);
+
+// A button that stays down while `on`.
+bool toggle_button(const Ui& ui, const char* id, const char* label, const char* about, float width,
+                   bool on);
+
+// A switch with a name.
+bool switch_chip(const Ui& ui, const char* label, bool on);
+float switch_chip_width(const char* label);
+
+// A row of a list that can be pressed, at the cursor; the caller draws it.
+struct PressableRow {
+  ImVec2 low, high;
+  bool pressed, hovered;
+};
+PressableRow pressable_row(const Ui& ui, const char* id, const std::string& label, float width,
+                           float height, bool enabled = true);
+
+}  // namespace evenlift::view

@@ -1,0 +1,111 @@
+#include "widgets/cards.h"
+
+#include <algorithm>
+#include "ui/controls.h"
+#include "ui/vec.h"
+
+namespace evenlift::view {
+namespace {
+
+bool finger_is_taken = false;  // an item that follows the pointer is held
+// The scroll bar lies in the padding of the card, so that its content is as wide with it as without it. It stays between the
+// first and the last line of the content, which it must not lengthen.
+void draw_scroll_bar(const Ui& ui) {
+  const float most = ImGui::GetScrollMaxY(), padding = ImGui::GetStyle().WindowPadding.y;
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const float right = low.x + size.x - 4, top = low.y + padding, track = size.y - 2 * padding,
+              height = std::max(24.0f, track * track / (track + most));
+  if (!(track > height)) return;
+  const ImVec2 cursor = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(right - 10, top));
+  ImGui::InvisibleButton("scroll bar", ImVec2(10, track));
+  ImGui::SetCursorScreenPos(cursor);
+  const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  if (held && ImGui::GetIO().MouseDelta.y != 0)
+    ImGui::SetScrollY(ImGui::GetScrollY() + ImGui::GetIO().MouseDelta.y * most / (track - height));
+  const float at = top + (track - height) * ImGui::GetScrollY() / most;
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      ImVec2(right - 6, at), ImVec2(right, at + height),
+      (held || hovered ? ui.theme.second_text : ui.theme.quiet).packed(), 3);
+}
+
+}  // namespace
+
+void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options) {
+  ImGui::SetNextWindowPos(vec(place.left, options.at_bottom ? place.bottom : place.top),
+                          ImGuiCond_Always, ImVec2(0, options.at_bottom ? 1.0f : 0.0f));
+  if (options.fixed_height) {
+    ImGui::SetNextWindowSize(vec(place.width(), place.height()));
+  } else {
+    const double least = options.fixed_width ? place.width() : 0;
+    ImGui::SetNextWindowSizeConstraints(vec(least, 0), vec(place.width(), place.height()));
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(options.padding, options.padding));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10.0f);
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs |
+                           ImGuiWindowFlags_NoScrollbar;
+  if (!options.fixed_height) flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  if (!options.scrolls) flags |= ImGuiWindowFlags_NoScrollWithMouse;
+  ImGui::Begin(id, nullptr, flags);
+  ImGui::GetStateStorage()->SetBool(ImGui::GetID("scrolls"), options.scrolls);
+  enter_card(id);
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  sharpen(*ImGui::GetWindowDrawList(), ui.state);
+  soft_shadow(ui, low, ImVec2(low.x + size.x, low.y + size.y));
+}
+
+void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high) {
+  constexpr int layers = 8;
+  for (int i = 1; i <= layers; ++i) {
+    const float grow = static_cast<float>(i) * 1.5f;
+    ImGui::GetBackgroundDrawList()->AddRectFilled(
+        ImVec2(low.x - grow, low.y - grow + 3), ImVec2(high.x + grow, high.y + grow + 3),
+        ui.theme.shadow.at(1.0f / layers).packed(), 10 + grow);
+  }
+}
+
+void scroll_by_finger(const Ui& ui) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ui.state.screen.touch || finger_is_taken || !io.MouseDown[0] || ImGui::GetScrollMaxY() <= 0)
+    return;
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
+    return;
+  if (is_dragged()) ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
+}
+
+void take_way_of_finger() {
+  if (ImGui::IsItemActivated()) finger_is_taken = true;
+  if (ImGui::IsItemDeactivated()) finger_is_taken = false;
+}
+
+void begin_scrolling_box(const Ui& ui, const char* id, float height) {
+  constexpr float bar = 6;
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, bar);
+  ImGui::SetNextWindowContentSize(ImVec2(width, 0));
+  ImGui::BeginChild(id, ImVec2(width + bar, height));
+  ImGui::PopStyleVar();
+  scroll_by_finger(ui);
+}
+
+bool is_dragged() {
+  constexpr float shake = 8;  // CSS pixels that a finger may move and still mean a tap
+  return ImGui::GetIO().MouseDragMaxDistanceSqr[0] > shake * shake;
+}
+
+bool tapped(const Ui& ui, bool pressed) {
+  return pressed && !(ui.state.screen.touch && is_dragged());
+}
+
+void end_card(const Ui& ui) {
+  const bool scrolls = ImGui::GetStateStorage()->GetBool(ImGui::GetID("scrolls"));
+  if (scrolls && ImGui::GetScrollMaxY() > 0) draw_scroll_bar(ui);
+  scroll_by_finger(ui);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,39 @@
+// Cards, which float over the drawing, and how they scroll. All sizes are CSS pixels.
+#pragma once
+
+#include "state/camera.h"
+#include "ui/ui.h"
+
+namespace evenlift::view {
+
+// A window without any chrome: a floating card with a soft shadow. End with end_card().
+struct CardOptions {
+  bool at_bottom = false;     // stands on the bottom of the rectangle, not at its top
+  bool fixed_height = false;  // otherwise as high as its content, at most as high as the rectangle
+  bool fixed_width = true;
+  float padding = 20;
+  bool scrolls = true;
+};
+void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options = {});
+void end_card(const Ui& ui);
+
+// Lets a finger scroll the window that is being filled, as it does everywhere else.
+void scroll_by_finger(const Ui& ui);
+
+// Call this after laying out an item that follows the pointer: while it is held, a finger scrolls nothing.
+void take_way_of_finger();
+
+// A box of constant height, in which what is longer scrolls; ImGui::EndChild() ends it. The scroll bar lies in the padding
+// of the card, so that the text breaks into the same lines with it and without it.
+void begin_scrolling_box(const Ui& ui, const char* id, float height);
+
+// Whether the pointer moved so far since it was pressed that it is no press.
+bool is_dragged();
+
+// Whether a press was a press, and not the end of scrolling.
+bool tapped(const Ui& ui, bool pressed);
+
+// The shadow under a card.
+void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high);
+
+}  // namespace evenlift::view

@@ -1,0 +1,23 @@
+// Chips that show and hide overlays of the picture.
+#pragma once
+
+#include <cstdint>
+
+#include "ui/ui.h"
+
+namespace evenlift::view {
+
+// How an overlay is drawn in the picture.
+enum class Swatch : std::uint8_t {
+  hull,
+  clockwise,
+  counterclockwise,
+  chord,
+  candidate,
+  tipping,
+  halo
+};
+bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on,
+          bool enabled = true);
+
+}  // namespace evenlift::view

@@ -1,0 +1,32 @@
+// Values that can be typed: the page lays a field over them (web/mirror/mirror.js). All sizes are CSS pixels.
+#pragma once
+
+#include <string>
+
+#include "ui/controls.h"
+#include "ui/ui.h"
+
+namespace evenlift::view {
+
+// "− 3 +": returns -1, 0 or +1; repeats while a button is held. If `setting` names one, the value between the two ends can be
+// typed.
+struct StepperOptions {
+  bool can_lower = true, can_raise = true;
+  const char* label = "";
+  const char* setting = "";
+};
+int stepper(const Ui& ui, const char* id, const std::string& value, float width,
+            const StepperOptions& options);
+
+// A value that can be typed, at the cursor, `width` wide: a number ends at the right, a text begins at the left.
+void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
+                const std::string& value, float width);
+void number_field(const Ui& ui, const char* id, const char* label, const char* setting,
+                  const std::string& value, float width, Colour colour);
+
+// A number that is typed and no setting: what was typed, and whether it was confirmed by Enter. With its label before it and
+// its own ground.
+Asked typed_field(const Ui& ui, const char* id, const char* label, const std::string& value,
+                  float width);
+
+}  // namespace evenlift::view

@@ -1,0 +1,98 @@
+#include "widgets/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evenlift::view {
+
+void text_line(Face face, Colour colour, const std::string& text) {
+  push_face(face);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour.vec());
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopStyleColor();
+  pop_face();
+}
+
+float line_height(Face face) { return std::round(size(face) * 1.4f); }
+// Dear ImGui's own wrapped text breaks lines after a decimal point, too, and has no line height.
+std::vector<std::string_view> broken_lines(Face face, std::string_view text, float width) {
+  std::vector<std::string_view> lines;
+  std::size_t from = 0;
+  while (from < text.size()) {
+    std::size_t to = std::min(text.find(' ', from), text.size());
+    while (to < text.size()) {
+      const std::size_t next = std::min(text.find(' ', to + 1), text.size());
+      if (text_size(face, text.substr(from, next - from)).x > width) break;
+      to = next;
+    }
+    lines.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return lines;
+}
+
+void draw_lines(ImDrawList& list, Face face, ImVec2 at, Colour colour,
+                const std::vector<std::string_view>& lines) {
+  for (const std::string_view line : lines) {
+    draw_text(list, face, at, colour, line);
+    at.y += line_height(face);
+  }
+}
+
+float height_of(Face face, const std::vector<std::string_view>& lines) {
+  return line_height(face) * static_cast<float>(lines.size());
+}
+
+void text_block(Face face, Colour colour, const std::string& text, float kept_free) {
+  const float wrap = ImGui::GetContentRegionAvail().x - kept_free;
+  const std::vector<std::string_view> lines = broken_lines(face, text, wrap);
+  text_block_of(face, colour, text, wrap, lines.size());
+}
+
+void text_block_of(Face face, Colour colour, const std::string& text, float width,
+                   std::size_t lines) {
+  const std::vector<std::string_view> broken = broken_lines(face, text, width);
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  ImVec2 at = start;
+  for (std::size_t i = 0; i < std::min(lines, broken.size()); ++i) {
+    const bool cut = i + 1 == lines && broken.size() > lines;
+    const std::string line = std::string(broken[i]) + (cut ? " …" : "");
+    draw_text(*ImGui::GetWindowDrawList(), face, at, colour, line);
+    at.y += line_height(face);
+  }
+  ImGui::Dummy(ImVec2(width, line_height(face) * static_cast<float>(lines)));
+}
+
+float labelled(const Ui& ui, const char* label, const char* about) {
+  constexpr float label_width = 120;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float left = ImGui::GetContentRegionAvail().x;
+  const ImVec2 text = text_size(Face::label, label);
+  draw_text(*ImGui::GetWindowDrawList(), Face::label,
+            ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, label);
+  if (ImGui::IsWindowHovered() &&
+      ImGui::IsMouseHoveringRect(at, ImVec2(at.x + label_width - 8, at.y + ui.control())))
+    tip(ui, about);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + label_width, at.y));
+  return left - label_width;
+}
+
+void rule(const Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, y = at.y + 4;
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, y), ImVec2(at.x + width, y + 1),
+                                            ui.theme.panel_line.packed());
+  ImGui::Dummy(ImVec2(0, 9));
+}
+
+void tip(const Ui& ui, const char* text) {
+  if (!text || ui.state.screen.touch || ui.state.screen.finger) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 7));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 7.0f);
+  ImGui::BeginTooltip();
+  text_line(Face::label, ui.theme.text, text);
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,25 @@
+// Writes a text to the clipboard, if the browser lets the page. Returns whether it did.
+export async function copy(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return copyTheOldWay(text);
+  }
+}
+
+// Where the clipboard's own interface is refused: pages that are not served securely, frames without permission.
+function copyTheOldWay(text) {
+  const onCopy = (event) => {
+    event.clipboardData.setData("text/plain", text);
+    event.preventDefault();
+  };
+  document.addEventListener("copy", onCopy, { once: true });
+  try {
+    return document.execCommand("copy");
+  } catch {
+    return false;
+  } finally {
+    document.removeEventListener("copy", onCopy);
+  }
+}
