@@ -40,7 +40,6 @@ Task task_of(const Document& document, std::uint32_t robots) {
   return {polygon, centre, BalancedProblem(polygon, centre, settings_of(robots))};
 }
 
-
 int level_of(std::optional<double> margin) {
   const double least = margin.value_or(-1);
   return (least >= 0.001) + (least >= 0.02) + (least >= 0.05);
