@@ -1,6 +1,7 @@
 #include "balanced/set_oracle.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -64,6 +65,7 @@ Space outer(const Space& a, const Space& b) {
 std::vector<Space> wrenches(const Object& object, const std::vector<Point>& robots) {
   const std::vector<Point> ring = counter_clockwise(object);
   const std::size_t n = ring.size();
+  assert(n >= 3);
   const double near = tau * diagonal(object), r = radius(object);
   std::vector<Space> all;
   const auto touch = [&](const Point& p, std::size_t edge) {
@@ -199,6 +201,7 @@ std::vector<Point> stands(const Object& object) {
   }
   std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(first), ring.end());
   const std::size_t n = ring.size();
+  assert(n >= 3);
   double around = 0;
   for (std::size_t i = 0; i < n; ++i) around += size(ring[(i + 1) % n] - ring[i]);
   std::vector<Point> all;

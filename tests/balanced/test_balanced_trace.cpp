@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "balanced/set_oracle.h"
+#include "balanced/for_oracle.h"
 #include "evenlift/main_steps.h"
 #include "evenlift/output/trace_words.h"
 #include "evenlift/placement.h"
@@ -14,8 +14,11 @@
 #include "kit/corpus.h"
 #include "kit/data_table.h"
 #include "kit/placed.h"
+#include "kit/traced.h"
 
 using namespace evenlift;
+using evenlift::testing::object_of;
+using evenlift::testing::plain;
 
 namespace {
 
@@ -26,27 +29,7 @@ Document document_of(const std::string& name, std::uint32_t robots) {
   return document;
 }
 
-Trace traced(const Document& document) {
-  Result<Trace> trace = make_trace(*place(document, Effort::start));
-  INFO((trace ? "" : trace.error().message));
-  REQUIRE(trace.ok());
-  return *std::move(trace);
-}
-
-set_oracle::Object object_of(const Trace& trace) {
-  set_oracle::Object object;
-  for (const Vec2& vertex : trace.polygon.vertices())
-    object.vertices.push_back({vertex.x(), vertex.y()});
-  object.centre = {trace.centre.x(), trace.centre.y()};
-  return object;
-}
-
-std::vector<set_oracle::Point> plain(const std::vector<LiftingPoint>& robots) {
-  std::vector<set_oracle::Point> points;
-  for (const LiftingPoint& robot : robots)
-    points.push_back({robot.position.x(), robot.position.y()});
-  return points;
-}
+Trace traced(const Document& document) { return testing::traced(*place(document, Effort::start)); }
 
 bool same_robots(const std::vector<LiftingPoint>& a, const std::vector<LiftingPoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -84,10 +67,11 @@ TEST_CASE("the story of a search ends with the robots that the search finds", "[
 
 TEST_CASE("each set of the story is balanced, and each exchange makes the set better",
           "[trace][balanced]") {
+  std::size_t moves = 0;
   for (const std::string& name : samples) {
     INFO(name);
     const Trace trace = traced(document_of(name, 6));
-    const set_oracle::Object object = object_of(trace);
+    const set_oracle::Object object = object_of(trace.polygon, trace.centre);
     const double near = 1e-9 * set_oracle::diagonal(object);
     for (const BalancedSet& set : trace.history.start)
       CHECK(set_oracle::imbalance(object, plain(set.robots)) < near);
@@ -99,7 +83,9 @@ TEST_CASE("each set of the story is balanced, and each exchange makes the set be
       before = move.set.robots;
     }
     CHECK(trace.history.settled);
+    moves += trace.history.moves.size();
   }
+  CHECK(moves > 20);
 }
 
 TEST_CASE("a robot that stays keeps its number, and those that move are named",
@@ -110,7 +96,7 @@ TEST_CASE("a robot that stays keeps its number, and those that move are named",
     std::vector<LiftingPoint> before = trace.history.start.back().robots;
     for (std::uint32_t i = 0; i < trace.history.moves.size(); ++i) {
       const BalancedDetail detail = *look_at(trace, at(trace, StepKind::exchange, i)).balanced;
-      CHECK(detail.moved.size() >= 1);
+      CHECK_FALSE(detail.moved.empty());
       CHECK(detail.moved.size() <= 3);
       CHECK(detail.ways.size() == 2 * detail.moved.size());
       for (std::size_t r = 0; r < detail.robots.size(); ++r) {
@@ -131,6 +117,7 @@ TEST_CASE("a robot that stays keeps its number, and those that move are named",
 }
 
 TEST_CASE("a completion is drawn about the point that makes C the centroid", "[trace][balanced]") {
+  int completions = 0, choices = 0;
   for (const std::string& name : samples) {
     INFO(name);
     const Trace trace = traced(document_of(name, 6));
@@ -152,8 +139,12 @@ TEST_CASE("a completion is drawn about the point that makes C the centroid", "[t
       CHECK(std::any_of(balanced.robots.begin(), balanced.robots.end(),
                         [&](const LiftingPoint& robot) { return robot.position == end; }));
       CHECK(is_choice(trace, k) == (balanced.chords.size() > 1));
+      ++completions;
+      choices += balanced.chords.size() > 1;
     }
   }
+  CHECK(completions > 20);
+  CHECK(choices > 5);
 }
 
 TEST_CASE("a lever of two, three robots, and then all of them", "[trace][balanced]") {
@@ -164,9 +155,8 @@ TEST_CASE("a lever of two, three robots, and then all of them", "[trace][balance
   const StepDetail three = look_at(trace, at(trace, StepKind::three));
   REQUIRE(three.balanced->robots.size() == 3);
   // C divides the line from robot 3 to the middle of the other two as 2 to 1.
-  for (const Number& number : numbers(trace, three))
-    if (number.name == "arm_of_two")
-      CHECK(number.value == Approx(length(three.balanced->robots[2].position - trace.centre) / 2));
+  CHECK(testing::number_of(trace, three, "arm_of_two") ==
+        Approx(length(three.balanced->robots[2].position - trace.centre) / 2));
   CHECK(look_at(trace, at(trace, StepKind::many)).balanced->robots.size() == 6);
   // With three robots, three are all.
   CHECK(traced(document_of("grand-piano", 3)).count(StepKind::many) == 0);
@@ -198,10 +188,11 @@ TEST_CASE("main steps of balanced robots are few, and tell each chapter", "[trac
 
 TEST_CASE("why no robot stands at a place: the best set with one there is no better",
           "[trace][balanced]") {
+  int compared = 0;
   for (const std::string& name : samples) {
     INFO(name);
     const Trace trace = traced(document_of(name, 6));
-    const set_oracle::Object object = object_of(trace);
+    const set_oracle::Object object = object_of(trace.polygon, trace.centre);
     const std::uint32_t last = trace.size() - 1;
     for (const set_oracle::Point& stand : set_oracle::stands(object)) {
       const Vec2 place(stand[0], stand[1]);
@@ -218,8 +209,10 @@ TEST_CASE("why no robot stands at a place: the best set with one there is no bet
           answer.set.robots.begin(), answer.set.robots.end(), [&](const LiftingPoint& robot) {
             return length(robot.position - place) < 1e-9 * set_oracle::diagonal(object);
           }));
+      ++compared;
     }
   }
+  CHECK(compared > 200);
 }
 
 TEST_CASE("a robot that stands at a place came there by the exchange that is named",
@@ -227,6 +220,7 @@ TEST_CASE("a robot that stands at a place came there by the exchange that is nam
   const Trace trace = traced(document_of("worktop", 6));
   const std::uint32_t last = trace.size() - 1;
   const std::vector<LiftingPoint> robots = lifting_points(trace.placement.teams);
+  int came_later = 0;
   for (std::uint32_t i = 0; i < robots.size(); ++i) {
     const WhyNoRobot answer = why_no_robot(trace, last, robots[i].position, 1);
     CHECK(answer.robot == i);
@@ -236,7 +230,9 @@ TEST_CASE("a robot that stands at a place came there by the exchange that is nam
     CHECK(std::any_of(came.begin(), came.end(), [&](const LiftingPoint& robot) {
       return robot.position == robots[i].position;
     }));
+    ++came_later;
   }
+  CHECK(came_later > 0);
   // Before there are three robots the answer is about the last set.
   CHECK(why_no_robot(trace, 0, robots[0].position, 1).robot == 0);
   CHECK(why_no_robot(traced(document_of("worktop", 2)), 0, robots[0].position, 0).why ==
@@ -298,7 +294,7 @@ TEST_CASE("where nobody can be placed the trace says so, and draws no robots",
         CHECK(figure.kind != FigureKind::robot);
         CHECK(figure.kind != FigureKind::arm);
       }
-      numbers(trace, detail);
+      for (const Number& number : numbers(trace, detail)) CHECK(std::isfinite(number.value));
     }
   }
 }

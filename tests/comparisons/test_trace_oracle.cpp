@@ -154,6 +154,7 @@ TEST_CASE("the rays' steps hold the oracle's vertex-chords", "[trace][oracle]") 
 }
 
 TEST_CASE("chords in order of slope rise", "[trace][oracle]") {
+  int compared = 0;
   for (std::uint64_t i = 0; i < 270; ++i) {
     const Case c = small_polygons::make_case(i);
     const auto trace = trace_of(c);
@@ -167,9 +168,11 @@ TEST_CASE("chords in order of slope rise", "[trace][oracle]") {
       // Within tolerance of the vertical is vertical, and last.
       if (abs(u.x) * 500000000 < abs(u.y)) break;
       if (before) CHECK(oracle::sign(oracle::cross(*before, u)) >= 0);
+      compared += before.has_value();
       before = u;
     }
   }
+  CHECK(compared > 1000);
 }
 
 TEST_CASE("every candidate's score at every team is the oracle's", "[trace][oracle]") {

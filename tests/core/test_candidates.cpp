@@ -9,13 +9,15 @@
 #include "candidates/duplicates.h"
 #include "evenlift/tolerance.h"
 #include "kit/catch.h"
+#include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
 using namespace evenlift;
 
 namespace {
 
-std::vector<Candidate> candidates(Points vertices, std::optional<Vec2> given, double min_ratio) {
+std::vector<Candidate> candidates(Points vertices, const std::optional<Vec2>& given,
+                                  double min_ratio) {
   const auto polygon = Polygon::create(std::move(vertices));
   REQUIRE(polygon.ok());
   const auto centre = check_centre_of_mass(*polygon, given);
@@ -156,12 +158,10 @@ TEST_CASE("a lower minimum load ratio only adds candidates", "[candidates]") {
   int more = 0;
   for (std::uint64_t i = 0; i < 600; ++i) {
     const small_polygons::Case c = small_polygons::make_case(i);
-    Points vertices;
-    for (const auto& p : c.problem.vertices) vertices.emplace_back(p[0], p[1]);
-    std::optional<Vec2> centre;
-    if (c.problem.centre_of_mass)
-      centre = Vec2((*c.problem.centre_of_mass)[0], (*c.problem.centre_of_mass)[1]);
-    const auto few = candidates(vertices, centre, 0.9), many = candidates(vertices, centre, 0.3);
+    const Document document = testing::document_of(c.problem);
+    const Points& vertices = document.vertices;
+    const auto few = candidates(vertices, document.centre_of_mass, 0.9),
+               many = candidates(vertices, document.centre_of_mass, 0.3);
     more += many.size() > few.size();
     // Merging may let a longer-ratio chord stand for a shorter one, no further than the tolerance.
     const auto polygon = Polygon::create(vertices);

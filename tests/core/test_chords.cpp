@@ -11,6 +11,7 @@
 #include "evenlift/predicates.h"
 #include "kit/catch.h"
 #include "kit/polygons.h"
+#include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
 using namespace evenlift;
@@ -24,13 +25,9 @@ template <class Visit>
 void for_each_case(std::uint64_t number, Visit visit) {
   for (std::uint64_t i = 0; i < number; ++i) {
     const small_polygons::Case c = small_polygons::make_case(i);
-    Points vertices;
-    for (const auto& p : c.problem.vertices) vertices.emplace_back(p[0], p[1]);
-    std::optional<Vec2> given;
-    if (c.problem.centre_of_mass)
-      given = Vec2((*c.problem.centre_of_mass)[0], (*c.problem.centre_of_mass)[1]);
-    const Polygon p = polygon(std::move(vertices));
-    const auto centre = check_centre_of_mass(p, given);
+    const Document document = testing::document_of(c.problem);
+    const Polygon p = polygon(document.vertices);
+    const auto centre = check_centre_of_mass(p, document.centre_of_mass);
     REQUIRE(centre.ok());
     INFO("case " << i << ", " << c.name);
     visit(p, *centre);

@@ -136,7 +136,7 @@ TEST_CASE("three contacts of a hexagon hold it to second order, six in closure b
   const Polygon hexagon = polygon({{1, 0}, {0.5, h}, {-0.5, h}, {-1, 0}, {-0.5, -h}, {0.5, -h}});
   std::vector<LiftingPoint> middles, offsets;
   for (std::uint32_t i = 0; i < 6; ++i) {
-    const Vec2 a = hexagon.edge_start(i), b = hexagon.edge_end(i);
+    const Vec2 &a = hexagon.edge_start(i), &b = hexagon.edge_end(i);
     if (i % 2 == 0) middles.push_back({0.5 * (a + b), i});
     // Alternately before and behind the middle.
     const double s = i % 2 ? 0.3 : 0.7;

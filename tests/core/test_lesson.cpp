@@ -10,6 +10,8 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/data_table.h"
+#include "kit/placed.h"
+#include "kit/traced.h"
 
 using namespace evenlift;
 
@@ -78,11 +80,7 @@ Trace trace_of(const Lesson& lesson) {
   if (!lesson.polygon.empty()) sample = corpus::polygon(lesson.polygon);
   const Result<Document> document = lesson_document(lesson, sample);
   REQUIRE(document.ok());
-  const Result<Placement> placement = place(*document);
-  REQUIRE(placement.ok());
-  Result<Trace> trace = make_trace(*placement);
-  REQUIRE(trace.ok());
-  return *std::move(trace);
+  return testing::traced(testing::placed(*document));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/metrics.h"
+#include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
 using namespace evenlift;
@@ -25,7 +26,7 @@ struct Shape {
   std::vector<Candidate> candidates;
 };
 
-Shape shape(Points vertices, std::optional<Vec2> given, double min_ratio) {
+Shape shape(Points vertices, const std::optional<Vec2>& given, double min_ratio) {
   auto polygon = Polygon::create(std::move(vertices));
   REQUIRE(polygon.ok());
   const auto centre = check_centre_of_mass(*polygon, given);
@@ -37,12 +38,8 @@ Shape shape(Points vertices, std::optional<Vec2> given, double min_ratio) {
 
 Shape small_shape(std::uint64_t number) {
   const small_polygons::Case c = small_polygons::make_case(number);
-  Points vertices;
-  for (const auto& p : c.problem.vertices) vertices.emplace_back(p[0], p[1]);
-  std::optional<Vec2> centre;
-  if (c.problem.centre_of_mass)
-    centre = Vec2((*c.problem.centre_of_mass)[0], (*c.problem.centre_of_mass)[1]);
-  return shape(std::move(vertices), centre, c.problem.min_ratio);
+  const Document d = testing::document_of(c.problem);
+  return shape(d.vertices, d.centre_of_mass, d.settings.min_ratio);
 }
 
 const std::vector<Method> metrics = testing::metrics();

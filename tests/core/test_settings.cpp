@@ -14,12 +14,13 @@ using namespace evenlift;
 
 namespace {
 
-constexpr Setting all_settings[] = {
-    Setting::teams,    Setting::method,  Setting::min_ratio,   Setting::com,
-    Setting::weight,   Setting::seed,    Setting::overlays,    Setting::step,
-    Setting::capacity, Setting::robots,  Setting::goal,        Setting::min_margin,
-    Setting::apart,    Setting::survive, Setting::com_radius,  Setting::loads,
-    Setting::failed,   Setting::unit,    Setting::weight_unit, Setting::positions};
+// In their order, of which robot_gap is the last.
+std::vector<Setting> all_settings() {
+  std::vector<Setting> all;
+  for (int i = 0; i <= static_cast<int>(Setting::robot_gap); ++i)
+    all.push_back(static_cast<Setting>(i));
+  return all;
+}
 
 struct Text {
   Setting setting;
@@ -73,6 +74,10 @@ constexpr Text good[] = {
     {Setting::weight_unit, "lb"},
     {Setting::weight_unit, "t"},
     {Setting::positions, "range"},
+    {Setting::robot, "r=1e-3,depth=0.01"},
+    {Setting::robot_radius, "0.001"},
+    {Setting::robot_gap, "2"},
+    {Setting::no_go, "2:0.25-0.75"},
 };
 
 constexpr Text bad[] = {
@@ -163,6 +168,14 @@ constexpr Text bad[] = {
     {Setting::com_radius, "nan"},
     {Setting::com_radius, "1e999"},
     {Setting::com_radius, "none"},
+    {Setting::robot, ""},
+    {Setting::robot, "r=-1"},
+    {Setting::robot, "r=1,r=1"},
+    {Setting::robot_radius, "-1"},
+    {Setting::robot_depth, "none"},
+    {Setting::no_go, ""},
+    {Setting::no_go, "0"},
+    {Setting::no_go, "1:0.75-0.25"},
     {Setting::loads, "plan"},  // not the document's
 };
 
@@ -211,7 +224,7 @@ std::string trimmed(std::string text) {
 }  // namespace
 
 TEST_CASE("every setting has a name that leads back to it and a sentence", "[settings]") {
-  for (const Setting setting : all_settings) {
+  for (const Setting setting : all_settings()) {
     INFO(name(setting));
     CHECK(setting_from_name(name(setting)) == setting);
     CHECK(testing::is_one_sentence(requirement(setting)));
@@ -362,6 +375,10 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
   for (const double apart : {-1.0, infinity, std::nan("")})
     check([&](Settings& s) { s.apart = apart; }, Setting::apart);
   check([](Settings& s) { s.survive = 31; }, Setting::survive);
+  for (const double size : {-1.0, infinity, std::nan("")})
+    check([&](Settings& s) { s.robot.width = size; }, Setting::robot);
+  check([](Settings& s) { s.no_go = {{0, 0.5, 0.5}}; }, Setting::no_go);
+  check([](Settings& s) { s.no_go = {{0, 0, 1.5}}; }, Setting::no_go);
   check([](Settings& s) { s.units.length = static_cast<LengthUnit>(5); }, Setting::unit);
   check([](Settings& s) { s.units.weight = static_cast<WeightUnit>(4); }, Setting::weight_unit);
 }

@@ -16,24 +16,14 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/metrics.h"
+#include "kit/placed.h"
+#include "kit/traced.h"
 
 using namespace evenlift;
+using evenlift::testing::placed;
+using evenlift::testing::traced;
 
 namespace {
-
-Placement placed(Document document, Method method = Method::area, std::uint32_t teams = 3) {
-  document.settings.method = method;
-  document.settings.teams = teams;
-  Result<Placement> placement = place(document);
-  REQUIRE(placement.ok());
-  return *std::move(placement);
-}
-
-Trace traced(const Placement& placement) {
-  Result<Trace> trace = make_trace(placement);
-  REQUIRE(trace.ok());
-  return *std::move(trace);
-}
 
 // What playing from the beginning adds up to.
 Progress played(const Trace& trace, std::uint32_t last) {
@@ -460,11 +450,14 @@ TEST_CASE("why not this one has an answer for every candidate and chord", "[trac
 
 TEST_CASE("a chord is picked by a point on it", "[trace]") {
   const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
+  REQUIRE(trace.rays.chords.size() > 10);
   for (const VertexChord& chord : trace.rays.chords) {
     const Vec2 middle = trace.centre + 0.9 * (chord.chord.r2.position - trace.centre);
     const auto picked = chord_at(trace, middle);
     REQUIRE(picked);
     CHECK(length(picked->r2.position - trace.centre) >= length(middle - trace.centre) * (1 - 1e-9));
+    CHECK(std::fabs(cross(picked->r2.position - trace.centre, middle - trace.centre)) <=
+          1e-9 * trace.polygon.diagonal() * trace.polygon.diagonal());
   }
 }
 

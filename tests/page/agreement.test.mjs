@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, evenlift, gallery, link, load, root, set, sharedBrowser, state } from "./browser.mjs";
+import { asset, evenlift, gallery, link, load, program, root, set, sharedBrowser, state } from "./browser.mjs";
 
 let page;
 const browser = sharedBrowser({
@@ -11,10 +11,6 @@ const browser = sharedBrowser({
   },
   end: () => page.done(),
 });
-
-function program(name, ...options) {
-  return JSON.parse(evenlift("place", path.join(root, "assets/polygons", `${name}.txt`), "--json", "--candidates", ...options));
-}
 
 test("it opens on the first sample", async () => {
   assert.deepEqual(await state(page), program(gallery()[0]));

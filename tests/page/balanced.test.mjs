@@ -2,15 +2,11 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, published, root, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
+import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, program as placed, published, reload, root, set, sharedBrowser, state, summary, thrown, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
-function program(name, ...options) {
-  return JSON.parse(evenlift("place", path.join(root, "assets/polygons", `${name}.txt`), "--json", "--candidates", "--metric", "balanced", ...options));
-}
-
-const verdict = (page) => page.locator("#summary").textContent();
+const program = (name, ...options) => placed(name, "--metric", "balanced", ...options);
 
 test("the search ends at the program's answer, bit for bit", async () => {
   const page = await browser.open();
@@ -47,8 +43,8 @@ test("the first answer is there at once, and the verdict says that the search go
   assert.ok(first.coverage < last.coverage, "the start is shown first");
   await idle(page);
   assert.equal((await state(page)).coverage, last.coverage);
-  assert.match(await verdict(page), /^8 robots, each exactly 12\.5\skg of 100\./);
-  assert.doesNotMatch(await verdict(page), /being looked for/);
+  assert.match(await summary(page), /^8 robots, each exactly 12\.5\skg of 100\./);
+  assert.doesNotMatch(await summary(page), /being looked for/);
   await page.done();
 });
 
@@ -171,12 +167,12 @@ test("the lesson of balanced robots tells the search, and a link opens it at its
   const settled = steps.findIndex((step) => step.kind === "settled");
   await set(page, { step: settled });
   await idle(page);
-  assert.match(await verdict(page), /No three robots can move to make it better/);
+  assert.match(await summary(page), /No three robots can move to make it better/);
   const shared = await link(page);
   const other = await browser.open();
   await load(other, shared);
   await idle(other);
-  assert.ok((await verdict(other)).includes(steps[settled].caption));
+  assert.ok((await summary(other)).includes(steps[settled].caption));
   await other.done();
   await page.done();
 });
@@ -202,9 +198,7 @@ test("balanced robots are in the link, and what is typed of them comes back afte
   await published(page);
   assert.match(await fragment(page), /^2\./);
   const before = await state(page);
-  await page.reload();
-  await page.evaluate(() => evenlift.ready);
-  await idle(page);
+  await reload(page);
   assert.deepEqual(await state(page), before);
   await set(page, { metric: "area" });
   assert.match(await link(page), /^1\./);

@@ -14,7 +14,7 @@ import { serve } from "../../web/serve.mjs";
 
 export const root = fileURLToPath(new URL("../..", import.meta.url));
 export const pageFolder = process.env.EVENLIFT_PAGE || path.join(root, "build/page");
-const program = process.env.EVENLIFT_PROGRAM || path.join(root, "build/bin/evenlift");
+const executed = process.env.EVENLIFT_PROGRAM || path.join(root, "build/bin/evenlift");
 
 // Headless Chromium without the rest of the browser opens a page three times as fast.
 const executable = process.env.EVENLIFT_BROWSER ||
@@ -41,12 +41,15 @@ export const phone = { width: 390, height: 844 };
 
 // What the program prints, as text.
 export function evenlift(...args) {
-  return execFileSync(program, args, { encoding: "utf8", maxBuffer: 1 << 28 });
+  return execFileSync(executed, args, { encoding: "utf8", maxBuffer: 1 << 28 });
 }
 
-export function asset(name) {
-  return readFileSync(path.join(root, "assets/polygons", `${name}.txt`), "utf8");
-}
+// The file of a sample, what is in it, and what the program places of it.
+export const sample = (name) => path.join(root, "assets/polygons", `${name}.txt`);
+export const asset = (name) => readFileSync(sample(name), "utf8");
+export const program = (name, ...options) => JSON.parse(evenlift("place", sample(name), "--json", "--candidates", ...options));
+
+export const lShape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 
 // The gallery's files, in its order.
 export function gallery() {
@@ -187,6 +190,9 @@ export function thrown(page, call, argument) {
   }, [call, argument]);
 }
 
+// What is read out of the picture and its result.
+export const summary = (page) => page.locator("#summary").textContent();
+
 // Resolves once nothing is under way in the page (docs/page.md): what tests wait for, in place of some time.
 export const idle = (page) => page.evaluate(() => evenlift.idle());
 
@@ -264,6 +270,21 @@ export async function drag(page, from, to, steps = 8) {
   await page.mouse.move(...to, { steps });
   await page.mouse.up();
   await idle(page);
+}
+
+// Loads the page anew, until it is at rest again.
+export async function reload(page) {
+  await page.reload();
+  await page.evaluate(() => evenlift.ready);
+  await idle(page);
+}
+
+// A page with the L in it, at rest.
+export async function openL(browser, options) {
+  const page = await browser.open(options);
+  await load(page, lShape);
+  await idle(page);
+  return page;
 }
 
 export async function undo(page) {

@@ -1,18 +1,11 @@
 // Pointer, touch and keys.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, control, drag, fragment, idle, load, phone, press, published, set, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, control, drag, fragment, idle, load, openL, phone, press, published, set, sharedBrowser, state, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
-const L_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
-
-async function opened(options) {
-  const page = await browser.open(options);
-  await load(page, L_shape);
-  await idle(page);
-  return page;
-}
+const opened = (options) => openL(browser, options);
 
 test("dragging the centre of mass changes the result and the link", async () => {
   const page = await opened();
@@ -240,7 +233,9 @@ test("large polygons open and stay usable", async () => {
   await idle(page);
   assert.equal((await state(page)).polygon.length, 3000);
   await set(page, { teams: 6 });
+  assert.equal((await state(page)).teams.length, 6);
   await load(page, asset("labyrinth"));
+  assert.notEqual((await state(page)).polygon.length, 3000);
   await page.done();
 });
 

@@ -1,13 +1,10 @@
 // Robots that fail, loads by other models, and a doubt about the centre of mass in the page.
 import assert from "node:assert/strict";
-import path from "node:path";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, published, root, set, sharedBrowser, state, tap, thrown, toScreen } from "./browser.mjs";
+import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, program, published, reload, set, sharedBrowser, state, summary, tap, thrown, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
-const program = (name, ...options) => JSON.parse(evenlift("place", path.join(root, "assets/polygons", `${name}.txt`), "--json", "--candidates", ...options));
-const verdict = (page) => page.locator("#summary").textContent();
 const robotAt = (now, robot) => now.teams.flatMap(({ ends }) => ends)[robot];
 
 test("a robot is let fail from its card, and works again by its button, Esc or a press on the ground", async () => {
@@ -19,12 +16,12 @@ test("a robot is let fail from its card, and works again by its button, Esc or a
     await page.mouse.click(...await toScreen(page, robotAt(before, 2)));
     await press(page, "fail");
     await idle(page);
-    assert.match(await verdict(page), /^Robot 3 fails: held by the other five, at most \d+\.\d\skg\./);
+    assert.match(await summary(page), /^Robot 3 fails: held by the other five, at most \d+\.\d\skg\./);
     assert.match(await page.locator("#alert").textContent(), /^Robot 3 fails: held by/);
     assert.deepEqual((await state(page)).failures, program("grand-piano", "--failures").failures);
     await back();
     await idle(page);
-    assert.match(await verdict(page), /^6 robots carry/);
+    assert.match(await summary(page), /^6 robots carry/);
     assert.deepEqual(await state(page), before);
     await page.keyboard.press("Escape");
   }
@@ -34,20 +31,20 @@ test("a robot is let fail from its card, and works again by its button, Esc or a
 test("set() lets a robot fail, and refuses one that there is not", async () => {
   const page = await browser.open();
   await load(page, asset("grand-piano"));
-  const frames = await page.evaluate(() => evenlift.link());
+  const before = await link(page);
   for (const metric of ["area", "circle", "distance", "distributed", "random", "balanced"]) {
     await set(page, { metric });
     await idle(page);
     await set(page, { failed: 3 });
     await idle(page);
-    assert.match(await verdict(page), /^Robot 3 fails: /, metric);
+    assert.match(await summary(page), /^Robot 3 fails: /, metric);
     assert.equal((await state(page)).failures.length, 6);
     await set(page, { failed: null });
     await idle(page);
-    assert.doesNotMatch(await verdict(page), /fails/);
+    assert.doesNotMatch(await summary(page), /fails/);
   }
   await set(page, { metric: "area" });
-  assert.equal(await link(page), frames, "no link holds it");
+  assert.equal(await link(page), before, "no link holds it");
   assert.match(await thrown(page, "set", { failed: 7 }), /^failed: there is no robot 7: there are 6/);
   assert.match(await thrown(page, "set", { teams: 2, failed: 5 }), /^failed: there is no robot 5: there are 4/);
   assert.equal((await state(page)).teams.length, 3, "nothing has changed");
@@ -55,7 +52,7 @@ test("set() lets a robot fail, and refuses one that there is not", async () => {
   await set(page, { failed: 2 });
   await set(page, { teams: 2 });
   await idle(page);
-  assert.doesNotMatch(await verdict(page), /fails/, "a change of settings brings it back");
+  assert.doesNotMatch(await summary(page), /fails/, "a change of settings brings it back");
   await page.done();
 });
 
@@ -66,26 +63,26 @@ test("the row of signs lets robots fail by a press, by sliding and by keys", asy
   const y = row.y + row.height / 2, x = (robot) => row.x + row.width * (robot + 0.5) / 6;
   await page.mouse.click(x(3), y);
   await idle(page);
-  assert.match(await verdict(page), /^Robot 4 fails/);
+  assert.match(await summary(page), /^Robot 4 fails/);
   await page.mouse.click(x(3), y);
   await idle(page);
-  assert.match(await verdict(page), /^6 robots/);
+  assert.match(await summary(page), /^6 robots/);
   await page.mouse.move(x(0), y);
   await page.mouse.down();
   await page.mouse.move(x(1), y, { steps: 4 });
   await page.mouse.move(x(5), y, { steps: 4 });
   await page.mouse.up();
   await idle(page);
-  assert.match(await verdict(page), /^Robot 6 fails/);
+  assert.match(await summary(page), /^Robot 6 fails/);
   const slider = page.locator('#mirror [aria-label="The robot that fails"]');
   assert.match(await slider.getAttribute("aria-valuetext"), /^Robot 6 fails/);
   await slider.focus();
   await page.keyboard.press("ArrowLeft");
   await idle(page);
-  assert.match(await verdict(page), /^Robot 5 fails/);
+  assert.match(await summary(page), /^Robot 5 fails/);
   await page.keyboard.press("Escape");
   await idle(page);
-  assert.match(await verdict(page), /^6 robots/);
+  assert.match(await summary(page), /^6 robots/);
   await page.done();
 });
 
@@ -114,9 +111,7 @@ test("capacity, doubt and halo are in links, in undo and there after a reload", 
   assert.match(await fragment(page), /^2\./);
   const before = await state(page);
   assert.deepEqual(before, program("grand-piano", "--capacity", "30", "--com-radius", "12.5"));
-  await page.reload();
-  await page.evaluate(() => evenlift.ready);
-  await idle(page);
+  await reload(page);
   assert.deepEqual(await state(page), before);
   assert.match(await page.locator("#news").textContent(), /Shown: how far the centre of mass may be off\./);
   assert.deepEqual(JSON.parse(evenlift("place", await link(page), "--json", "--candidates")), before);
@@ -141,7 +136,7 @@ test("the ring of the halo is dragged, and is one step of undo", async () => {
   await idle(page);
   const { robustness } = await state(page);
   assert.ok(robustness.com_radius > 0);
-  assert.match(await verdict(page), /If the centre of mass is off by up to [\d.]+, loads change by up to/);
+  assert.match(await summary(page), /If the centre of mass is off by up to [\d.]+, loads change by up to/);
   await page.keyboard.press("Control+z");
   await idle(page);
   assert.equal((await state(page)).robustness.com_radius, undefined);
@@ -158,7 +153,7 @@ test("which loads are shown, how well C is known, and what balanced robots keep 
   await press(page, "loads");
   await press(page, "At worst");
   await idle(page);
-  assert.match(await verdict(page), /If the robots' heights are unequal, a robot may come to bear up to [\d.]+\skg\./);
+  assert.match(await summary(page), /If the robots' heights are unequal, a robot may come to bear up to [\d.]+\skg\./);
   await press(page, "survive +");
   await idle(page);
   assert.equal((await state(page)).survive, 1);
@@ -197,11 +192,11 @@ test("under a finger each of many robots can be reached by buttons of a finger's
   for (let robot = 1; robot <= 8; ++robot) {
     await tap(page, "failure +");
     await idle(page);
-    assert.match(await verdict(page), new RegExp(`^Robot ${robot} fails`));
+    assert.match(await summary(page), new RegExp(`^Robot ${robot} fails`));
   }
   for (let robot = 7; robot >= 1; --robot) await tap(page, "failure -");
   await tap(page, "failure -");
   await idle(page);
-  assert.match(await verdict(page), /^8 robots/);
+  assert.match(await summary(page), /^8 robots/);
   await page.done();
 });

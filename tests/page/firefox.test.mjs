@@ -7,7 +7,7 @@ import { once } from "node:events";
 import { after, before, test } from "node:test";
 import puppeteer from "puppeteer-core";
 import { serve } from "../../web/serve.mjs";
-import { pageFolder, idle } from "./browser.mjs";
+import { idle, pageFolder, reload } from "./browser.mjs";
 
 const executablePath = process.env.EVENLIFT_FIREFOX;
 const skip = executablePath ? false : "no Firefox here";
@@ -160,9 +160,7 @@ test("Firefox opens the page without a network after one visit", { skip }, async
   const before = await state(page);
   server.close();
   server = undefined;
-  await page.reload();
-  await page.evaluate(() => evenlift.ready);
-  await idle(page);
+  await reload(page);
   assert.deepEqual(await state(page), before);
   await page.evaluate(() => evenlift.set({ metric: "balanced", robots: 4 }));
   await idle(page);

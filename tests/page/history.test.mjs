@@ -1,16 +1,14 @@
 // Undo and redo survive a reload, and say what they do.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, drag, idle, link, load, redo, set, sharedBrowser, state, toScreen, undo } from "./browser.mjs";
+import { asset, drag, idle, link, load, lShape, redo, reload, set, sharedBrowser, state, toScreen, undo } from "./browser.mjs";
 import { noticed } from "./windows.mjs";
 
 const browser = sharedBrowser();
 
-async function reload(page) {
+async function reloaded(page) {
   await idle(page);
-  await page.reload();
-  await page.evaluate(() => evenlift.ready);
-  await idle(page);
+  await reload(page);
   await page.locator("#canvas").focus();
 }
 
@@ -30,13 +28,13 @@ test("after a reload every edit can be undone and done again", async () => {
   }
   assert.equal(new Set(links).size, links.length, "each edit changes something");
   for (let i = 0; i < 2; ++i) await undo(page);
-  await reload(page);
+  await reloaded(page);
   assert.equal(await link(page), links.at(-3));
   for (const expected of links.slice(-2)) {
     await redo(page);
     assert.equal(await link(page), expected, "redo");
   }
-  await reload(page);
+  await reloaded(page);
   for (const expected of links.slice(0, -1).reverse()) {
     await undo(page);
     assert.equal(await link(page), expected, "undo");
@@ -59,7 +57,7 @@ test("it says what was undone", async () => {
     await edit();
     await idle(page);
   }
-  await reload(page);
+  await reloaded(page);
   for (const [, words] of steps.reverse()) {
     await undo(page);
     assert.equal(await noticed(page), `Undone: ${words}.`);
@@ -76,7 +74,7 @@ test("capacity and comparison are steps of undo, with a reload in between", asyn
   await set(page, { capacity: 20 });
   await set(page, { capacity: 30, teams: 4 });
   await page.keyboard.press("k");
-  await reload(page);
+  await reloaded(page);
   await undo(page);
   const now = async () => [(await state(page)).requested_teams, (await state(page)).capacity?.limit];
   assert.deepEqual(await now(), [4, 30], "the comparison alone is gone");
@@ -110,15 +108,15 @@ test("a link that is opened in a new tab comes after the steps that are kept", a
 test("a polygon that is refused comes back, and its steps do not grow with each reload", async () => {
   const page = await browser.open();
   await page.locator("#canvas").focus();
-  await load(page, "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n");
+  await load(page, lShape);
   await idle(page);
   await drag(page, await toScreen(page, [400, 150]), await toScreen(page, [75, 350]));
   const good = await link(page);
   const kept = () => page.evaluate(() => localStorage.getItem("evenlift.history").split("\n").length);
-  await reload(page);
+  await reloaded(page);
   const steps = await kept();
-  await reload(page);
-  await reload(page);
+  await reloaded(page);
+  await reloaded(page);
   assert.equal(await kept(), steps);
   await undo(page);
   assert.equal(await link(page), good);

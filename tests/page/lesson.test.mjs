@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, drag, drawsNothing, evenlift, fragment, idle, link, load, pageFolder, press, published, root, set, sharedBrowser, state, tap, thrown, toScreen } from "./browser.mjs";
+import { asset, control, drag, drawsNothing, evenlift, fragment, idle, link, load, pageFolder, press, published, sample, set, sharedBrowser, state, summary, tap, thrown, toScreen } from "./browser.mjs";
 import { allClosed, drop, noticed, openWindow, paste } from "./windows.mjs";
 
 let maker;  // a page to make links in
@@ -17,8 +17,7 @@ async function linkAt(name, step) {
   return link(maker);
 }
 
-const file = (name) => path.join(root, "assets/polygons", `${name}.txt`);
-const stone = JSON.parse(evenlift("trace", file("stone-slab"), "--json"));
+const stone = JSON.parse(evenlift("trace", sample("stone-slab"), "--json"));
 const find = (kind, item = 0) => stone.findIndex((s) => s.kind === kind && s.item === item);
 const ready = JSON.parse(readFileSync(path.join(pageFolder, "lessons.json"), "utf8"));
 
@@ -40,7 +39,6 @@ async function goesOn(page, from) {
   assert.ok((await step(page)) > from);
 }
 
-const summary = (page) => page.locator("#summary").textContent();
 async function spoken(page, pattern) {
   await idle(page);
   assert.match(await summary(page), pattern);
@@ -266,7 +264,7 @@ test("playing goes on by itself, is read out when it pauses, and stops at the en
   const at = await step(page);
   await drawsNothing(page, "frames while it is paused");
   await stands(page, at);
-  const last = await linkAt("square", JSON.parse(evenlift("trace", file("square"), "--json")).length - 1);
+  const last = await linkAt("square", JSON.parse(evenlift("trace", sample("square"), "--json")).length - 1);
   await press(page, "play");
   await page.waitForFunction((l) => evenlift.link() === l, last);
   const seconds = (Date.now() - began) / 1000;
@@ -380,9 +378,7 @@ test("with predictions on it asks before a choice, and says whether the guess is
 });
 
 test("of two ends, too; and Next shows the answer to those who do not guess", async () => {
-  const choice = stone.findIndex((s) => s.kind === "outcome" && /nearer|end/.test(s.caption) && s.formula.includes("/"));
   const page = await inLesson("stone-slab", find("outcome", 5) - 1);
-  assert.ok(choice > 0);
   await page.keyboard.press("q");
   await page.keyboard.press("ArrowRight");
   assert.match(await noticed(page), /\?/);
@@ -395,7 +391,8 @@ test("a click on a candidate that was not taken says why, in numbers", async () 
   const page = await inLesson("stone-slab", stone.length - 1);
   const { candidates, teams } = await state(page);
   await page.mouse.click(...await onCandidate(page, candidates.findIndex((c) => !teams.some((t) => same(c, t)))));
-  const said = await noticed(page, /score|ratio|gain/i);
+  const said = await noticed(page);
+  assert.match(said, /score|ratio|gain/i);
   assert.match(said, /\d/);
   assert.match(said, /\.$/);
   await stands(page, stone.length - 1);
@@ -580,7 +577,7 @@ test("embedded, the player alone moves any moment of any lesson", async () => {
   }
 });
 
-const linked = `title: Linked\nlink: ${evenlift("link", "encode", file("arrow")).trim()}\n\n[centre]\nHere is the centre.\n`;
+const linked = `title: Linked\nlink: ${evenlift("link", "encode", sample("arrow")).trim()}\n\n[centre]\nHere is the centre.\n`;
 const sampled = "\uFEFF# For a class.\npolygon: letter-k-moved\ntitle: A letter\n\n[end]\nHeld or not?\n";
 
 test("a lesson's text is dropped, pasted, typed, chosen, or loaded by a script", async () => {

@@ -3,18 +3,15 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, drag, evenlift, fragment, idle, link, load, published, root, set, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, drag, evenlift, fragment, idle, link, load, program, published, root, sample, set, sharedBrowser, state, summary, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
-const file = (name) => path.join(root, "assets/polygons", `${name}.txt`);
-const encoded = (name, ...options) => evenlift("link", "encode", file(name), ...options).trim();
-const placed = (name, ...options) => JSON.parse(evenlift("place", file(name), "--json", "--candidates", ...options));
-const message = (page) => page.locator("#summary").textContent();
+const encoded = (name, ...options) => evenlift("link", "encode", sample(name), ...options).trim();
 
 test("a link made by the program opens", async () => {
   const page = await browser.open({ address: `#${encoded("guitar", "--teams", "4", "--metric", "circle")}` });
-  assert.deepEqual(await state(page), placed("guitar", "--teams", "4", "--metric", "circle"));
+  assert.deepEqual(await state(page), program("guitar", "--teams", "4", "--metric", "circle"));
   await page.done();
 });
 
@@ -56,7 +53,7 @@ test("a new fragment is opened, and undo leads back", async () => {
   const first = JSON.stringify(await state(page));
   await page.evaluate((l) => { location.hash = l; }, encoded("anchor"));
   await page.waitForFunction((l) => evenlift.link() === l, encoded("anchor"));
-  assert.deepEqual(await state(page), placed("anchor"));
+  assert.deepEqual(await state(page), program("anchor"));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+z");
   await idle(page);
@@ -152,7 +149,7 @@ test("a link that is opened does not cost the work that was kept", async () => {
   await page.goto("about:blank");
   await page.goto(`${browser.server.url}#${encoded("star")}`);
   await page.evaluate(() => evenlift.ready);
-  assert.deepEqual(await state(page), placed("star"));
+  assert.deepEqual(await state(page), program("star"));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+z");
   await idle(page);
@@ -176,6 +173,6 @@ test("the summary for screen readers follows the state", async () => {
   await page.waitForFunction(() => /Team 1 at/.test(document.getElementById("summary").textContent));
   await set(page, { teams: 1 });
   await page.waitForFunction(() => /^2 robots/.test(document.getElementById("summary").textContent));
-  assert.match(await message(page), /one line|slide|turn/);
+  assert.match(await summary(page), /one line|slide|turn/);
   await page.done();
 });

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, drag, evenlift, idle, link, load, press, published, redo, root, set, sharedBrowser, state, toScreen, undo } from "./browser.mjs";
+import { asset, drag, evenlift, idle, link, load, press, published, redo, reload, root, set, sharedBrowser, state, toScreen, undo } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -27,9 +27,7 @@ async function checkKept(page, states) {
     assert.deepEqual(await state(page), after, "redo");
   }
   await published(page);
-  await page.reload();
-  await page.evaluate(() => evenlift.ready);
-  await idle(page);
+  await reload(page);
   assert.deepEqual(await state(page), last, "after a reload");
   const shared = await link(page);
   const again = await browser.open({ address: `#${shared}` });

@@ -1,11 +1,10 @@
 // Clicks, drags, keys and calls take effect in the order in which they were made, however long a frame takes.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { idle, load, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { idle, openL, sharedBrowser, state, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
-const L_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 const corners = [[220, 200], [560, 190], [640, 420], [400, 610], [190, 470]];
 
 // A frame that takes half a second, as on a slow machine with a large polygon.
@@ -18,12 +17,7 @@ function slowFrames() {
   });
 }
 
-async function opened(options) {
-  const page = await browser.open(options);
-  await load(page, L_shape);
-  await idle(page);
-  return page;
-}
+const opened = (options) => openL(browser, options);
 
 // Events of the browser, made in one task: no frame is drawn in between. Each is [what, ...]: a key, a place to click, a
 // drag from one place to another, or a setting of a script.

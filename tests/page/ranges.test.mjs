@@ -1,14 +1,9 @@
 // Teams anywhere in their ranges, and teams that are to hold: the program's answers, the panel, a team dragged along its range.
 import assert from "node:assert/strict";
-import path from "node:path";
 import { test } from "node:test";
-import { asset, controlIfShown, drag, evenlift, fragment, idle, load, press, published, root, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
+import { asset, controlIfShown, drag, fragment, idle, load, press, program, published, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
-
-function program(name, ...options) {
-  return JSON.parse(evenlift("place", path.join(root, "assets/polygons", `${name}.txt`), "--json", "--candidates", ...options));
-}
 
 test("teams in ranges that are to hold are the program's, bit for bit", async () => {
   const page = await browser.open();

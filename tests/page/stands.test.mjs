@@ -1,12 +1,9 @@
 // Robots with a size in the page: typed, drawn, marked with the brush, undone, and the same as the program.
 import assert from "node:assert/strict";
-import path from "node:path";
 import { test } from "node:test";
-import { asset, control, drag, evenlift, idle, link, load, press, root, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
+import { asset, control, drag, idle, link, load, press, program, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
-
-const program = (name, ...options) => JSON.parse(evenlift("place", path.join(root, "assets/polygons", `${name}.txt`), "--json", "--candidates", ...options));
 
 test("set() gives robots a size and marks edges, and the placement is the program's", async () => {
   const page = await browser.open();
@@ -117,6 +114,7 @@ test("the view that fits leaves room for the robots' bodies", async () => {
   await set(page, { robot: "r=90", metric: "balanced", robots: 4 });
   await idle(page);
   const { robots } = await state(page);
+  assert.equal(robots.length, 4);
   for (const { stand: [sx, sy] } of robots) {
     const [px, py] = await toScreen(page, [sx, sy]);
     const [rim] = await toScreen(page, [sx + 90, sy]);

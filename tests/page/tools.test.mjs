@@ -1,16 +1,11 @@
 // Drawing, taking hold of the whole, comparing, what tips, capacity: what a person does on the canvas.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, controlIfShown, drag, drawsNothing, idle, load, phone, press, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, controlIfShown, drag, drawsNothing, idle, load, openL, phone, press, sharedBrowser, state, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
-async function opened(options) {
-  const page = await browser.open(options);
-  await load(page, "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)");
-  await idle(page);
-  return page;
-}
+const opened = (options) => openL(browser, options);
 
 const corners = [[220, 200], [560, 190], [640, 420], [400, 610], [190, 470]];
 
@@ -75,8 +70,10 @@ test("snapping puts what is dragged on the grid", async () => {
   const page = await opened();
   await page.keyboard.press("n");
   const from = await toScreen(page, [400, 150]);
-  await drag(page, [from.x ?? from[0], from.y ?? from[1]], [500, 333]);
+  await drag(page, from, [500, 333]);
   const [x, y] = (await state(page)).polygon[2];
+  const [toX, toY] = await toScreen(page, [x, y]);
+  assert.ok(Math.hypot(toX - 500, toY - 333) < 30, `${[x, y]} is at ${[toX, toY]}`);
   assert.equal(x % 5, 0);
   assert.equal(y % 5, 0);
   await page.done();

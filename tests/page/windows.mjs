@@ -1,6 +1,6 @@
 // The page's own windows, for the tests beside this file.
 import assert from "node:assert/strict";
-import { idle } from "./browser.mjs";
+import { axe, idle } from "./browser.mjs";
 
 const keys = { samples: "g", open: "o", save: "s", table: "e", lessons: "Shift+B", experiment: "K", keys: "?", about: "A", glossary: "G" };
 
@@ -53,4 +53,11 @@ export async function closeAll(page) {
 export async function allClosed(page) {
   await idle(page);
   assert.equal(await page.locator("dialog").count(), 0, "a window is open");
+}
+
+// The faults that axe finds in the page, each with where.
+export async function violations(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => (await globalThis.axe.run(document)).violations
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`));
 }

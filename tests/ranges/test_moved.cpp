@@ -28,7 +28,7 @@ Document in_ranges(const std::string& name) {
 
 Placement moved_to(const Placement& placement, const Moved& moved) {
   auto result = with_moved(placement, moved);
-  if (!result) INFO(result.error().message);
+  INFO((result ? "" : result.error().message));
   REQUIRE(result.ok());
   return *std::move(result);
 }

@@ -131,6 +131,8 @@ TEST_CASE("bounds of many candidates are true of few, too", "[optimum]") {
   const Optimum stopped =
       widest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
                     placement.team_candidates, [&] { return ++asked > 3; });
+  CHECK(asked > 3);
+  CHECK_FALSE(stopped.proved);
   CHECK(stopped.bound >= optimum.coverage - 1e-12);
   CHECK(stopped.coverage <= optimum.coverage + 1e-12);
 }

@@ -186,13 +186,15 @@ TEST_CASE("a chord of a range passes through the centre of mass, as even as its 
 }
 
 TEST_CASE("ranges add candidates and leave the others as they are", "[ranges]") {
+  std::size_t added = 0, with_teams = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     Document document = corpus::polygon(name);
     const Placement best = placed(document);
     document.settings.positions = Positions::range;
     const Placement range = placed(document);
-    CHECK(range.candidates.size() >= best.candidates.size());
+    REQUIRE(range.candidates.size() >= best.candidates.size());
+    added += range.candidates.size() - best.candidates.size();
     std::size_t next = 0;
     for (const Candidate& candidate : range.candidates) {
       CHECK(candidate.chord.ratio >= document.settings.min_ratio - tau);
@@ -206,10 +208,13 @@ TEST_CASE("ranges add candidates and leave the others as they are", "[ranges]") 
     CHECK(next == best.candidates.size());
     // The first team takes the longest of all.
     if (range.teams.empty()) continue;
+    ++with_teams;
     const Candidate& first = range.candidates[range.team_candidates[0]];
     for (const Candidate& candidate : range.candidates)
       CHECK(candidate.length <= first.length * (1 + 2e-9));
   }
+  CHECK(added > 1000);
+  CHECK(with_teams > 90);
 }
 
 TEST_CASE("a square's parallel sides offer a sixteenth from either end", "[ranges]") {

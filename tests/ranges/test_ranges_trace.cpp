@@ -11,8 +11,10 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
+#include "kit/traced.h"
 
 using namespace evenlift;
+using evenlift::testing::number_of;
 using evenlift::testing::placed;
 
 namespace {
@@ -23,16 +25,7 @@ Trace trace_of(const std::string& name, std::uint32_t teams, Positions positions
   document.settings.teams = teams;
   document.settings.positions = positions;
   document.settings.goal = goal;
-  Result<Trace> trace = make_trace(placed(document));
-  REQUIRE(trace.ok());
-  return *std::move(trace);
-}
-
-double number_of(const Trace& trace, const StepDetail& detail, std::string_view name) {
-  for (const Number& number : numbers(trace, detail))
-    if (number.name == name) return number.value;
-  FAIL("the step has no " << name);
-  return 0;
+  return testing::traced(placed(document));
 }
 
 // Every step has words, figures and numbers, whatever the sample.
@@ -63,6 +56,7 @@ void check_words(const Trace& trace) {
 }  // namespace
 
 TEST_CASE("each range of the trace has the two candidates that it added", "[ranges][trace]") {
+  std::size_t added = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     const Trace trace = trace_of(name, 3, Positions::range, {});
@@ -73,13 +67,16 @@ TEST_CASE("each range of the trace has the two candidates that it added", "[rang
     CHECK(trace.count(StepKind::range) == trace.ranges.size());
     for (std::uint32_t i = 0; i < trace.ranges.size(); ++i) {
       const RangeDetail detail = look_at_range(trace, i);
-      for (const std::uint32_t candidate : detail.candidates)
-        CHECK(candidate < trace.placement.candidates.size());
+      for (std::size_t k = 0; k < 2; ++k) {
+        REQUIRE(detail.candidates[k] < trace.placement.candidates.size());
+        added += trace.placement.candidates[detail.candidates[k]].kind == CandidateKind::range;
+      }
       for (const Chord& end : detail.ends) CHECK(end.ratio >= 0.8 - 1e-9);
     }
     for (std::uint32_t i = 0; i < trace.placement.candidates.size(); ++i)
       CHECK_FALSE(why_not_text(trace, why_not(trace, trace.size() - 1, i)).empty());
   }
+  CHECK(added > 1000);
 }
 
 TEST_CASE("the exchanges of the trace lead from the metric's teams to the result",

@@ -9,17 +9,12 @@
 #include "evenlift/placement.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/texts.h"
 
 using namespace evenlift;
+using evenlift::testing::occurrences;
 
 namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
-}
 
 Placement piano(const RobotSize& robot, std::vector<EdgePart> no_go) {
   Document document = corpus::polygon("grand-piano");
@@ -32,14 +27,14 @@ Placement piano(const RobotSize& robot, std::vector<EdgePart> no_go) {
 
 TEST_CASE("a picture has every body, hand and marked edge", "[svg][stands]") {
   const std::string svg = placement_svg(piano({30, 20, 40, 60, 10}, {{37, 0, 1}}));
-  CHECK(count(svg, "class=\"body\"") == 6);
-  CHECK(count(svg, "class=\"hand\"") == 6);
-  CHECK(count(svg, "class=\"arm\"") == 6);
-  CHECK(count(svg, "class=\"no-go\"") == 1);
-  CHECK(count(svg, "class=\"unusable\"") > 0);
+  CHECK(occurrences(svg, "class=\"body\"") == 6);
+  CHECK(occurrences(svg, "class=\"hand\"") == 6);
+  CHECK(occurrences(svg, "class=\"arm\"") == 6);
+  CHECK(occurrences(svg, "class=\"no-go\"") == 1);
+  CHECK(occurrences(svg, "class=\"unusable\"") > 0);
   const std::string points = placement_svg(piano({}, {}));
   for (const char* name : {"body", "hand", "arm", "no-go", "unusable"})
-    CHECK(count(points, "class=\"" + std::string(name) + '"') == 0);
+    CHECK(occurrences(points, "class=\"" + std::string(name) + '"') == 0);
 }
 
 TEST_CASE("JSON says where robots stand and what they cannot use", "[json][stands]") {
@@ -54,6 +49,7 @@ TEST_CASE("JSON says where robots stand and what they cannot use", "[json][stand
     marked = marked || (part[0] == 38 && part[3] == "no_go");
   }
   CHECK(marked);
+  REQUIRE(json["robots"].size() == 6);
   for (const auto& robot : json["robots"]) {
     const Vec2 at(robot["at"][0], robot["at"][1]),
         contact(robot["contact"][0], robot["contact"][1]),

@@ -179,18 +179,21 @@ TEST_CASE("every place is as the four conditions say", "[stands]") {
 }
 
 TEST_CASE("every place of the samples is as the four conditions say", "[stands]") {
+  int sure = 0;
   for (const std::string& name : corpus::polygon_names()) {
     const Document document = corpus::polygon(name);
     if (document.vertices.size() > 60) continue;
     const Polygon polygon = made(document.vertices);
     const double size = polygon.diagonal();
     INFO(name);
-    compare(polygon, sized(0.03 * size), {}, 100);
-    compare(polygon, sized(0.02 * size, 0.03 * size, 0.02 * size, 0.01 * size), {}, 100);
+    sure += compare(polygon, sized(0.03 * size), {}, 100);
+    sure += compare(polygon, sized(0.02 * size, 0.03 * size, 0.02 * size, 0.01 * size), {}, 100);
   }
+  CHECK(sure > 100000);
 }
 
 TEST_CASE("the same stretches whichever way round the vertices are listed", "[stands]") {
+  std::size_t compared = 0;
   for (std::uint64_t number = 0; number < 40; ++number) {
     const auto vertices = generate(family_of(number), 5 + number, number);
     if (!vertices) continue;
@@ -203,6 +206,7 @@ TEST_CASE("the same stretches whichever way round the vertices are listed", "[st
     for (std::uint32_t edge = 0; edge < n; ++edge) {
       const auto a = stretches(there, edge), b = stretches(back, (2 * n - 2 - edge) % n);
       REQUIRE(a.size() == b.size());
+      compared += a.size();
       const double size = length(polygon.edge_end(edge) - polygon.edge_start(edge));
       for (std::size_t i = 0; i < a.size(); ++i) {
         CHECK(a[i].from == Approx(size - b[b.size() - 1 - i].to).margin(1e-9 * size));
@@ -210,6 +214,7 @@ TEST_CASE("the same stretches whichever way round the vertices are listed", "[st
       }
     }
   }
+  CHECK(compared > 300);
 }
 
 TEST_CASE("two robots collide by their bodies or by their hands", "[stands]") {

@@ -11,19 +11,17 @@
 #include "evenlift/trace.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/placed.h"
+#include "kit/traced.h"
 #include "stands/stand_oracle.h"
 
 using namespace evenlift;
+using evenlift::testing::number_if_any;
+using evenlift::testing::number_of;
+using evenlift::testing::placed;
+using evenlift::testing::traced;
 
 namespace {
-
-Trace trace_of(Document document) {
-  const auto placed = place(document);
-  REQUIRE(placed.ok());
-  auto trace = make_trace(*placed);
-  REQUIRE(trace.ok());
-  return *std::move(trace);
-}
 
 Document sized(const std::string& name, const RobotSize& parts, std::vector<EdgePart> no_go = {}) {
   Document document = corpus::polygon(name);
@@ -34,19 +32,13 @@ Document sized(const std::string& name, const RobotSize& parts, std::vector<Edge
   return document;
 }
 
-double number_of(const Trace& trace, const StepDetail& detail, std::string_view name) {
-  for (const Number& number : numbers(trace, detail))
-    if (number.name == name) return number.value;
-  return 0;
-}
-
 }  // namespace
 
 TEST_CASE("traces of points have no step about stands", "[stands][trace]") {
   for (const Method method : {Method::area, Method::balanced, Method::distributed}) {
     Document document = corpus::polygon("boomerang");
     document.settings.method = method;
-    const Trace trace = trace_of(document);
+    const Trace trace = traced(placed(document));
     CHECK(trace.count(StepKind::stands) == 0);
     CHECK_FALSE(progress_at(trace, trace.size() - 1).stands);
     for (const std::string_view line : pseudo_code(document.settings))
@@ -64,10 +56,10 @@ TEST_CASE("the step about stands says how much is lost to each reason", "[stands
     if (corpus::polygon(name).vertices.size() > 60) continue;
     for (const RobotSize& size : sizes) {
       const Document document = sized(name, size, {{1, 0.25, 0.5}});
-      const auto placed = place(document);
-      if (!placed) continue;
+      const auto placement = place(document);
+      if (!placement) continue;
       INFO(name << ", radius " << size.radius);
-      const Trace trace = trace_of(document);
+      const Trace trace = traced(*placement);
       REQUIRE(trace.count(StepKind::stands) == 1);
       const std::uint32_t k = *trace.find(StepKind::stands, 0);
       CHECK(trace.step(k - 1).kind == StepKind::centre);
@@ -79,7 +71,8 @@ TEST_CASE("the step about stands says how much is lost to each reason", "[stands
       // All but the bits before the vertices.
       double sum = number_of(trace, detail, "usable");
       for (const char* why : {"no_go", "body", "arm", "corner", "hand", "narrow"}) {
-        const double share = number_of(trace, detail, why);
+        // A reason for which nothing is lost is not named.
+        const double share = number_if_any(trace, detail, why).value_or(0);
         sum += share;
         reasons += share > 0;
       }
@@ -131,7 +124,7 @@ TEST_CASE("the step about stands is told of balanced robots, too, and has an add
   Document document = sized("boomerang", {0.03, 0.01, 0.02, 0.02, 0});
   document.settings.method = Method::balanced;
   document.settings.robots = 4;
-  const Trace trace = trace_of(document);
+  const Trace trace = traced(placed(document));
   const auto found = find_step(trace, at::Kind{StepKind::stands, 0});
   REQUIRE(found);
   const auto lesson = parse_lesson(

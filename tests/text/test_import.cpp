@@ -23,7 +23,7 @@ namespace {
 Import read(const std::string& text, const ImportOptions& options = {}) {
   Result<Import> import = read_shapes(text, options);
   INFO(text.substr(0, 300));
-  if (!import) INFO(import.error().message);
+  INFO((import ? "" : import.error().message));
   REQUIRE(import.ok());
   REQUIRE_FALSE(import->shapes.empty());
   return *std::move(import);

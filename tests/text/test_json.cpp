@@ -6,8 +6,10 @@
 #include "evenlift/placement.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
+#include "kit/texts.h"
 
 using namespace evenlift;
+using evenlift::testing::names_in;
 using evenlift::testing::placed;
 using nlohmann::ordered_json;
 
@@ -27,12 +29,6 @@ bool same_bits(const ordered_json& json, const Points& points) {
   return true;
 }
 
-std::vector<std::string> keys(const ordered_json& json) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : json.items()) names.push_back(name);
-  return names;
-}
-
 }  // namespace
 
 TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
@@ -42,15 +38,15 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
     document.settings.method = method;
     const Placement placement = placed(document);
     const ordered_json plain = ordered_json::parse(placement_json(placement, false));
-    CHECK(keys(plain) == Names{"polygon", "centre_of_mass", "metric", "min_ratio", "weight", "seed",
-                               "requested_teams", "teams", "robots", "hull", "coverage", "loads",
-                               "closure", "goal", "goal_reached", "robustness"});
+    CHECK(names_in(plain) == Names{"polygon", "centre_of_mass", "metric", "min_ratio", "weight",
+                                   "seed", "requested_teams", "teams", "robots", "hull", "coverage",
+                                   "loads", "closure", "goal", "goal_reached", "robustness"});
     const ordered_json full = ordered_json::parse(placement_json(placement, true));
     CHECK(full.contains("candidates"));
-    CHECK(keys(full["teams"][0]) == Names{"ends", "ratio", "loads"});
-    CHECK(keys(full["candidates"][0]) == Names{"ends", "ratio", "kind"});
-    CHECK(keys(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share", "models"});
-    CHECK(keys(full["closure"]) ==
+    CHECK(names_in(full["teams"][0]) == Names{"ends", "ratio", "loads"});
+    CHECK(names_in(full["candidates"][0]) == Names{"ends", "ratio", "kind"});
+    CHECK(names_in(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share", "models"});
+    CHECK(names_in(full["closure"]) ==
           Names{"form_closure", "margin", "second_order", "free", "clockwise", "counterclockwise"});
     CHECK(full["metric"] == std::string(name(method)));
   }

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -26,7 +25,7 @@ namespace {
 
 std::string encode(const Document& document) {
   const Result<std::string> link = encode_link(document);
-  if (!link) INFO(link.error().message);
+  INFO((link ? "" : link.error().message));
   REQUIRE(link.ok());
   return *link;
 }
@@ -34,7 +33,7 @@ std::string encode(const Document& document) {
 Document decode(const std::string& link) {
   Result<Document> document = decode_link(link);
   INFO(link.substr(0, 200));
-  if (!document) INFO(document.error().message);
+  INFO((document ? "" : document.error().message));
   REQUIRE(document.ok());
   return *std::move(document);
 }
@@ -652,12 +651,11 @@ TEST_CASE("a text longer than max_link_bytes is refused unread", "[link][bounds]
   CHECK(refusal("1." + std::string(max_link_bytes - 2, 'A')).code == ErrorCode::bad_checksum);
 }
 
-TEST_CASE("the longest hostile payloads are refused quickly", "[link][bounds]") {
+// A reader that looked at characters again and again would keep this test for hours.
+TEST_CASE("the longest hostile payloads are refused", "[link][bounds]") {
   for (const char fill : {'A', '_', 'g', 'P'}) {
     const std::string text = with_checksum("1." + std::string(max_link_bytes - 6, fill));
-    const auto start = std::chrono::steady_clock::now();
     CHECK(refusal(text).code == ErrorCode::bad_link);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
   }
 }
 
@@ -667,6 +665,7 @@ TEST_CASE("the longest hostile payloads are refused quickly", "[link][bounds]") 
 TEST_CASE("any bytes give a document or one sentence", "[link][fuzz]") {
   Rng rng(3);
   const std::string bytes = std::string(link_characters) + "..%# \n\xff";
+  int documents = 0, refused = 0;
   for (int i = 0; i < 20000; ++i) {
     std::string text = *encode_link(random_document(rng, 5));
     if (rng.below(4) == 0) {
@@ -675,6 +674,7 @@ TEST_CASE("any bytes give a document or one sentence", "[link][fuzz]") {
     }
     text = mutated(rng, text, bytes);
     const Result<Document> document = decode_link(text);
+    ++(document.ok() ? documents : refused);
     if (document.ok()) {  // the change did not matter, as a space before the link does not
       const std::string again = encode(*document);
       if (text.find(again) == std::string::npos) FAIL(text << " reads as " << again);
@@ -683,6 +683,8 @@ TEST_CASE("any bytes give a document or one sentence", "[link][fuzz]") {
       FAIL(text << ": " << document.error().message);
     }
   }
+  CHECK(documents > 10);
+  CHECK(refused > 10000);
 }
 
 TEST_CASE("any payload with a good checksum gives a document that a link can carry, or is refused",
@@ -708,5 +710,5 @@ TEST_CASE("any payload with a good checksum gives a document that a link can car
     const Result<std::string> again = encode_link(*document);
     if (!again || !same_document(*decode_link(*again), *document)) FAIL(text);
   }
-  CHECK(documents > 0);
+  CHECK(documents > 1000);
 }

@@ -5,20 +5,20 @@
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/placed.h"
 #include "kit/polygons.h"
+#include "kit/texts.h"
 
 using namespace evenlift;
+using evenlift::testing::names_in;
+using evenlift::testing::plainly;
 using nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
 namespace {
 
 Placement placed(const std::string& name, std::uint32_t teams) {
-  Document document = corpus::polygon(name);
-  document.settings.teams = teams;
-  Result<Placement> placement = place(document);
-  REQUIRE(placement.ok());
-  return *std::move(placement);
+  return testing::placed(corpus::polygon(name), Method::area, teams);
 }
 
 ordered_json json_of(const Placement& placement, const RobustnessInJson& robustness = {},
@@ -26,18 +26,6 @@ ordered_json json_of(const Placement& placement, const RobustnessInJson& robustn
   std::optional<CapacityInJson> limit;
   if (capacity) limit = CapacityInJson{*capacity, plan_capacity(placement, *capacity)};
   return ordered_json::parse(placement_json(placement, false, limit, robustness));
-}
-
-Names keys(const ordered_json& json) {
-  Names names;
-  for (const auto& [name, value] : json.items()) names.push_back(name);
-  return names;
-}
-
-// What is read has U+00A0 between a number and its unit; here it is written as a space.
-std::string plainly(std::string text) {
-  for (std::size_t at; (at = text.find("\u00A0")) != std::string::npos;) text.replace(at, 2, " ");
-  return text;
 }
 
 RestOfRobots rest(bool steady, double greatest) {
@@ -56,7 +44,7 @@ TEST_CASE("the JSON says of each robot where it stands and faces and what it bea
   REQUIRE(json["robots"].size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
     const ordered_json& robot = json["robots"][i];
-    CHECK(keys(robot) == Names{"at", "team", "load", "contact", "stand", "heading"});
+    CHECK(names_in(robot) == Names{"at", "team", "load", "contact", "stand", "heading"});
     CHECK(robot["team"] == i / 2);
     CHECK(robot["at"] == json["teams"][i / 2]["ends"][i % 2]);
     CHECK(robot["load"] == json["teams"][i / 2]["loads"][i % 2]);
@@ -70,11 +58,11 @@ TEST_CASE("the JSON always has the loads of all models and the robustness", "[js
   const ordered_json json = json_of(placement);
   const auto loads = model_loads(placement);
   REQUIRE(loads);
-  CHECK(keys(json["loads"]["models"]) == Names{"springs", "best", "worst"});
+  CHECK(names_in(json["loads"]["models"]) == Names{"springs", "best", "worst"});
   CHECK(json["loads"]["models"]["springs"] == loads->springs.loads);
   CHECK(json["loads"]["models"]["best"] == loads->best);
   CHECK(json["loads"]["models"]["worst"] == loads->worst);
-  CHECK(keys(json["robustness"]) ==
+  CHECK(names_in(json["robustness"]) ==
         Names{"com_margin", "failures_carried", "failures_steady", "load_per_length"});
   CHECK(json["robustness"]["failures_carried"] == 2);
   CHECK(json["robustness"]["failures_steady"] == 1);
@@ -128,8 +116,8 @@ TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]
   REQUIRE(json["failures"].size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
     const ordered_json& row = json["failures"][i];
-    CHECK(keys(row) == Names{"robot", "carried", "steady", "com_margin", "coverage", "form_closure",
-                             "margin", "plan_max", "springs_max", "best_max"});
+    CHECK(names_in(row) == Names{"robot", "carried", "steady", "com_margin", "coverage",
+                                 "form_closure", "margin", "plan_max", "springs_max", "best_max"});
     CHECK(row["robot"] == i);
     CHECK(row["carried"] == true);
     CHECK(row["best_max"] <= row["springs_max"]);

@@ -9,8 +9,10 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
+#include "kit/texts.h"
 
 using namespace evenlift;
+using evenlift::testing::plainly;
 
 namespace {
 
@@ -30,12 +32,6 @@ Placement three_teams() {
   placement.closure.translation_free = false;
   placement.closure.clockwise.exists = true;
   return placement;
-}
-
-// What is read has U+00A0 between a number and its unit; here it is written as a space.
-std::string plainly(std::string text) {
-  for (std::size_t at; (at = text.find("\u00A0")) != std::string::npos;) text.replace(at, 2, " ");
-  return text;
 }
 
 }  // namespace
@@ -277,7 +273,9 @@ TEST_CASE("the facts of every sample have a label, a value and a meaning", "[wor
     const std::vector<Fact> facts = facts_in_words(*placement);
     CHECK(facts.size() >= 6);
     for (const Fact& fact : facts) {
+      CHECK_FALSE(std::string(fact.label).empty());
       CHECK_FALSE(fact.value.empty());
+      CHECK_FALSE(std::string(fact.about).empty());
       CHECK(fact.value.find("nan") == std::string::npos);
     }
   }

@@ -194,6 +194,7 @@ TEST_CASE("balanced robots have no chords and no candidates to press", "[view][b
   state.document.settings.overlays.candidates = true;
   frame_view(state);
   const Vec2 centre = state.placement->centre_of_mass;
+  REQUIRE(shown(state).size() == 6);
   for (const LiftingPoint& robot : shown(state)) {
     const Vec2 between = centre + (robot.position - centre) * 0.6;
     CHECK(pick_explained(state, state.camera.to_screen(between)).kind == Pick::Kind::none);
@@ -319,14 +320,19 @@ TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
   const Vec2 at = shown(state)[0].position;
   Commands commands;
   CHECK_FALSE(action(ActionId::up).enabled(state));
+  int moved = 0;
   give(state, Explain{Pick{Pick::Kind::robot, 0, 0, at}});
   for (const ActionId id : {ActionId::up, ActionId::right, ActionId::down, ActionId::left}) {
     REQUIRE(action(id).enabled(state));
+    const Vec2 before = shown(state)[0].position;
     action(id).run(state, commands);
     apply(state, commands);
     REQUIRE(state.explanation);
     CHECK(state.explanation->at == shown(state)[0].position);
+    moved += shown(state)[0].position != before;
   }
+  // Across the edge on which it stands there is no way.
+  CHECK(moved >= 2);
 }
 
 TEST_CASE("the summary names each balanced robot", "[view][balanced]") {

@@ -108,6 +108,7 @@ TEST_CASE("every frame with robots of a size can be drawn", "[view][stands]") {
     give(page, SetSettings{changed});
     CHECK_FALSE(page.app.state.refusal);
     REQUIRE(page.app.state.placement->stands);
+    REQUIRE_FALSE(page.app.state.placement->teams.empty());
     for (const PlacedRobot& robot : placed_robots(*page.app.state.placement))
       CHECK(length(robot.stand - robot.contact) == Approx(20));
     for (double x = 0; x < 400; x += 7) page.frame(page.at({x, 0}));

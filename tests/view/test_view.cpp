@@ -461,6 +461,7 @@ TEST_CASE("what is dragged and drawn snaps to the dots, or level with its neighb
   page.drag({400, 150}, {433.7, 171.2});
   const double step = grid_step(page.app.state.camera);
   const Vec2 at = page.app.state.document.vertices[2];
+  CHECK(length(at - Vec2(433.7, 171.2)) < step + 2);
   CHECK(std::fmod(at.x(), step) == 0);
   CHECK(std::fmod(at.y(), step) == 0);
   page.press({"n"});
@@ -489,6 +490,8 @@ TEST_CASE("the whole moves, turns and scales, each drag a step of undo", "[view]
   CHECK(page.app.state.document.vertices == before);
   page.press({"["});
   page.press({"["});
+  CHECK(length(page.app.state.document.vertices[1] - before[1]) > 1);
+  CHECK(std::abs(area() - size) < 1e-3 * size);
   page.press({"]"});
   page.press({"]"});
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -496,7 +499,10 @@ TEST_CASE("the whole moves, turns and scales, each drag a step of undo", "[view]
   }
   page.press({"}"});
   CHECK(std::abs(area() / size - 1.21) < 1e-3);
+  const Points scaled = page.app.state.document.vertices;
   page.press({"ArrowRight"});
+  for (std::size_t i = 0; i < before.size(); ++i)
+    CHECK(page.app.state.document.vertices[i].x() > scaled[i].x());
   page.press({"Escape"});
   CHECK(page.app.state.tool == Tool::parts);
 }
@@ -843,10 +849,13 @@ TEST_CASE("rows of pixels fill what triangles fill, and the heat map's bands ali
     const Camera camera = fit(polygon, {20, 20, 780, 580});
     const double whole = area_of(polygon) * camera.scale * camera.scale;
     CHECK(filled(fill_rows(polygon, camera, window, 0.5)) == Approx(whole).epsilon(0.003));
-    // Half of it beside the window: what is seen is filled, and no more.
+    // Half of it beside the window: what is seen is filled, and no more; the other half is the rest.
     const Camera aside = pan(camera, {-400, 0});
     const RowFill half = fill_rows(polygon, aside, window, 0.5);
-    CHECK(filled(half) < whole);
+    const RowFill rest = fill_rows(polygon, pan(camera, {400, 0}), window, 0.5);
+    CHECK(filled(half) + filled(rest) == Approx(whole).epsilon(0.003));
+    CHECK(filled(half) > whole / 10);
+    CHECK(filled(rest) > whole / 10);
     for (const RowSpan& span : half.spans) {
       const Vec2 middle(static_cast<double>(span.left + span.right) / 2,
                         static_cast<double>(span.top) + 0.25);

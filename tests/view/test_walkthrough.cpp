@@ -163,11 +163,11 @@ TEST_CASE("an edit during the lesson keeps the place, and undo is of the edit", 
   CHECK(walk.detail.step.kind == StepKind::team);
   CHECK(walk.detail.step.item == 1);
   CHECK(page.app.state.document.settings.step == walk.at);
-  const std::uint32_t at = walk.at;
+  CHECK(page.app.state.document.vertices != document(l_shape).vertices);
   page.press({"z", true});
   CHECK(page.app.state.document.vertices == document(l_shape).vertices);
   CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
-  CHECK(page.app.state.walkthrough.at <= at + 50);
+  CHECK(page.app.state.walkthrough.detail.step.item == 1);
   CHECK_FALSE(page.app.state.history.can_undo());  // stepping is no edit
 }
 
@@ -253,6 +253,7 @@ TEST_CASE("why not this one: a click on a chord or anywhere is answered", "[view
   const std::string first = page.app.state.walkthrough.why;
   page.click(Vec2(330, 60));
   CHECK_FALSE(page.app.state.walkthrough.why.empty());
+  CHECK(page.app.state.walkthrough.why != first);
   CHECK(page.app.state.walkthrough.asked.has_value());
   page.press({"ArrowRight"});
   CHECK(page.app.state.walkthrough.why.empty());

@@ -1,21 +1,13 @@
 // What holds for each of the page's own windows.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, axe, idle, link, load, phone, sharedBrowser } from "../page/browser.mjs";
-import { allClosed, openWindow } from "../page/windows.mjs";
+import { asset, idle, link, load, phone, sharedBrowser } from "../page/browser.mjs";
+import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const names = ["samples", "open", "save", "table", "lessons", "experiment", "keys", "about", "glossary"];
 const finger = { viewport: phone, hasTouch: true, isMobile: true };
 
 const browser = sharedBrowser();
-
-async function violations(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations: found } = await globalThis.axe.run(document, { rules: { "scrollable-region-focusable": { enabled: true } } });
-    return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`);
-  });
-}
 
 for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], ["on a phone", finger]]) {
   test(`no window has a fault that axe finds, ${how}`, async () => {

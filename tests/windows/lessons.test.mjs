@@ -4,17 +4,12 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, axe, control, idle, link, load, phone, press, root, set, sharedBrowser, state } from "../page/browser.mjs";
-import { allClosed, openWindow } from "../page/windows.mjs";
+import { asset, control, idle, link, load, phone, press, reload, root, set, sharedBrowser, state } from "../page/browser.mjs";
+import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const order = readFileSync(path.join(root, "assets/lessons/index.txt"), "utf8").split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
 
 const browser = sharedBrowser();
-
-async function violations(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 100)).join(" | ")}`));
-}
 
 async function begin(page, name) {
   const window = await openWindow(page, "lessons");
@@ -39,9 +34,7 @@ test("lessons have their order, minutes, and a mark once they were played to the
   await idle(page);
   assert.match(await end(page).textContent(), new RegExp(`The end of lesson 1 of ${order.length}`));
   assert.deepEqual(await violations(page), []);
-  await page.reload();
-  await page.evaluate(() => evenlift.ready);
-  await idle(page);
+  await reload(page);
   assert.equal(await end(page).count(), 0, "a reload at the last step is no new end");
   window = await openWindow(page, "lessons");
   assert.match(await window.locator(`[data-name="${order[0]}"]`).textContent(), /open now|seen/);

@@ -1,7 +1,7 @@
 // The coordinates beside the canvas.
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
-import { drag, evenlift, idle, load, phone, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
+import { drag, evenlift, idle, load, lShape, phone, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
 import { allClosed, closeAll, openWindow } from "../page/windows.mjs";
 
 let page;
@@ -13,15 +13,13 @@ const browser = sharedBrowser({
 });
 afterEach(() => closeAll(page));
 
-const L_shape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 const polygon = async () => (await state(page)).polygon;
 const shown = () => page.locator("#table tbody tr").evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll("input")].map((input) => input.value)));
 const field = (vertex, axis) => page.getByLabel(`Vertex ${vertex}, ${axis}`, { exact: true });
 const centre = (axis) => page.getByLabel(`Centre of mass, ${axis}`, { exact: true });
-const followed = () => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
 async function opened() {
-  await load(page, L_shape);
+  await load(page, lShape);
   await idle(page);
   return openWindow(page, "table");
 }
@@ -40,11 +38,11 @@ test("it shows every vertex, and what is typed moves it, undoably", async () => 
   assert.equal(await field(2, "x").inputValue(), "420");
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
-  await followed();
+  await idle(page);
   assert.equal((await polygon())[2][1], 150);
   assert.equal(await field(3, "y").inputValue(), "150", "it follows");
   await page.keyboard.press("Control+Shift+z");
-  await followed();
+  await idle(page);
   assert.equal(await field(3, "y").inputValue(), "170.25");
 });
 
@@ -78,13 +76,13 @@ test("a refused polygon shows why, and the last good result stays", async () => 
   const before = JSON.stringify(await state(page));
   await field(3, "x").fill("-50");
   await page.keyboard.press("Enter");
-  await followed();
+  await idle(page);
   assert.match(await window.locator(".refusal").textContent(), /Edges/);
   assert.equal(await field(3, "x").inputValue(), "-50");
   assert.equal(JSON.stringify(await state(page)), before);
   await field(3, "x").fill("390");
   await page.keyboard.press("Enter");
-  await followed();
+  await idle(page);
   assert.equal(await window.locator(".refusal").textContent(), "");
   assert.equal((await polygon())[2][0], 390);
 });
@@ -121,7 +119,7 @@ test("the centre of mass, and back to the centroid", async () => {
   await centre("x").fill("130");
   await page.keyboard.press("Enter");
   assert.deepEqual((await state(page)).centre_of_mass, [130, centroid[1]]);
-  await followed();
+  await idle(page);
   await back.click();
   assert.deepEqual((await state(page)).centre_of_mass, centroid);
 });
@@ -130,11 +128,11 @@ test("it follows the canvas, marks what is selected there, and leaves it usable"
   await opened();
   const [x, y] = await toScreen(page, [400, 150]);
   await drag(page, [x, y], [x + 40, y + 20]);
-  await followed();
+  await idle(page);
   assert.deepEqual((await shown())[2].map(Number), (await polygon())[2]);
   assert.notEqual((await polygon())[2][0], 400);
   await page.mouse.move(x - 300, y - 300);
-  await followed();
+  await idle(page);
   assert.deepEqual(await page.locator("#table tr.selected th").allTextContents(), ["3"]);
   await page.keyboard.press("t");  // the canvas's keys
   assert.equal((await state(page)).requested_teams, 4);
@@ -159,11 +157,11 @@ test("as text: all of it at once, with the settings kept", async () => {
   await set(page, { teams: 2, com: [120, 100] });
   await window.getByRole("button", { name: "Edit as text" }).click();
   const area = page.locator("#open textarea");
-  assert.equal(await area.inputValue(), `CoM:(120,100)\n${L_shape}`);
+  assert.equal(await area.inputValue(), `CoM:(120,100)\n${lShape}`);
   await area.fill("(0,0)\n(90,0)\n(90,90)\n");
   await page.getByRole("button", { name: "Apply" }).click();
   await page.locator("#open").waitFor({ state: "detached" });
-  await followed();
+  await idle(page);
   assert.equal((await shown()).length, 3);
   assert.equal((await state(page)).requested_teams, 2);
 });

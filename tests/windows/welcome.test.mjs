@@ -1,15 +1,10 @@
 // The first visit: the card that says what this is, and the tour.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, axe, idle, link, load, phone, set, sharedBrowser, thrown } from "../page/browser.mjs";
-import { allClosed } from "../page/windows.mjs";
+import { asset, idle, link, load, phone, reload, set, sharedBrowser, thrown } from "../page/browser.mjs";
+import { allClosed, violations } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
-
-async function violations(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 100)).join(" | ")}`));
-}
 
 const card = (page) => page.locator("#welcome");
 const box = (page, selector) => page.locator(selector).evaluate((e) => {
@@ -56,9 +51,7 @@ test("the card goes with the first edit, and does not come back", async () => {
   await set(page, { teams: 2 });
   await idle(page);
   assert.equal(await card(page).count(), 0);
-  await page.reload();
-  await page.evaluate(() => evenlift.ready);
-  await idle(page);
+  await reload(page);
   assert.equal(await card(page).count(), 0);
   await page.done();
 });
@@ -68,9 +61,7 @@ test("closed without an edit, it does not come back either; its key brings it ba
   await idle(page);
   await page.getByRole("region", { name: "How to begin" }).getByRole("button", { name: "Close" }).click();
   assert.equal(await card(page).count(), 0);
-  await page.reload();
-  await page.evaluate(() => evenlift.ready);
-  await idle(page);
+  await reload(page);
   assert.equal(await card(page).count(), 0);
   await page.locator("#canvas").focus();
   await page.keyboard.press("W");

@@ -1,0 +1,34 @@
+// What tests ask of texts.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace evenlift::testing {
+
+// How often the part occurs in the text.
+inline std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+// What is read has U+00A0 between a number and its unit; here it is written as a space.
+inline std::string plainly(std::string text) {
+  for (std::size_t at = 0; (at = text.find("\u00A0", at)) != std::string::npos;)
+    text.replace(at, std::string("\u00A0").size(), " ");
+  return text;
+}
+
+// The names of an object's members, in their order.
+inline std::vector<std::string> names_in(const nlohmann::ordered_json& json) {
+  std::vector<std::string> names;
+  for (const auto& member : json.items()) names.push_back(member.key());
+  return names;
+}
+
+}  // namespace evenlift::testing

@@ -1,0 +1,35 @@
+// The trace of a placement that must have one, and what its steps say in numbers.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "evenlift/trace.h"
+#include "kit/catch.h"
+
+namespace evenlift::testing {
+
+inline Trace traced(const Placement& placement) {
+  Result<Trace> trace = make_trace(placement);
+  INFO((trace ? "" : trace.error().message));
+  REQUIRE(trace.ok());
+  return *std::move(trace);
+}
+
+inline std::optional<double> number_if_any(const Trace& trace, const StepDetail& detail,
+                                           std::string_view name) {
+  for (const Number& number : numbers(trace, detail))
+    if (number.name == name) return number.value;
+  return std::nullopt;
+}
+
+// The number of that name; a step without it fails the test.
+inline double number_of(const Trace& trace, const StepDetail& detail, std::string_view name) {
+  const std::optional<double> number = number_if_any(trace, detail, name);
+  INFO(name);
+  REQUIRE(number);
+  return *number;
+}
+
+}  // namespace evenlift::testing
