@@ -16,8 +16,8 @@ test("a robot is let fail from its card, and works again by its button, Esc or a
     await page.mouse.click(...await toScreen(page, robotAt(before, 2)));
     await press(page, "fail");
     await idle(page);
-    assert.match(await summary(page), /^Robot 3 fails: held by the other five, at most \d+\.\d\skg\./);
-    assert.match(await page.locator("#alert").textContent(), /^Robot 3 fails: held by/);
+    assert.match(await summary(page), /^Robot 3 fails: carried by the other five, at most \d+\.\d\skg\./);
+    assert.match(await page.locator("#alert").textContent(), /^Robot 3 fails: carried by/);
     assert.deepEqual((await state(page)).failures, program("grand-piano", "--failures").failures);
     await back();
     await idle(page);

@@ -180,14 +180,14 @@ TEST_CASE("failures are told in sentences", "[words][robustness]") {
         "The object falls if one of the robots 1 or 4 fails. If another fails, the others carry "
         "it, at most 30.0 kg each if equally stiff. It can tip if robot 3 fails.");
   CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34))) ==
-        "Robot 3 fails: held by the other five, at most 21.3 kg.");
+        "Robot 3 fails: carried by the other five, at most 21.3 kg.");
   CHECK(plainly(failure_in_words(0, 14, rest(false, 21.34))) ==
-        "Robot 1 fails: held by the other 13, at most 21.3 kg, but it can tip.");
+        "Robot 1 fails: carried by the other 13, at most 21.3 kg, but it can tip.");
   CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34), 21.4)) ==
-        "Robot 3 fails: held by the other five, at most 21.3 kg.");
+        "Robot 3 fails: carried by the other five, at most 21.3 kg.");
   CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34), 20.0)) ==
-        "Robot 3 fails: held by the other five, at most 21.3 kg. One can carry 20 kg.");
-  CHECK(failure_in_words(1, 2, std::nullopt) == "Robot 2 fails: the other one cannot hold it.");
+        "Robot 3 fails: carried by the other five, at most 21.3 kg. One can carry 20 kg.");
+  CHECK(failure_in_words(1, 2, std::nullopt) == "Robot 2 fails: the other one cannot carry it.");
 }
 
 TEST_CASE("what may go wrong is told in two facts", "[words][robustness]") {

@@ -66,7 +66,7 @@ std::string hint_of_failing(const Failure& failure, const Pick& at) {
   return name + " · " +
          (failure.rest ? load_in_words(load.least, load.greatest, failure.outlook.greatest,
                                        failure.placement.settings.units)
-                       : std::string("cannot hold the object")) +
+                       : std::string("cannot carry the object")) +
          " while robot " + std::to_string(failure.robot + 1) + " fails";
 }
 

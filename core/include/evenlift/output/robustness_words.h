@@ -28,7 +28,7 @@ std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
                               const Units& units = {});
 
-// "Robot 3 fails: held by the other five, at most 21.3 kg." What it bears is by springs. If that is
+// "Robot 3 fails: carried by the other five, at most 21.3 kg." What it bears is by springs. If that is
 // more than the capacity, it says so.
 std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,

@@ -114,13 +114,13 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<double>& capacity, const Units& units) {
   const std::string fails = "Robot " + std::to_string(robot + 1) + " fails: ";
   const std::string others = "the other " + in_letters(robots - 1);
-  if (!rest) return fails + others + " cannot hold it.";
+  if (!rest) return fails + others + " cannot carry it.";
   const double greatest = rest->greatest_by_springs;
   const std::string overload =
       capacity && greatest > *capacity
           ? " One can carry " + with_weight_unit(plain(*capacity), units) + "."
           : std::string();
-  return fails + "held by " + others + ", at most " + load_in_words(greatest, greatest, units) +
+  return fails + "carried by " + others + ", at most " + load_in_words(greatest, greatest, units) +
          (rest->steady ? "." : ", but it can tip.") + overload;
 }
 
