@@ -75,9 +75,9 @@ def check_answers(consumer):
 
 def check_errors(consumer):
     bad = {
-        '{"polygon": [[0, 0], [4, 4], [4, 0], [0, 4]]}': ("edges_cross", "Edges 1 and 3: the edges cross, touch or overlap", {"edges": [0, 2]}),
+        '{"polygon": [[0, 0], [4, 4], [4, 0], [0, 4]]}': ("edges_cross", "Edges 1 and 3 cross, touch or overlap", {"edges": [0, 2]}),
         '{"polygon": [[0, 0], [4, 0], [4, 3]], "settings": {"teams": 0}}': (
-            "bad_setting", "teams: the number of teams is a whole number from 1 to 1048576, or max", {"setting": "teams"}),
+            "bad_setting", "The number of teams is a whole number from 1 to 1048576, or max", {"setting": "teams"}),
         '{"polygon": [[0, 0], [4, 0], [4, 3]], "setings": {}}': (
             "unsupported", 'Line 1, column 50: there is no member "setings" here', {"line": 1, "column": 50}),
         '{"command": "fly"}': (

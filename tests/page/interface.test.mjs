@@ -68,7 +68,7 @@ const refused = [
   [{ teams: null }, /teams/], [{ teams: 1e9 }, /team/], [{ metric: "Area" }, /metric/], [{ metric: "" }, /metric/], [{ metric: 1 }, /metric/],
   [{ min_ratio: 1.01 }, /ratio/], [{ min_ratio: -0.1 }, /ratio/], [{ min_ratio: NaN }, /ratio/], [{ min_ratio: "0.8" }, /ratio/],
   [{ weight: 0 }, /weight/], [{ weight: -5 }, /weight/], [{ weight: Infinity }, /weight/], [{ seed: -1 }, /seed/], [{ seed: 1.5 }, /seed/],
-  [{ com: [0, 0] }, /centre of mass/i], [{ com: [1, 2, 3] }, /com/], [{ com: "1,2" }, /com/], [{ com: [1, NaN] }, /com/],
+  [{ com: [0, 0] }, /centre of mass/i], [{ com: [1, 2, 3] }, /centre of mass/i], [{ com: "1,2" }, /com|centre of mass/i], [{ com: [1, NaN] }, /com|centre of mass/i],
   [{ step: -1 }, /step/], [{ step: "2" }, /step/], [{ teams: "max", metric: "random" }, /team/i],
   [{ teams: 4, min_ratio: 2 }, /ratio/], [{ metric: "area\nteams=9" }, /metric/],
 ];

@@ -60,7 +60,7 @@ test("what cannot be a value is refused with a sentence, and changes nothing", a
   await page.keyboard.type("many");
   await page.keyboard.press("Enter");
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^teams: .*\.$/);
+  assert.match(await page.locator("#alert").textContent(), /^The number of teams is a whole number .*\.$/);
   assert.equal(await field(page, "Teams").getAttribute("aria-invalid"), "true");
   assert.equal((await state(page)).requested_teams, 3);
   await page.keyboard.press("Escape");

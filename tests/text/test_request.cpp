@@ -123,7 +123,7 @@ TEST_CASE("an experiment of requests is that of the program", "[request]") {
 TEST_CASE("a wrong request gets one sentence that says what and where", "[request][errors]") {
   const json crossing = refusal(R"({"polygon": [[0, 0], [4, 4], [4, 0], [0, 4]]})");
   CHECK(crossing["code"] == "edges_cross");
-  CHECK(crossing["message"] == "Edges 1 and 3: the edges cross, touch or overlap");
+  CHECK(crossing["message"] == "Edges 1 and 3 cross, touch or overlap");
   CHECK(crossing["place"] == json::parse(R"({"edges": [0, 2]})"));
   CHECK(refusal(with(R"("settings": {"teams": 0})"))["place"]["setting"] == "teams");
   CHECK(refusal(with(R"("settings": {"teams": "max", "metric": "random"})"))["code"] ==

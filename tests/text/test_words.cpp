@@ -259,11 +259,38 @@ TEST_CASE("coordinates show where a point is on the object", "[words]") {
 
 TEST_CASE("an error is a sentence that begins with its place", "[words]") {
   InputError error{ErrorCode::edges_cross, "the edges cross", {Place::Kind::edge, 1, 6, {}}};
-  CHECK(sentence(error) == "Edges 2 and 7: the edges cross");
+  CHECK(sentence(error) == "Edges 2 and 7 cross");
+  error.message = "it ends here";
+  CHECK(sentence(error) == "Edges 2 and 7: it ends here");
   error.place = {};
-  CHECK(sentence(error) == "The edges cross");
+  CHECK(sentence(error) == "It ends here");
   error.place = {Place::Kind::option, 0, 0, "min_ratio"};
-  CHECK(sentence(error) == "min_ratio: the edges cross");
+  CHECK(sentence(error) == "min_ratio: it ends here");
+}
+
+TEST_CASE("what is said of a setting does not name it twice", "[words]") {
+  CHECK(sentence(setting_error(Setting::weight)) == "The weight is a number greater than 0");
+  CHECK(sentence(setting_error(Setting::goal)) == "The goal is cover or hold");
+}
+
+TEST_CASE("how firmly an object is held is a number only where it is held", "[words]") {
+  const auto hold = [](const Closure& closure) {
+    Placement placement = three_teams();
+    placement.closure = closure;
+    for (const Fact& fact : facts_in_words(placement))
+      if (fact.label == std::string("How firmly held")) return fact.value;
+    return std::string();
+  };
+  Closure closure;
+  CHECK(hold(closure) == "not held");
+  closure.margin = -0.058;
+  CHECK(hold(closure) == "not held");
+  closure.second_order = true;
+  CHECK(hold(closure) == "by curvature alone");
+  closure.second_order = false;
+  closure.form_closure = true;
+  closure.margin = 0.104;
+  CHECK(hold(closure) == "0.104");
 }
 
 TEST_CASE("the facts of every sample have a label, a value and a meaning", "[words]") {

@@ -112,7 +112,7 @@ def check_experiment():
 
 def check_errors():
     crossing = refused(evenlift.EvenliftError, lambda: evenlift.place([(0, 0), (4, 4), (4, 0), (0, 4)]))
-    assert str(crossing) == "Edges 1 and 3: the edges cross, touch or overlap"
+    assert str(crossing) == "Edges 1 and 3 cross, touch or overlap"
     assert (crossing.code, crossing.place) == ("edges_cross", {"edges": [0, 2]})
     assert refused(ValueError, lambda: evenlift.place(l_shape, team=3)).place["line"] == 1
     assert refused(evenlift.EvenliftError, lambda: evenlift.place(l_shape, metric="Area")).place == {"setting": "metric"}

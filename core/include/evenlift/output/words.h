@@ -134,7 +134,8 @@ std::string form_closure_in_words(const Closure& closure);
 std::string margin_in_words(double margin);
 int margin_decimals(double margin);
 
-// "Edges 2 and 7: the edges cross, touch or overlap": a sentence without a full stop.
+// "Edges 2 and 7 cross, touch or overlap": a sentence without a full stop. The name of a setting comes first only where the
+// words do not say which one it is.
 std::string sentence(const InputError& error);
 
 }  // namespace evenlift

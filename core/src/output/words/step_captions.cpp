@@ -459,7 +459,9 @@ std::string StepCaptions::closure() const {
     return fill("No centre to turn about, no way to slide: form closure, with a margin of #.",
                 {margin});
   return fill("No form closure: the object can begin to #.", {free_motions_in_words(closure)}) +
-         (closure.margin ? fill(" The margin is #.", {margin}) : "");
+         (closure.margin
+              ? fill(" The margin is #; only above 0 do the contacts hold the object.", {margin})
+              : "");
 }
 
 std::string StepCaptions::second_order() const {

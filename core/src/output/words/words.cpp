@@ -55,6 +55,18 @@ std::string need_in_words(const CapacityPlan& plan, const Settings& settings) {
   return "Not even all " + tried + " robots that find a place are enough.";
 }
 
+// A margin below 0 says by how much closure is missed, which tells nobody how firm a hold is.
+std::string hold_in_words(const Closure& closure) {
+  if (closure.form_closure && closure.margin) return margin_in_words(*closure.margin);
+  return closure.second_order ? "by curvature alone" : "not held";
+}
+
+std::string capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 }  // namespace
 
 std::string loads_in_words(const Placement& placement) {
@@ -196,9 +208,8 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
   const Closure& closure = placement.closure;
   facts.push_back({"Form closure", form_closure_in_words(closure),
                    "Whether the robots' contact alone keeps the object from moving in the plane"});
-  if (closure.margin)
-    facts.push_back({"How firmly held", margin_in_words(*closure.margin),
-                     "The margin of form closure: above 0 in form closure"});
+  facts.push_back({"How firmly held", hold_in_words(closure),
+                   "The margin of form closure, where the object cannot move"});
   return facts;
 }
 
@@ -221,13 +232,15 @@ std::string form_closure_in_words(const Closure& closure) {
 }
 
 std::string sentence(const InputError& error) {
-  const std::string place = describe(error.place);
-  std::string text = place.empty() ? error.message : place + ": " + error.message;
+  const std::string place = describe(error.place), &message = error.message;
+  constexpr std::string_view both = "the edges ";
+  if (place.starts_with("edges ") && message.starts_with(both))
+    return capital(place + " " + message.substr(both.size()));
+  const bool option = error.place.kind == Place::Kind::option;
+  // What is said of a setting mostly begins with what the setting is: then its name would only double that.
+  if (place.empty() || (option && message.starts_with("the "))) return capital(message);
   // The name of a setting stays as it is written.
-  const bool names = error.place.kind == Place::Kind::option;
-  if (!names && !text.empty() && text[0] >= 'a' && text[0] <= 'z')
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
+  return option ? place + ": " + message : capital(place + ": " + message);
 }
 
 }  // namespace evenlift
