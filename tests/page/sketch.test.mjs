@@ -131,11 +131,11 @@ test("Escape in a field of the edge takes back what was typed there, and no vert
   await page.done();
 });
 
-test("Draw and Whole say that they are on, and snapping says so, too", async () => {
+test("Draw and Move say that they are on, and snapping says so, too", async () => {
   const page = await browser.open();
   await idle(page);
   const toggle = (name) => page.locator(`#mirror [aria-pressed][aria-label^="${name}"]`).first();
-  for (const [key, name] of [["d", "Draw"], ["w", "Move, turn or scale the whole"]]) {
+  for (const [key, name] of [["d", "Draw"], ["w", "Move, turn or scale the shape"]]) {
     await toggle(name).waitFor({ state: "attached" });
     assert.equal(await toggle(name).getAttribute("aria-pressed"), "false");
     await page.keyboard.press(key);

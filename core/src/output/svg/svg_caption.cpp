@@ -10,13 +10,11 @@
 namespace evenlift::svg {
 namespace {
 
-// "Area metric · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure"
+// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure"
 std::string settings_line(const Placement& placement) {
   const Settings& settings = placement.settings;
-  std::string line(name(settings.method));
-  line[0] = static_cast<char>(line[0] - 'a' + 'A');
   const bool by_ratio = selects_candidates(settings.method);
-  line += by_ratio ? " metric" : " placement";
+  std::string line = "Method: " + std::string(name(settings.method));
   if (settings.method == Method::random) line += ", seed " + std::to_string(settings.seed);
   line += " · " + (settings.method == Method::balanced
                        ? count_of(count_robots(placement.teams), "robot", "robots")

@@ -37,7 +37,7 @@ constexpr Line by_candidates[] = {
     {Statement::first_team, "first team := the longest even candidate, else the most even one"},
     {Statement::first_base, "H := the segment between its robots"},
     {Statement::each_team, "for each further team, while candidates are left"},
-    {Statement::scores, "  for each candidate r1 r2: score := gain(r1) + gain(r2)"},
+    {Statement::scores, "  for each candidate r1 r2: score := f(r1) + f(r2)"},
     {Statement::next_team, "  team := the candidate with the largest score"},
     {Statement::wider_base, "  H := the convex hull of H and its robots"}};
 constexpr Line in_ranges[] = {
