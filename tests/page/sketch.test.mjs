@@ -115,6 +115,27 @@ test("on a phone, too, the length and the angle of an edge are typed", async () 
   await page.done();
 });
 
+test("under a finger the fields of the next edge are empty until something is typed", async () => {
+  const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
+  await tap(page, "Draw");
+  const shown = async () => {
+    await idle(page);
+    return page.locator("#mirror").getByRole("textbox", { name: /^(Length|Angle)$/ }).evaluateAll((fields) => fields.map((field) => field.value));
+  };
+  await idle(page);
+  await page.touchscreen.tap(100, 300);
+  assert.deepEqual(await shown(), ["–", "–"]);
+  await page.touchscreen.tap(300, 320);
+  assert.deepEqual(await shown(), ["–", "–"]);
+  await tap(page, "edge length");
+  assert.equal(await page.evaluate(() => document.activeElement.value), "");
+  await page.keyboard.type("50");
+  await page.keyboard.press("Enter");
+  await page.touchscreen.tap(200, 200);
+  assert.deepEqual(await shown(), ["–", "–"], "the edge does not lead back to where the last one was typed");
+  await page.done();
+});
+
 test("Escape in a field of the edge takes back what was typed there, and no vertex", async () => {
   const page = await drawing([300, 300], [500, 320]);
   const length = page.locator("#mirror").getByRole("textbox", { name: "Length", exact: true });

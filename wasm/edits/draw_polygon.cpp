@@ -63,6 +63,9 @@ void add_point(AppState& state, const Vec2& at) {
   Points& points = state.drawing.points;
   if (!points.empty() && points.back() == at) return;
   points.push_back(at);
+  // The next edge begins here, wherever the cursor was: a finger has none between two taps.
+  state.drawing.last_cursor = at;
+  if (state.drawing.cursor) state.drawing.cursor = at;
   state.drawing.undone.clear();
   renew_drawing(state);
 }

@@ -87,14 +87,19 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
   const Drawing& drawing = ui.state.drawing;
   const Vec2 from = drawing.points.back();
   const Edge edge = edge_between(from, drawing.cursor.value_or(drawing.last_cursor.value_or(from)));
-  const Asked length =
-      typed_field(ui, "edge length", "Length",
-                  drawing.length ? plain(*drawing.length) : length_in_words(ui.state, edge.length),
-                  length_width);
+  // Under a finger, and until the pointer moves, nothing says where the next edge leads.
+  const bool begun = edge.length > 0;
+  const Asked length = typed_field(ui, "edge length", "Length",
+                                   drawing.length ? plain(*drawing.length)
+                                   : begun        ? length_in_words(ui.state, edge.length)
+                                                  : "–",
+                                   length_width);
   ImGui::SameLine(0, 8);
-  const Asked angle = typed_field(
-      ui, "edge angle", "Angle",
-      drawing.degrees ? plain(*drawing.degrees) + "°" : fixed(edge.degrees, 1) + "°", angle_width);
+  const Asked angle = typed_field(ui, "edge angle", "Angle",
+                                  drawing.degrees ? plain(*drawing.degrees) + "°"
+                                  : begun         ? fixed(edge.degrees, 1) + "°"
+                                                  : "–",
+                                  angle_width);
   if (length.moved) ui.push(TypeEdge{length.moved, {}, length.pressed});
   if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
 }

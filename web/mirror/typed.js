@@ -3,6 +3,7 @@
 // What a control shows, ready to be typed over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
 export function plainValue(shown) {
   const text = shown.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
+  if (text === "–") return "";  // nothing yet
   if (text.startsWith("(")) return text.slice(1, -1);
   return /^[-\d.]/.test(text) ? text.split(" ")[0].replace(/°$/, "") : text;
 }
