@@ -1,7 +1,7 @@
 // Drawing, taking hold of the whole, comparing, what tips, capacity: what a person does on the canvas.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, controlIfShown, drag, drawsNothing, idle, load, openL, phone, press, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, control, controlIfShown, drag, drawsNothing, idle, load, openL, phone, press, sharedBrowser, state, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -97,6 +97,33 @@ test("the whole is moved, turned and scaled", async () => {
   assert.ok(Math.abs(turned.coverage - before.coverage) < 1e-3, "the same shape, larger and turned");
   for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+z");
   assert.deepEqual((await state(page)).polygon, before.polygon);
+  await page.done();
+});
+
+test("on the smallest phone the frame about the shape is clear of the tool's bar", async () => {
+  const page = await browser.open({ viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true });
+  await idle(page);
+  await page.keyboard.press("w");
+  const bar = await control(page, "Done");
+  const top = await page.evaluate(() => Math.min(...evenlift.state().polygon.map((p) => [...evenlift.view.to_screen(...p)][1])));
+  assert.ok(top > bar.y + bar.height + 8 + 10, `${top} ${JSON.stringify(bar)}`);
+  await page.done();
+});
+
+test("undo of a shape that was made larger shows it as large as it was", async () => {
+  const page = await opened();
+  const width = () => page.evaluate(() => {
+    const xs = evenlift.state().polygon.map((p) => [...evenlift.view.to_screen(...p)][0]);
+    return Math.max(...xs) - Math.min(...xs);
+  });
+  const before = await width();
+  await page.keyboard.press("w");
+  for (let i = 0; i < 8; ++i) await page.keyboard.press("}");
+  await idle(page);
+  for (let i = 0; i < 8; ++i) await page.keyboard.press("Control+z");
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.ok(await width() > 0.69 * before, `${await width()} ${before}`);
   await page.done();
 });
 

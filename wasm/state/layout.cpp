@@ -117,6 +117,7 @@ Layout narrow(const AppState& state) {
   // move.
   const double below = std::min(height, screen.height * 0.45);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
+  if (state.tool == Tool::transform) l.free.top += l.control + 24;  // the tool's bar
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
@@ -157,12 +158,23 @@ double stands_out(const Settings& settings, double size) {
   return std::min(2 * robot.radius + robot.reach, size);
 }
 
+// For a picture that is traced: below the bar of the drawing tool, which has a second row on a narrow screen (drawing_bar.cpp).
+Rect room_for_backdrop(const Layout& l) {
+  const double rows = l.wide || l.low ? 1 : 2, bar = 8 + rows * (l.control + 8) + 8;
+  Rect room = l.room;
+  if (!l.wide)  // there are no loads beside it yet
+    room = {l.free.left + l.margin, l.free.top, l.free.right - l.margin, l.free.bottom - l.margin};
+  room.top = std::min(std::max(room.top, l.free.top + bar + l.margin), room.bottom - 1);
+  return room;
+}
+
 }  // namespace
 
 Camera fitting_camera(const AppState& state) {
-  const Rect room = layout(state).room;
+  const Layout l = layout(state);
   if (state.backdrop && state.tool == Tool::draw)
-    return fit({state.backdrop->low, state.backdrop->high}, room);
+    return fit({state.backdrop->low, state.backdrop->high}, room_for_backdrop(l));
+  const Rect& room = l.room;
   const Points& vertices = state.document.vertices;
   const std::optional<Vec2>& centre = state.document.centre_of_mass;
   if (vertices.empty()) return fit(vertices, room);
