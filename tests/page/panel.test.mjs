@@ -379,6 +379,15 @@ test("what is selected and shown is told, and no more than that", async () => {
   await idle(page);
   await page.keyboard.press("a");
   await idle(page);
+  await page.mouse.move(400, 400);
+  for (let i = 0; i < 20; ++i) await page.mouse.wheel(0, 300);
+  await idle(page);
+  const held = await page.evaluate(() => [...evenlift.view.to_world(400, 400)]);
+  for (let i = 0; i < 5; ++i) await page.mouse.wheel(0, 300);
+  await idle(page);
+  const now = await page.evaluate(() => [...evenlift.view.to_world(400, 400)]);
+  assert.ok(Math.hypot(now[0] - held[0], now[1] - held[1]) < 1e-3, `at its limit zooming moves nothing: ${held} ${now}`);
+  await page.keyboard.press("0");
   const said = await page.evaluate(() => globalThis.said);
   assert.ok(said.includes("Vertex 1 of 6, (0.0, 0.0)."), said.join(" | "));
   assert.ok(said.some((text) => text.includes("Shown: candidates.")), said.join(" | "));

@@ -176,8 +176,8 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
 void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
   // Releases what the first finger held, where it is.
   if (state.held.kind != Pick::Kind::none) release(state, pointer, commands);
-  const Camera moved = pan(state.camera, pointer.pinch_moved);
-  commands.push_back(SetCamera{zoom(moved, pointer.pinch_at, pointer.pinch_factor, 0, 1e300)});
+  commands.push_back(SetCamera{pan(state.camera, pointer.pinch_moved)});
+  commands.push_back(ZoomView{pointer.pinch_factor, pointer.pinch_at});
 }
 
 // Over a panel the panel's rows say what is hovered over (panels.cpp).
@@ -244,7 +244,7 @@ void interact(const AppState& state, const Pointer& pointer, Commands& commands)
   if (!holding) hover(state, pointer, commands);
   if (pointer.wheel != 0 && !pointer.over_panel) {
     const double factor = std::exp(pointer.wheel * 0.18);
-    commands.push_back(SetCamera{zoom(state.camera, pointer.at, factor, 0, 1e300)});
+    commands.push_back(ZoomView{factor, pointer.at});
   }
 }
 

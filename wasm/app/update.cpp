@@ -217,7 +217,7 @@ struct Applier {
   void operator()(const SetCamera& c) const { look_through(state, c.camera); }
   void operator()(const FitView&) const { fit_view(state); }
   void operator()(const ZoomView& c) const {
-    zoom_view(state, layout(state).room.middle(), c.factor);
+    zoom_view(state, c.about.value_or(layout(state).room.middle()), c.factor);
   }
   void operator()(const SetPanelOpen& c) const { state.panel_open = c.open; }
   void operator()(const SetMoreOpen& c) const { state.more_open = c.open; }

@@ -40,7 +40,7 @@ bool centre_is_shown(const AppState& state) {
 
 bool well_shown(const AppState& state) {
   const double best = fitting_camera(state).scale;
-  if (state.camera.scale < best * 0.4) return false;
+  if (state.camera.scale < best * 0.7) return false;
   const Rect window = state.screen.area();
   return std::all_of(state.document.vertices.begin(), state.document.vertices.end(),
                      [&](const Vec2& p) { return window.contains(state.camera.to_screen(p)); });

@@ -173,9 +173,10 @@ struct SetCamera {
   Camera camera;
 };
 struct FitView {};
-// Zooms about the middle of the room for the polygon.
+// Zooms about a place on the screen, or about the middle of the room for the polygon.
 struct ZoomView {
   double factor;
+  std::optional<Vec2> about{};
 };
 struct SetPanelOpen {
   bool open;
