@@ -213,6 +213,31 @@ test("a list that is open covers the fields below it", async () => {
   await page.done();
 });
 
+test("a finger scrolls the toolbar's menu to its end, and takes the last row", async () => {
+  for (const [width, height] of [[740, 360], [320, 568]]) {
+    const page = await browser.open({ viewport: { width, height }, ...touch });
+    await tap(page, "more");
+    const { middle: [x, y] } = await control(page, "Coordinates");
+    const rows = async () => {
+      await idle(page);
+      return (await mirrored(page)).filter(({ label }) => ["Coordinates", "About evenlift"].includes(label));
+    };
+    const client = await page.context().newCDPSession(page);
+    const finger = (type, ...at) => client.send("Input.dispatchTouchEvent", { type, touchPoints: at.map(([px, py], id) => ({ x: px, y: py, id })) });
+    for (let stroke = 0; stroke < 3; ++stroke) {
+      await finger("touchStart", [x, y]);
+      for (let i = 1; i <= 8; ++i) await finger("touchMove", [x, y - 20 * i]);
+      await finger("touchEnd");
+      await idle(page);
+    }
+    const about = (await rows()).find(({ label }) => label === "About evenlift");
+    assert.ok(about.top > 0 && about.bottom <= height && about.left >= 0 && about.right <= width, JSON.stringify(about));
+    await page.touchscreen.tap((about.left + about.right) / 2, (about.top + about.bottom) / 2);
+    await page.locator("#about").waitFor();
+    await page.done();
+  }
+});
+
 test("no control moves because the result changed", async () => {
   for (const options of [{}, { viewport: phone, ...touch }]) {
     const page = await browser.open(options);

@@ -17,10 +17,13 @@ bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 ancho
   const bool below = room_below > enough || room_below >= room_above;
   // In the right half of the window the list grows to the left, so that it never leaves the window.
   const bool leftwards = anchor_low.x + anchor_high.x > width;
-  ImGui::SetNextWindowPos(ImVec2(leftwards ? anchor_high.x : anchor_low.x,
-                                 below ? anchor_high.y + 6 : anchor_low.y - 6),
-                          ImGuiCond_Always, ImVec2(leftwards ? 1.0f : 0.0f, below ? 0.0f : 1.0f));
-  const float widest = (leftwards ? anchor_high.x : width - anchor_low.x) - 8;
+  // Where it would be too narrow for its longest row, it reaches past its button to the right.
+  constexpr float longest = 328;
+  const float right = std::max(anchor_high.x, std::min(width - 8, longest));
+  ImGui::SetNextWindowPos(
+      ImVec2(leftwards ? right : anchor_low.x, below ? anchor_high.y + 6 : anchor_low.y - 6),
+      ImGuiCond_Always, ImVec2(leftwards ? 1.0f : 0.0f, below ? 0.0f : 1.0f));
+  const float widest = (leftwards ? right : width - anchor_low.x) - 8;
   ImGui::SetNextWindowSizeConstraints(
       ImVec2(std::min(least_width, widest), 0),
       ImVec2(std::min(widest, 420.0f), std::max(below ? room_below : room_above, 120.0f)));
