@@ -323,6 +323,24 @@ test("a candidate that is pressed says why it was not taken; Esc closes the card
   await page.done();
 });
 
+test("a tip covers neither the button that it is about nor a neighbour", async () => {
+  const page = await browser.open();
+  await page.mouse.move(600, 600);
+  const pictures = async (...names) => Promise.all(names.map(async (name) => {
+    const { x, y, width, height } = await control(page, name);
+    return (await page.screenshot({ clip: { x, y, width, height } })).toString("base64");
+  }));
+  const neighbours = ["Samples", "Undo", "weight", "weight -", "teams", "Zoom in", "Coordinates"];
+  const before = await pictures(...neighbours), whole = await page.screenshot();
+  for (const [x, y] of [(await control(page, "Draw")).middle, [960, (await control(page, "weight")).middle[1]], (await control(page, "Show all of the object")).middle]) {
+    await page.mouse.move(x, y);
+    await idle(page);
+    assert.ok((await browser.compare(whole, await page.screenshot())).share > 0, "there is a tip");
+    assert.deepEqual(await pictures(...neighbours), before, `at ${x}, ${y}`);
+  }
+  await page.done();
+});
+
 test("the pointer says what a press would do", async () => {
   const page = await browser.open();
   await page.evaluate((text) => evenlift.load(text), lShape);
@@ -360,6 +378,15 @@ test("zooming has limits, and an object out of view is one press away", async ()
   await idle(page);
   const smallest = await width();
   assert.ok(smallest > fitted / 5 && smallest < fitted / 2, `${smallest} of ${fitted}`);
+  await page.keyboard.press("0");
+  await page.mouse.move(400, 400);
+  for (let i = 0; i < 20; ++i) await page.mouse.wheel(0, 300);
+  await idle(page);
+  const held = await page.evaluate(() => [...evenlift.view.to_world(400, 400)]);
+  for (let i = 0; i < 5; ++i) await page.mouse.wheel(0, 300);
+  await idle(page);
+  const now = await page.evaluate(() => [...evenlift.view.to_world(400, 400)]);
+  assert.ok(Math.hypot(now[0] - held[0], now[1] - held[1]) < 1e-3, `at its limit zooming moves nothing: ${held} ${now}`);
   await page.keyboard.press("0");
   await page.mouse.move(20, 400);
   for (let i = 0; i < 30; ++i) await page.mouse.wheel(0, -300);
@@ -404,15 +431,6 @@ test("what is selected and shown is told, and no more than that", async () => {
   await idle(page);
   await page.keyboard.press("a");
   await idle(page);
-  await page.mouse.move(400, 400);
-  for (let i = 0; i < 20; ++i) await page.mouse.wheel(0, 300);
-  await idle(page);
-  const held = await page.evaluate(() => [...evenlift.view.to_world(400, 400)]);
-  for (let i = 0; i < 5; ++i) await page.mouse.wheel(0, 300);
-  await idle(page);
-  const now = await page.evaluate(() => [...evenlift.view.to_world(400, 400)]);
-  assert.ok(Math.hypot(now[0] - held[0], now[1] - held[1]) < 1e-3, `at its limit zooming moves nothing: ${held} ${now}`);
-  await page.keyboard.press("0");
   const said = await page.evaluate(() => globalThis.said);
   assert.ok(said.includes("Vertex 1 of 6, (0.0, 0.0)."), said.join(" | "));
   assert.ok(said.some((text) => text.includes("Shown: candidates.")), said.join(" | "));

@@ -49,10 +49,19 @@ const char* label_of(Method method, const Overlay& overlay) {
   return shows_lines(method, overlay) ? "Lines" : overlay.label;
 }
 
-const char* about(Method method, const Overlay& overlay) {
-  return shows_lines(method, overlay)
-             ? "Balanced robots have no chords: a line joins each with the centre of mass (C)"
-             : overlay.about;
+// Whether it is shown, but there is nothing of it here: an object that is held has no points to turn about.
+bool is_empty(const Placement& placement, const Overlay& overlay) {
+  const Closure& closure = placement.closure;
+  return (overlay.shown == &Overlays::clockwise && !closure.clockwise.exists) ||
+         (overlay.shown == &Overlays::counterclockwise && !closure.counterclockwise.exists);
+}
+
+std::string about(const AppState& state, const Overlay& overlay) {
+  if (shows_lines(settings(state).method, overlay))
+    return "Balanced robots have no chords: a line joins each with the centre of mass (C)";
+  const std::string text = overlay.about;
+  if (!state.placement || !is_empty(shown_placement(state), overlay)) return text;
+  return text.substr(0, text.rfind(" (")) + ": here there are none" + text.substr(text.rfind(" ("));
 }
 
 // The heat map's colours, and the forces between them.
@@ -100,8 +109,7 @@ void draw_overlays(const Ui& ui) {
       changed.*overlay.shown = !on;
       ui.push(Show{changed});
     }
-    if (ImGui::IsItemHovered())
-      tip(ui, why_not ? why_not : about(settings(ui.state).method, overlay));
+    if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about(ui.state, overlay).c_str());
   }
   if (settings(ui.state).overlays.tipping) draw_heat_key(ui);
 }

@@ -85,8 +85,31 @@ void rule(const Ui& ui) {
   ImGui::Dummy(ImVec2(0, 9));
 }
 
+namespace {
+
+// A tip covers neither what it is about nor its neighbours: it stands beside the panel, and below or above a bar.
+void place_tip(const Ui& ui, const char* text) {
+  constexpr float away = 14;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
+               pointer = ImGui::GetIO().MousePos,
+               size(text_size(Face::label, text).x + 20, line_height(Face::label) + 14);
+  const float panel = static_cast<float>(ui.layout.panel.left);
+  if (ui.layout.wide && pointer.x >= panel)
+    return ImGui::SetNextWindowPos(
+        ImVec2(std::max(8.0f, panel - size.x - 8), pointer.y - size.y / 2));
+  const auto width = static_cast<float>(ui.state.screen.width),
+             height = static_cast<float>(ui.state.screen.height);
+  const bool wide = high.x - low.x > 240;  // a timeline: the tip is about where the pointer is
+  const float left = wide ? pointer.x - size.x / 2 : low.x;
+  ImGui::SetNextWindowPos(ImVec2(std::clamp(left, 8.0f, std::max(8.0f, width - size.x - 8)),
+                                 low.y < height / 2 ? high.y + away : low.y - away - size.y));
+}
+
+}  // namespace
+
 void tip(const Ui& ui, const char* text) {
   if (!text || ui.state.screen.touch || ui.state.screen.finger) return;
+  place_tip(ui, text);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 7));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 7.0f);
   ImGui::BeginTooltip();
