@@ -5,6 +5,8 @@
 #include "evenlift/settings_text.h"
 #include "evenlift/stands.h"
 #include "kit/catch.h"
+#include "marks/robot_discs.h"
+#include "marks/stands.h"
 #include "state/method.h"
 #include "tools/brush.h"
 #include "view/view_page.h"
@@ -92,10 +94,34 @@ TEST_CASE("a method that looks for no places takes robots as points", "[view][st
   changed.robot.radius = 10;
   changed.no_go = {{0, 0, 1}};
   const Settings distributed = with_method(changed, Method::distributed, 3);
-  CHECK(distributed.robot == RobotSize{});
+  CHECK(distributed.robot == evenlift::RobotSize{});
   CHECK(distributed.no_go.empty());
   CHECK(with_method(changed, Method::circle, 3).robot == changed.robot);
   CHECK(with_method(changed, Method::balanced, 3).no_go == changed.no_go);
+}
+
+TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][stands]") {
+  Page page;
+  Settings changed = settings(page.app.state);
+  changed.robot.radius = 8;
+  give(page, SetSettings{changed});
+  const AppState& state = page.app.state;
+  const Layout places = layout(state);
+  const Scene scene;
+  const auto vertices = [&](double radius_in_pixels) {
+    Camera camera = state.camera;
+    camera.scale = radius_in_pixels / 8;
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    const Rect window{-1e4, -1e4, 1e4, 1e4};
+    const CanvasView view{state, theme(state), places, &*state.placement,
+                          scene, camera,       window, false};
+    draw_stands(Painter(list, camera, window), view);
+    return list.VtxBuffer.Size;
+  };
+  const double mark = static_cast<double>(mark_radius(state.placement->teams));
+  CHECK(vertices(mark - 1) < 200);  // what cannot be used of the boundary
+  CHECK(vertices(mark + 1) > vertices(mark - 1) + 6 * 64);
 }
 
 TEST_CASE("every frame with robots of a size can be drawn", "[view][stands]") {

@@ -16,6 +16,10 @@ RobotSize robot_size(std::size_t teams) {
   return {4, 5.5f, false};
 }
 
+float mark_radius(const std::vector<Team>& teams) {
+  return robot_size(pairs_of(teams)).ring + 1.5f;
+}
+
 std::size_t robots_of(const std::vector<Team>& all, std::size_t teams) {
   return all.empty() ? 0 : teams * all.front().robots.size();
 }

@@ -3,6 +3,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/placed_robots.h"
 #include "marks/boxed_text.h"
+#include "marks/robot_discs.h"
 
 namespace evenlift::view {
 
@@ -19,9 +20,10 @@ void draw_unusable(const Painter& painter, const Placement& placement, const The
 
 namespace {
 
-// The hand beneath the object, the arm, and the body, of which nothing is drawn that is too small to see.
+// The hand beneath the object, the arm, and the body. A body that is smaller than the robot's mark would only peek out
+// behind it.
 void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot& robot,
-               const RobotSize& size) {
+               const evenlift::RobotSize& size) {
   const Theme& theme = view.theme;
   const Vec2 inward = robot.contact - robot.stand;
   const double way = length(inward);
@@ -34,7 +36,7 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
     painter.outline(hand, theme.robot, 1.5f);
   }
   const auto radius = static_cast<float>(size.radius * view.camera.scale);
-  if (radius < 1) return;
+  if (radius < mark_radius(view.placement->teams)) return;
   ImDrawList& list = painter.list();
   list.AddCircleFilled(painter.at(robot.stand), radius, theme.robot.at(0.22f).packed(), 64);
   list.AddCircle(painter.at(robot.stand), radius, theme.robot.packed(), 64, 1.5f);
