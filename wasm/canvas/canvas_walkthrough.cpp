@@ -8,7 +8,9 @@
 
 #include "canvas/walkthrough_figures.h"
 #include "evenlift/output/words.h"
+#include "marks/load_labels.h"
 #include "marks/stands.h"
+#include "ui/vec.h"
 #include "walkthrough/questions.h"
 
 namespace evenlift::view {
@@ -94,6 +96,37 @@ void draw_asked_places(const Painter& painter, const CanvasView& view) {
     draw_ring(painter, place, view.theme.amber_on_object);
 }
 
+std::string name_of_choice(const Ask& ask, std::uint32_t choice) {
+  if (ask.question.kind != QuestionKind::nearer_end) return std::to_string(choice + 1);
+  return choice == 0 ? "first" : "second";
+}
+
+// The numbers of the choices, beyond their ends, clear of robots and of each other.
+void draw_names_of_choices(const Painter& painter, const CanvasView& view, const Ask& ask) {
+  if (ask.choices.size() > most_valued) return;
+  const Vec2 middle = view.camera.to_screen(view.placement->centre_of_mass);
+  std::vector<LabelRequest> requests;
+  for (const std::uint32_t choice : ask.choices) {
+    const Chord& chord =
+        chord_of_choice(*view.state.walkthrough.trace, ask.detail, ask.question, choice);
+    const Vec2 at = view.camera.to_screen(chord.r2.position), away = at - middle;
+    const ImVec2 text = text_size(Face::strong_label, name_of_choice(ask, choice));
+    requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 10, text.y + 4)});
+  }
+  // As far out as if a robot stood at each end: what is nearer to some would tell the answer.
+  const double reach = static_cast<double>(mark_radius(view.placement->teams));
+  Occupied occupied = occupied_by_marks(view, reach);
+  const auto places = place_labels(requests, occupied, reach + 3, 1000);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i]) continue;
+    const ImVec2 low = vec(places[i]->left, places[i]->top),
+                 high = vec(places[i]->right, places[i]->bottom);
+    painter.list().AddRectFilled(low, high, view.theme.panel.at(0.9f).packed(), 5);
+    draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 5, low.y + 2), view.theme.accent,
+              name_of_choice(ask, ask.choices[i]));
+  }
+}
+
 // The choices of a question; the one that the buttons point at is stronger.
 void draw_choices(const Painter& painter, const CanvasView& view) {
   const std::optional<Ask>& ask = view.state.walkthrough.ask;
@@ -106,13 +139,8 @@ void draw_choices(const Painter& painter, const CanvasView& view) {
         chord_of_choice(*view.state.walkthrough.trace, ask->detail, ask->question, choice);
     draw_chord(painter, chord, view.theme.accent_on_object.at(pointed ? 1 : 0.45f),
                pointed ? 4.0f : 2.5f);
-    if (ask->choices.size() > most_valued) continue;
-    const ImVec2 at = painter.at(chord.r2.position);
-    const bool end = ask->question.kind == QuestionKind::nearer_end;
-    const std::string name = !end ? std::to_string(choice + 1) : choice == 0 ? "first" : "second";
-    draw_text(painter.list(), Face::strong_label, ImVec2(at.x + 8, at.y - 8),
-              view.theme.accent_on_object, name);
   }
+  draw_names_of_choices(painter, view, *ask);
 }
 
 }  // namespace

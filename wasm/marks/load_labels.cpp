@@ -35,6 +35,20 @@ Rect free_window(const CanvasView& view) {
           std::min(free.bottom, view.window.bottom) - 4};
 }
 
+// The chord of the team or candidate that is pointed at. Balanced robots have none, and one that fails leaves its partner alone.
+std::optional<Chord> pointed_chord(const CanvasView& view) {
+  const Pick& at = view.state.hover;
+  const Placement& placement = *view.placement;
+  if (placement.settings.method == Method::balanced || view.failure() || at.second != view.second ||
+      view.state.held.kind != Pick::Kind::none)
+    return std::nullopt;
+  const bool of_team = at.kind == Pick::Kind::robot || at.kind == Pick::Kind::chord;
+  if (of_team && at.index < placement.teams.size()) return chord_of(placement.teams[at.index]);
+  if (at.kind == Pick::Kind::candidate && at.index < placement.candidates.size())
+    return placement.candidates[at.index].chord;
+  return std::nullopt;
+}
+
 }  // namespace
 
 void draw_coverage(const Painter& painter, const CanvasView& view) {
@@ -101,6 +115,24 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
     draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3),
               over[i] ? view.theme.amber : view.theme.text, texts[i]);
   }
+}
+
+void draw_ratio(const Painter& painter, const CanvasView& view) {
+  const std::optional<Chord> chord = pointed_chord(view);
+  if (!chord) return;
+  // In the middle of the longer arm.
+  const Vec2 &c = view.placement->centre_of_mass,
+             &end = (chord->arm1 > chord->arm2 ? chord->r1 : chord->r2).position,
+             arm = view.camera.to_screen(end) - view.camera.to_screen(c);
+  if (length(arm) < 90) return;
+  const std::string text = ratio_in_words(chord->ratio);
+  const ImVec2 size = text_size(Face::strong_label, text),
+               middle = vec(view.camera.to_screen(c) + arm / 2),
+               low(middle.x - size.x / 2 - 5, middle.y - size.y / 2 - 2);
+  painter.list().AddRectFilled(low, ImVec2(low.x + size.x + 10, low.y + size.y + 4),
+                               view.theme.panel.at(0.9f).packed(), 5);
+  draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 5, low.y + 2), view.theme.text,
+            text);
 }
 
 void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied) {

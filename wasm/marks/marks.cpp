@@ -183,6 +183,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_halo(painter, view);
     draw_closed_stretch(painter, view);
     draw_robots(painter, view);
+    draw_ratio(painter, view);
   }
   draw_centre(painter, view);
   if (view.current()) draw_push(painter, view);
