@@ -144,7 +144,7 @@ void lay_behind(AppState& state, const std::optional<Box>& picture) {
   if (!picture) return;
   if (state.tool != Tool::draw) take_tool(state, Tool::draw);
   state.camera = fitting_camera(state);
-  state.camera_follows = false;
+  state.camera_follows = true;  // cards come and go beside it
 }
 
 }  // namespace evenlift::view

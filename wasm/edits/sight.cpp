@@ -53,8 +53,9 @@ void zoom_view(AppState& state, const Vec2& about, double factor) {
 }
 
 void frame_view(AppState& state) {
-  // A polygon that is being drawn must not move under the hand.
-  if (!state.camera_follows || state.edit_open || state.tool == Tool::draw) return;
+  // A polygon that is being drawn must not move under the hand; a picture may until its first vertex is traced.
+  const bool drawn = state.tool == Tool::draw && !(state.backdrop && state.drawing.points.empty());
+  if (!state.camera_follows || state.edit_open || drawn) return;
   const Rect room = layout(state).room;
   if (!state.fit_due && room == state.fitted) return;
   state.camera = fitting_camera(state);
