@@ -132,7 +132,7 @@ test("the method, its robots and its goal are chosen in the panel", async () => 
   await page.keyboard.type("65");
   await page.keyboard.press("Enter");
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^robots: the number of robots is a whole number from 2 to 64\.$/);
+  assert.match(await page.locator("#alert").textContent(), /^The number of robots is a whole number from 2 to 64\.$/);
   await page.keyboard.press("Escape");
   await press(page, "goals");
   await press(page, "Cover");
@@ -221,9 +221,9 @@ test("balanced robots are compared with teams, on either side", async () => {
 
 test("set() refuses with a sentence what balanced robots cannot be asked", async () => {
   const page = await browser.open();
-  const bad = [[{ robots: 1 }, /^robots: the number of robots is a whole number from 2 to 64/], [{ robots: 65 }, /robots/], [{ robots: 2.5 }, /robots/],
-    [{ robots: "6" }, /robots/], [{ goal: "best" }, /^goal: the goal is cover or hold/], [{ metric: "random", goal: "hold" }, /goal: distributed and random teams/],
-    [{ min_margin: 2 }, /min_margin/], [{ apart: -1 }, /apart/], [{ metric: "balanced", robots: 6, survive: 2 }, /survive/]];
+  const bad = [[{ robots: 1 }, /^The number of robots is a whole number from 2 to 64/], [{ robots: 65 }, /robots/], [{ robots: 2.5 }, /robots/],
+    [{ robots: "6" }, /robots/], [{ goal: "best" }, /^The goal is cover or hold/], [{ metric: "random", goal: "hold" }, /goal: distributed and random teams/],
+    [{ min_margin: 2 }, /margin/], [{ apart: -1 }, /parts robots/], [{ metric: "balanced", robots: 6, survive: 2 }, /survive/]];
   for (const [changes, why] of bad) assert.match(await thrown(page, "set", changes), why);
   assert.equal((await state(page)).metric, "area");
   await page.done();

@@ -48,7 +48,7 @@ test("set() lets a robot fail, and refuses one that there is not", async () => {
   assert.match(await thrown(page, "set", { failed: 7 }), /^failed: there is no robot 7: there are 6/);
   assert.match(await thrown(page, "set", { teams: 2, failed: 5 }), /^failed: there is no robot 5: there are 4/);
   assert.equal((await state(page)).teams.length, 3, "nothing has changed");
-  for (const failed of [0, -1, 1.5, "3", true]) assert.match(await thrown(page, "set", { failed }), /^failed: the robot that fails/, String(failed));
+  for (const failed of [0, -1, 1.5, "3", true]) assert.match(await thrown(page, "set", { failed }), /^The robot that fails/, String(failed));
   await set(page, { failed: 2 });
   await set(page, { teams: 2 });
   await idle(page);
@@ -172,8 +172,8 @@ test("which loads are shown, how well C is known, and what balanced robots keep 
   await idle(page);
   assert.equal((await state(page)).robustness.com_radius, 15);
   await set(page, { loads: "plan" });
-  assert.match(await thrown(page, "set", { loads: "most" }), /^loads: the loads are those of/);
-  assert.match(await thrown(page, "set", { com_radius: -1 }), /^com_radius/);
+  assert.match(await thrown(page, "set", { loads: "most" }), /^The loads are those of/);
+  assert.match(await thrown(page, "set", { com_radius: -1 }), /^The radius within which/);
   await page.done();
 });
 

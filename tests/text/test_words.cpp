@@ -6,6 +6,7 @@
 #include "evenlift/import.h"
 #include "evenlift/output/json.h"
 #include "evenlift/random.h"
+#include "evenlift/settings_text.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
