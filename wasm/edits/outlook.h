@@ -9,8 +9,8 @@
 
 namespace evenlift::view {
 
-// Call this when the placement, the second one, the model of the loads or the doubt about C is another
-// one. O(m log m + n) for m robots, and O(m^3) up to 64 of them if loads other than the plan are shown.
+// Call this after a change of the placement, of the second one, of the model of the loads or of the doubt
+// about C. O(m log m + n) for m robots, and O(m^3) up to 64 of them if loads other than the plan are shown.
 void renew_outlook(AppState& state);
 
 // Call this when the placement has other robots: a robot that failed is back, and what happens if one

@@ -12,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-// Whether only what places nothing differs in the edited document.
+// Whether the edit leaves the placement as it is.
 bool places_nothing(const AppState& state, const Document& edited) {
   const Settings but = placing_as(edited.settings, settings(state));
   return !state.refusal && edited.vertices == state.document.vertices &&

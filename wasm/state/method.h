@@ -15,9 +15,9 @@ inline std::uint32_t placed_teams(const AppState& state) {
       1, static_cast<std::uint32_t>(count_robots(state.placement->teams) / 2));
 }
 
-// The settings with another method. What it cannot have is as usual again: "max", in whose place come
-// `teams`, the goal to hold, the robots' size, and what they may not touch. The goal of balanced
-// robots is none of teams.
+// The settings with another method. Settings that the new method does not support are reset: "max" to
+// `teams`, the goal, the robots' size, and what they must not touch. A goal of balanced robots is reset for
+// teams, too.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;

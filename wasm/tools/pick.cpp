@@ -11,7 +11,7 @@ namespace {
 
 double distance(const Vec2& a, const Vec2& b) { return length(a - b); }
 
-// The nearest candidate so far, if it is within reach.
+// The nearest of what was offered within reach; of two as near, the later.
 struct Nearest {
   double reach;
   Pick pick = {};

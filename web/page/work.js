@@ -3,7 +3,7 @@
 let open = 0;
 let waiting = [];
 
-// What waits for a pause, so as not to be done too often, need not: whoever waits for idle() has made the pause.
+// While somebody awaits idle(), throttled work runs at once.
 let awaiting = 0;
 const hurries = [];
 
@@ -33,7 +33,7 @@ document.addEventListener("evenlift-work", ({ detail: promise }) => {
 
 const nextTask = () => new Promise((done) => setTimeout(done));
 
-// Sizes and preferences that changed are told of with the browser's next picture, which a hidden page has not.
+// The browser reports changed sizes and preferences with its next picture. A hidden page gets no pictures: there a task takes its place.
 const nextPicture = () => (document.hidden ? nextTask() : new Promise((done) => requestAnimationFrame(done)).then(nextTask));
 
 // Motions that end: what shows that something is loading goes on for ever.

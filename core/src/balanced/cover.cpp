@@ -98,7 +98,7 @@ class Cover::Sum {
   // Of a stretch outside of H, which C sees under less than 180 degrees.
   void add_sector(const Vec2& a, const Vec2& b) {
     const double turn = cross(a, b), all = sectors_[hull_.size];
-    // Stretch follows stretch.
+    // Consecutive stretches share an end, so the last call's sector is reused.
     const double before_a = a == last_ ? before_last_ : sector_before(a);
     last_ = b;
     before_last_ = sector_before(b);

@@ -10,9 +10,10 @@
 namespace evenlift::exchange {
 namespace {
 
-// Bounds of margins are computed in plain doubles.
+// Covers the rounding of u . w: u is a unit vector and w at most the root of 2 long, torques being in units of
+// R, so it is below 1e-15. The slack only makes more choices be looked at in full.
 constexpr double slack = 1e-9;
-// So many directions are tried of each choice.
+// So many directions are kept, since a choice that none of them rules out is tried in all of them.
 constexpr std::size_t most_directions = 64;
 
 void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
@@ -105,7 +106,7 @@ bool Choices::surely_below(const Trial& trial, std::uint32_t level) {
     return stays_below(first, u) && stays_below(second, u);
   });
   if (telling == directions_.end()) return false;
-  // What told of one choice tells of the next one, too.
+  // A direction that ruled out one choice often rules out the next: try it first.
   std::rotate(directions_.begin(), telling, telling + 1);
   return true;
 }

@@ -4,8 +4,8 @@
 
 namespace evenlift {
 
-// Two convex shapes are apart if they are along a side of either. Rounding may be forgiven to `around`,
-// which its maker widens.
+// Separating axes: apart if the projections onto the normal of some side are. Rounding does no harm, since
+// `around` was widened when it was made.
 bool NearEdges::meets(const Surrounding& around, const Box& box) {
   const Vec2 half = box.size() / 2, middle = box.middle() - around.start;
   const auto apart = [&](const Vec2& axis, double low, double high) {

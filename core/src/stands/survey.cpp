@@ -78,7 +78,7 @@ SeenObstacle Surveyor::seen_from(std::uint32_t edge, const EdgeFrame& frame,
     return Vec2(dot(offset, frame.along), dot(offset, frame.outward));
   };
   SeenObstacle obstacle{seen(polygon_.edge_start(other)), seen(polygon_.edge_end(other))};
-  // A common vertex is at its place without rounding.
+  // Set the shared vertex exactly; its projection would be rounded.
   if (other == polygon_.next(edge)) {
     obstacle.p = {frame.length, 0};
     obstacle.convex_at_end = polygon_.turn(other) == Turn::convex;

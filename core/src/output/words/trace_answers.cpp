@@ -129,7 +129,7 @@ std::string why_not_chosen(const Trace& trace, const WhyNot& answer) {
   }
 }
 
-// What a set has of the key that tells it from the set of the step, beside what that one has.
+// Both sets' values of the key that decides between them.
 std::string compared(const SetComparison& sets) {
   const BalancedKeys &other = sets.keys, &now = sets.keys_now;
   const auto fail = [](int steady) { return whole(static_cast<std::size_t>(std::max(0, steady))); };
