@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/angles.h"
 #include "evenlift/output/picture.h"
 #include "evenlift/plane.h"
 
@@ -17,7 +18,7 @@ Rect around(const Vec2& middle, const Vec2& size) {
 }
 
 Vec2 turned(const Vec2& v, double degrees) {
-  const double a = degrees * 3.14159265358979 / 180, c = std::cos(a), s = std::sin(a);
+  const double a = degrees * pi / 180, c = std::cos(a), s = std::sin(a);
   return {v.x() * c - v.y() * s, v.x() * s + v.y() * c};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/angles.h"
 #include "evenlift/document.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
@@ -11,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, half_turn = 180;
+constexpr double half_turn = 180;
 
 int sign(double value) { return (value > 0) - (value < 0); }
 
@@ -39,6 +40,15 @@ void pull(double& value, double first, double second, double reach) {
   if (std::abs(value - nearer) <= reach) value = nearer;
 }
 
+// How many units of rounding a length of 1 has: a million, divided by the least power of ten that is at least
+// the size. It takes no logarithm of the library, so that a typed edge has the same bits everywhere.
+double units_of_rounding(double size) {
+  double above = 1, below = 1;
+  while (above < size) above *= 10;
+  while (below < 1e300 && size * below * 10 <= 1) below *= 10;
+  return 1e6 * below / above;
+}
+
 }  // namespace
 
 bool closes(const AppState& state, const Vec2& screen) {
@@ -62,7 +72,7 @@ std::optional<std::size_t> placed_at(const AppState& state, const Vec2& screen) 
 
 Edge edge_between(const Vec2& from, const Vec2& to) {
   const Vec2 along = to - from;
-  return {length(along), std::atan2(along.y(), along.x()) * half_turn / pi};
+  return {length(along), arctangent2(along.y(), along.x()) * half_turn / pi};
 }
 
 std::string length_in_words(const AppState& state, double length) {
@@ -80,12 +90,12 @@ Vec2 typed_end(const Drawing& drawing, const Vec2& wanted) {
   const Edge edge = edge_between(from, wanted);
   const double size = drawing.length.value_or(edge.length),
                angle = drawing.degrees.value_or(edge.degrees) * pi / half_turn;
-  const double power = std::pow(10.0, 6 - std::ceil(std::log10(std::max(size, 1e-300))));
+  const double power = units_of_rounding(size);
   const auto rounded = [&](double value) {
     const double nearest = std::round(value * power) / power;
     return nearest == 0 || !std::isfinite(nearest) ? 0.0 : nearest;
   };
-  return {rounded(from.x() + size * std::cos(angle)), rounded(from.y() + size * std::sin(angle))};
+  return {rounded(from.x() + size * cosine(angle)), rounded(from.y() + size * sine(angle))};
 }
 
 std::optional<Vec2> centroid_of(const Points& chain) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/angles.h"
 #include "evenlift/plane.h"
 #include "state/layout.h"
 #include "tools/drawing.h"
@@ -93,7 +94,7 @@ Points turned_frame(const AppState& state) {
   const Box box = bounding_box(state.grip.vertices);
   const Vec2 about = state.camera.to_screen(pivot(state.grip.vertices)),
              low = state.camera.to_screen(box.low), high = state.camera.to_screen(box.high);
-  const double angle = since_grip(state).degrees * 3.14159265358979 / 180, c = std::cos(angle),
+  const double angle = since_grip(state).degrees * pi / 180, c = std::cos(angle),
                s = std::sin(angle);
   Points corners{{low.x() - beyond, high.y() - beyond},
                  {high.x() + beyond, high.y() - beyond},
