@@ -36,9 +36,12 @@ inline constexpr Method all_methods[] = {Method::area,        Method::circle, Me
 inline constexpr Method pair_methods[] = {Method::area, Method::circle, Method::distance,
                                           Method::distributed, Method::random};
 
-// Whether the method chooses teams among the candidates. O(1).
+// The methods that choose teams among the candidates.
+inline constexpr Method candidate_methods[] = {Method::area, Method::circle, Method::distance};
 constexpr bool selects_candidates(Method method) {
-  return method == Method::area || method == Method::circle || method == Method::distance;
+  for (const Method selects : candidate_methods)
+    if (selects == method) return true;
+  return false;
 }
 
 // What the placement is to reach first of all: the widest base, or a firm hold.

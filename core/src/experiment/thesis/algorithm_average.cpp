@@ -1,6 +1,7 @@
 #include "evenlift/experiment/algorithm_average.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "evenlift/tolerance.h"
 
@@ -23,13 +24,13 @@ std::optional<double> pick_closure(const Aggregate& a) { return a.form_closure; 
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t robots, Pick pick) {
   double sum = 0;
-  for (const Method method : {Method::area, Method::circle, Method::distance}) {
+  for (const Method method : candidate_methods) {
     const Aggregate* a = find(aggregates, method, robots);
     const std::optional<double> value = a ? pick(*a) : std::nullopt;
     if (!value) return std::nullopt;
     sum += *value;
   }
-  return sum / 3;
+  return sum / static_cast<double>(std::size(candidate_methods));
 }
 
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,

@@ -1,18 +1,17 @@
 #include "experiment/thesis/by_polygon.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace evenlift::experiment {
 namespace {
 
-constexpr Method metrics[] = {Method::area, Method::circle, Method::distance};
-
-// The candidate that each metric's last team took; none if a metric has no such team.
+// The candidate that the last team of each method took; none if one has no such team.
 std::optional<std::vector<std::uint32_t>> choices(const PolygonResult& result,
                                                   std::uint32_t teams) {
   std::vector<std::uint32_t> chosen;
-  for (const Method method : metrics) {
+  for (const Method method : candidate_methods) {
     const Measurement* m = find(result, method, 2 * teams);
     if (!m || !m->chosen) return std::nullopt;
     chosen.push_back(*m->chosen);
@@ -27,12 +26,12 @@ bool all_same(const std::vector<std::uint32_t>& chosen) {
 
 std::optional<double> algorithm_coverage(const PolygonResult& result, std::uint32_t robots) {
   double sum = 0;
-  for (const Method method : metrics) {
+  for (const Method method : candidate_methods) {
     const Measurement* m = find(result, method, robots);
     if (!m) return std::nullopt;
     sum += m->coverage;
   }
-  return sum / 3;
+  return sum / static_cast<double>(std::size(candidate_methods));
 }
 
 // The largest number of robots in teams of two that was measured.
@@ -74,9 +73,12 @@ Count alike_coverage(const std::vector<PolygonResult>& results, double differenc
   for (const PolygonResult& result : results) {
     const auto chosen = choices(result, 2);
     if (!chosen || all_same(*chosen)) continue;
-    const auto [least, most] = std::minmax({find(result, Method::area, 4)->coverage,
-                                            find(result, Method::circle, 4)->coverage,
-                                            find(result, Method::distance, 4)->coverage});
+    double least = 1, most = 0;
+    for (const Method method : candidate_methods) {
+      const double coverage = find(result, method, 4)->coverage;
+      least = std::min(least, coverage);
+      most = std::max(most, coverage);
+    }
     ++count.of;
     if (most - least < difference) ++count.yes;
   }

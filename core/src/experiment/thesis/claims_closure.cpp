@@ -76,7 +76,7 @@ void add_reading(std::vector<Claim>& claims, const Results& results, const Rows&
                     rate(closed_with(results, reading.closed, Method::distance, 8, 12))});
   claims.push_back({"5.5", "Numbers of robots up to 12 with which distributed closes most" + how,
                     "all", distributed_leads(rows, reading)});
-  for (const Method method : {Method::area, Method::circle, Method::distance})
+  for (const Method method : candidate_methods)
     claims.push_back({"5.5", "Closure lost by adding a team, " + std::string(name(method)) + how,
                       "never", lost_in_words(closure_lost(results, reading.closed, method))});
   claims.push_back({"5.5", "Closure lost by adding a team, distributed" + how,
