@@ -158,26 +158,6 @@ void draw_robot_shape(const Painter& painter, const CanvasView& view, const Figu
   painter.list().AddCircle(middle, radius, colour.packed(), 64, 1.5f);
 }
 
-void draw_balanced_shape(const Painter& painter, const CanvasView& view, const Figure& figure) {
-  const Theme& t = view.theme;
-  switch (figure.kind) {
-    case FigureKind::arm:
-      return draw_arm(painter, view, figure.points);
-    case FigureKind::sum:
-      return draw_sum(painter, view, figure.points);
-    case FigureKind::middle:
-      return draw_middle(painter, view, figure.points[0]);
-    case FigureKind::stand:
-      return draw_ring(painter, figure.points[0], t.amber_on_object);
-    case FigureKind::mirrored:
-      return draw_area(painter, figure.points, t.clockwise_line.at(0.08f), t.clockwise_line, 2);
-    case FigureKind::way:
-      return draw_way(painter, view, figure.points);
-    default:
-      return;  // robots, where they stood, and what cannot be used are drawn with all that is known
-  }
-}
-
 // A figure that is not a segment.
 void draw_shape(const Painter& painter, const CanvasView& view, const Figure& figure) {
   const Theme& t = view.theme;
@@ -216,8 +196,43 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Figure& fi
     case FigureKind::translation:
       if (p.size() >= 2) draw_arrow(painter, view, p[0], p[1]);
       return;
-    default:
-      return draw_balanced_shape(painter, view, figure);
+    case FigureKind::arm:
+      return draw_arm(painter, view, p);
+    case FigureKind::sum:
+      return draw_sum(painter, view, p);
+    case FigureKind::middle:
+      return draw_middle(painter, view, p[0]);
+    case FigureKind::stand:
+      return draw_ring(painter, p[0], t.amber_on_object);
+    case FigureKind::mirrored:
+      return draw_area(painter, p, t.clockwise_line.at(0.08f), t.clockwise_line, 2);
+    case FigureKind::way:
+      return draw_way(painter, view, p);
+    // These are drawn with all that is known.
+    case FigureKind::robot:
+    case FigureKind::left:
+    case FigureKind::unusable:
+    // These are segments (stroke_of).
+    case FigureKind::radial_edge:
+    case FigureKind::ray:
+    case FigureKind::chord:
+    case FigureKind::edge:
+    case FigureKind::section:
+    case FigureKind::reflected:
+    case FigureKind::section_end:
+    case FigureKind::bisecting:
+    case FigureKind::chosen:
+    case FigureKind::candidate:
+    case FigureKind::team:
+    case FigureKind::arm_before:
+    case FigureKind::arm_after:
+    case FigureKind::normal:
+    case FigureKind::lever:
+    case FigureKind::side:
+    case FigureKind::even_chord:
+    case FigureKind::range_end:
+    case FigureKind::former:
+      break;
   }
 }
 

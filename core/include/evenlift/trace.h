@@ -463,6 +463,7 @@ enum class FigureKind : std::uint8_t {
          // none of one that fits; value: radius
   hand,  // a robot's arm or hand, a segment or an area; item: likewise
 };
+inline constexpr std::uint32_t figure_kind_count = 45;
 std::string_view name(FigureKind kind);
 
 struct Figure {

@@ -211,16 +211,25 @@ bool Wedge::prepare_close_bounds() {
   constexpr double narrow = 1e-3;  // rounding would spoil the bins of a narrower wedge
   if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations)
     return false;
-  if (metric_ == Method::area) {
-    if (pseudo_angle_from(pseudo_angle1_, pseudo_angle(h2_)) < narrow) return false;
-    area_bins_.emplace(outside_, h1_, h2_, surroundings_->diagonal);
-  } else {
-    Points positions;
-    positions.reserve(outer_.size());
-    for (const Outer& outer : outer_) positions.push_back(outer.position);
-    distance_blocks_.emplace(std::move(positions));
+  switch (metric_) {
+    case Method::area:
+      if (pseudo_angle_from(pseudo_angle1_, pseudo_angle(h2_)) < narrow) return false;
+      area_bins_.emplace(outside_, h1_, h2_, surroundings_->diagonal);
+      return true;
+    case Method::distance: {
+      Points positions;
+      positions.reserve(outer_.size());
+      for (const Outer& outer : outer_) positions.push_back(outer.position);
+      distance_blocks_.emplace(std::move(positions));
+      return true;
+    }
+    case Method::circle:  // estimated exactly
+    case Method::distributed:
+    case Method::random:
+    case Method::balanced:
+      break;
   }
-  return true;
+  return false;
 }
 
 double Wedge::close_bound(const Vec2& p) const {

@@ -89,6 +89,7 @@ constexpr std::string_view figure_names[] = {
     "even_chord",  "left",          "way",         "range",
     "range_end",   "former",        "unusable",    "body",
     "hand"};
+static_assert(std::size(figure_names) == figure_kind_count);
 
 }  // namespace
 

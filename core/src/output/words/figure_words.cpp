@@ -60,9 +60,17 @@ class FigureWords {
                        {score.exact ? "" : "at most ", score_text(trace_, rule, score.value, 0)});
   }
   std::string gain_area() const {
-    return fill(trace_.placement.settings.method == Method::area ? "Adds # of the object to H"
-                                                                 : "Triangle between H and the end",
-                {gain()});
+    switch (trace_.placement.settings.method) {
+      case Method::area:
+        return fill("Adds # of the object to H", {gain()});
+      case Method::circle:
+      case Method::distance:
+      case Method::distributed:
+      case Method::random:
+      case Method::balanced:
+        break;
+    }
+    return "Triangle between H and the end";
   }
   std::string robot() const {
     std::string text;
@@ -151,7 +159,7 @@ constexpr FigureRow rows[] = {
 constexpr bool in_order() {
   for (std::size_t i = 0; i < std::size(rows); ++i)
     if (rows[i].kind != static_cast<FigureKind>(i)) return false;
-  return std::size(rows) == static_cast<std::size_t>(FigureKind::hand) + 1;
+  return std::size(rows) == figure_kind_count;
 }
 static_assert(in_order(), "figure_text() finds a row by its kind");
 
