@@ -1,4 +1,4 @@
-// Goes on with a search for balanced robots (wasm/page/balanced_api.cpp), slice by slice. Between slices others have their
+// Goes on with a search for balanced robots (wasm/modules/balanced_api.cpp), slice by slice. Between slices others have their
 // turn. Calls `found(robots, ended)` when there are better robots, at most so often, and at the end. `goesOn()` says whether
 // anybody still wants to know. Throws if the problem cannot be read.
 const betweenNews = 100;

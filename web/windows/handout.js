@@ -1,5 +1,5 @@
 // A lesson on paper: its steps as pictures with captions, six to a page. The steps come from a module of their
-// own (wasm/page/handout_api.cpp); here they are drawn.
+// own (wasm/modules/handout_api.cpp); here they are drawn.
 import { coreModule } from "../kit/core_module.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, svgEl } from "../kit/elements.js";

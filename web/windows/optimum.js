@@ -1,5 +1,5 @@
 // How far the greedy choice of teams is from the best one that there is, beside each other. A worker computes it, for a
-// second at most (wasm/page/optimum_api.cpp).
+// second at most (wasm/modules/optimum_api.cpp).
 import { askWorker } from "../experiment/worker_pool.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
