@@ -6,8 +6,10 @@ A room is a folder of sources. Its README.md says what comes in and what goes ou
 
     Public headers: polygon.h, hull.h.     of core/include/evenlift, in rooms of the core that have any
     May use: exact, errors.                the rooms whose files it includes or imports, or "no other room"
+    May load later: windows.               those of which it loads a file with import(), in rooms of web that do so
 
-The rooms are in core/src, wasm and web. The folders of tests must be without circles, too.
+The rooms are in core/src, wasm and web, and docs/architecture.md has the plan of them: each stands below, or to the right
+of, all that it uses. What is loaded later may stand anywhere. The folders of tests must be without circles, too.
 """
 
 import pathlib
@@ -18,6 +20,7 @@ root = pathlib.Path(__file__).resolve().parent.parent.parent
 most_files = 24
 include = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 imported = re.compile(r'\bfrom "(\.\.?/[^"]+)"')
+loaded_later = re.compile(r'\bimport\("(\./[^"]+)"\)')
 problems = []
 
 
@@ -48,6 +51,34 @@ def uses_of(files, name, target_of):
     return used
 
 
+def loads_of(folder, name, rooms):
+    """The other rooms of which files are loaded later. Such a file is named alone: the page is one flat folder."""
+    paths = {path for file in sources(folder) for path in loaded_later.findall(file.read_text())}
+    return {room for room, other in rooms.items() if room != name and any((other / path).is_file() for path in paths)}
+
+
+def planned(tree, rooms):
+    """The rooms in the order of the plan: line by line, each from the left."""
+    block = re.search(r"## The plan\n.*?```\n(.*?)```", (root / "docs/architecture.md").read_text(), re.DOTALL)[1]
+    order, now = [], ""
+    for line in block.splitlines():
+        head = re.match(r"\S+", line)
+        now = head[0] if head else now
+        cells = re.split(r"\s{2,}", line[head.end() if head else 0 :].strip())
+        order += [cell for cell in cells if cell in rooms] if now == tree else []
+    return order
+
+
+def check_plan(tree, graph):
+    order = planned(tree, graph)
+    for room in graph:
+        if order.count(room) != 1:
+            problems.append(f"docs/architecture.md names {tree}/{room} {order.count(room)} times in its plan")
+            continue
+        for used in sorted(graph[room] & set(order[order.index(room) :])):
+            problems.append(f"{tree}/{room} uses {used}, which comes after it in the plan of docs/architecture.md")
+
+
 def check_circles(tree, graph):
     left = {room: set(used) for room, used in graph.items()}
     while free := [room for room, used in left.items() if not used & left.keys()]:
@@ -57,16 +88,17 @@ def check_circles(tree, graph):
         problems.append(f"{tree}/{room} is part of a circle: it uses {', '.join(sorted(used & left.keys()))}")
 
 
-def check_readme(tree, name, folder, used):
+def check_readme(tree, name, folder, used, loaded=frozenset()):
     path = folder / "README.md"
     if not path.exists():
         problems.append(f"{tree}/{name} has no README.md")
         return
-    said = set(line_of(path.read_text(), "May use"))
-    for room in sorted(used - said):
-        problems.append(f"{tree}/{name} uses {room}, which its README does not say")
-    for room in sorted(said - used):
-        problems.append(f"{tree}/{name} does not use {room}, as its README says")
+    for heading, verb, found in [("May use", "use", used), ("May load later", "load", loaded)]:
+        said = set(line_of(path.read_text(), heading))
+        for room in sorted(found - said):
+            problems.append(f"{tree}/{name} {verb}s {room}, which its README does not say")
+        for room in sorted(said - found):
+            problems.append(f"{tree}/{name} does not {verb} {room}, as its README says")
 
 
 def check_size(tree, name, folder):
@@ -104,6 +136,7 @@ def check_core():
         check_readme("core/src", name, folder, graph[name])
         check_size("core/src", name, folder)
     check_circles("core/src", graph)
+    check_plan("core/src", graph)
 
 
 def check_tree(tree, with_readmes):
@@ -121,8 +154,10 @@ def check_tree(tree, with_readmes):
         graph[name] = uses_of(sources(folder), name, target_of)
         check_size(tree, name, folder)
         if with_readmes:
-            check_readme(tree, name, folder, graph[name])
+            check_readme(tree, name, folder, graph[name], loads_of(folder, name, rooms))
     check_circles(tree, graph)
+    if with_readmes:
+        check_plan(tree, graph)
 
 
 check_core()
