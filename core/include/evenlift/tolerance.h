@@ -1,4 +1,5 @@
-// The one tolerance of algorithm.md and the comparisons within it. All other decisions are exact.
+// The one tolerance of algorithm.md, the comparisons within it, and when sets of robots tie. All other
+// decisions are exact.
 // All functions are O(1).
 #pragma once
 
@@ -23,6 +24,11 @@ bool lengths_tie(double a, double b);
 // the metric distance; R is the largest distance of a vertex from C.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
+
+// When sets of robots are compared, coverages tie that differ by at most this much, and sums of squared
+// distances from C that differ by at most this part of the larger one.
+inline constexpr double coverage_tie = 1e-9;
+inline constexpr double spread_tie = 1e-9;
 
 // Whether two directions agree: the angle between them is below 90 degrees and its sine at most
 // tau.

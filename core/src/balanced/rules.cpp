@@ -11,7 +11,6 @@
 namespace evenlift::balanced {
 namespace {
 
-constexpr double spread_tie = 1e-9;   // algorithm.md, Balanced robots
 constexpr double usual_apart = 0.12;  // in units of R
 
 // 1 if a is larger by more than the slack, -1 if b is, else 0.

@@ -1,5 +1,5 @@
-// The levels that a margin reaches, and when two coverages tie: how sets of robots that are to hold are
-// compared, whether they are teams or balanced (algorithm.md).
+// The levels that a margin reaches: how sets of robots that are to hold are compared, whether they are
+// teams or balanced (algorithm.md).
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 
 namespace evenlift {
 
-inline constexpr double coverage_tie = 1e-9;
 inline constexpr std::uint32_t best_level = 3;
 
 // The margins of the levels 1 to 3, ascending.

@@ -69,14 +69,12 @@ class Widest {
     } else if (candidates_.size() <= most_candidates_bounded) {
       bound_by_rings(Triangles(polygon_, centre, candidates_), stop);
     }
-    best_.proved = best_.coverage >= best_.bound - coverage_slack;
+    best_.proved = best_.coverage >= best_.bound - coverage_tie;
   }
 
   Optimum result() && { return std::move(best_); }
 
  private:
-  static constexpr double coverage_slack = 1e-9;
-
   void take(std::vector<std::uint32_t> chords) {
     if (stands_ && stands_->any_collide(robots_of(candidates_, chords))) return;
     const double covers = coverage_of(polygon_, candidates_, chords);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <set>
 
 namespace evenlift::experiment {
@@ -73,7 +74,7 @@ Count alike_coverage(const std::vector<PolygonResult>& results, double differenc
   for (const PolygonResult& result : results) {
     const auto chosen = choices(result, 2);
     if (!chosen || all_same(*chosen)) continue;
-    double least = 1, most = 0;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const Method method : candidate_methods) {
       const double coverage = find(result, method, 4)->coverage;
       least = std::min(least, coverage);
