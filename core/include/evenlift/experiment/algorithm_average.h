@@ -16,7 +16,8 @@ std::optional<double> pick_share(const Aggregate& a);
 std::optional<double> pick_coverage(const Aggregate& a);
 std::optional<double> pick_closure(const Aggregate& a);
 
-// The mean of area, circle and distance with that many robots, if all three have a value. O(rows).
+// The mean of the methods that choose among candidates with that many robots, if all of them have a value.
+// O(rows).
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t robots, Pick pick);
 

@@ -18,7 +18,7 @@ struct Count {
 // The measurement of a method with a number of robots, or null. O(rows).
 const Measurement* find(const PolygonResult& result, Method method, std::uint32_t robots);
 
-// Polygons with candidates for `teams` on which area, circle and distance choose the same last
+// Polygons with candidates for `teams` on which all that choose among candidates choose the same last
 // team; with more than two teams, of those on which they chose the same one before, too (5.4).
 // Only polygons with up to `most_vertices`.
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
@@ -47,8 +47,8 @@ struct Loss {
 };
 std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t robots);
 
-// Polygons that some method of the thesis closes with some number of teams, and that area, circle or
-// distance closes, too. (With all candidates placed the three are one.)
+// Polygons that some method of the thesis closes with some number of teams, and that one which
+// chooses among candidates closes, too. (With all candidates placed these are one.)
 Count closed(const std::vector<PolygonResult>& results, Closed closed);
 
 // Polygons with up to `most_vertices` that can be closed and on which the method can place so many
