@@ -31,8 +31,8 @@ experiment::Part measured(const PolygonFile& file, const experiment::Subject& su
   part.result = experiment::result_of(file.set, file.name, subject);
   for (const Method method : all_methods) {
     const Clock::time_point start = Clock::now();
-    for (experiment::Measurement& m : experiment::measure(subject, method, settings))
-      part.result.measurements.push_back(std::move(m));
+    for (const experiment::Measurement& m : experiment::measure(subject, method, settings))
+      part.result.measurements.push_back(m);
     part.times.emplace_back(evenlift::name(method), seconds_since(start));
   }
   return part;

@@ -17,7 +17,7 @@ class Tableau {
     rows_.back().resize(rows_.front().size(), 0);
     for (std::size_t i = 0; i < basis_.size(); ++i) eliminate(rows_.size() - 1, i, basis_[i]);
     while (const std::optional<std::size_t> column = entering()) pivot(*leaving(*column), *column);
-    const Exact value = -rows_.back().back();
+    Exact value = -rows_.back().back();
     rows_.pop_back();
     return value;
   }

@@ -27,7 +27,7 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   if (!of_it) return of_it.error();
   Result<Trace> trace = compute_trace(of_it->placement);
   if (!trace) return trace.error();
-  if (const auto problem = check_lesson(*lesson, *trace)) return problem;
+  if (auto problem = check_lesson(*lesson, *trace)) return problem;
   Script script;
   script.lesson = std::move(lesson).value();
   script.vertices = of_it->document.vertices;

@@ -29,8 +29,7 @@ std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t>
     made = std::move(trace).value();
   }
   if (step) {
-    if (const auto problem = check_step(*step, made ? *made : *state.walkthrough.trace))
-      return problem;
+    if (auto problem = check_step(*step, made ? *made : *state.walkthrough.trace)) return problem;
   }
   if (step && !made) {
     go_to_step(state, *step);
@@ -45,8 +44,8 @@ std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t>
 
 std::optional<InputError> try_edit(AppState& state, const Document& edited, std::uint64_t failed) {
   if (places_nothing(state, edited)) {
-    if (const auto problem = check_robot(*state.placement, failed)) return problem;
-    if (const auto problem = try_step(state, edited.settings.step)) return problem;
+    if (auto problem = check_robot(*state.placement, failed)) return problem;
+    if (auto problem = try_step(state, edited.settings.step)) return problem;
     const Settings &before = settings(state), &after = edited.settings;
     if (before.capacity == after.capacity && before.com_radius == after.com_radius &&
         before.units == after.units)
@@ -60,7 +59,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
   }
   Result<Placement> placement = compute_placement(edited, state.placement);
   if (!placement) return placement.error();
-  if (const auto problem = check_robot(*placement, failed)) return problem;
+  if (auto problem = check_robot(*placement, failed)) return problem;
   std::optional<Trace> trace;
   if (edited.settings.step) {
     Result<Trace> made = compute_trace(*placement);

@@ -168,7 +168,7 @@ bool can_take_robot(const AppState& state, const Pick& pick) {
 }
 
 Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second) {
-  const Pick nearest = pick(state, screen, second);
+  Pick nearest = pick(state, screen, second);
   if (can_take_robot(state, nearest)) return nearest;
   Pick found = part_at(state, screen);
   found.second = second;

@@ -141,8 +141,8 @@ experiment::PolygonResult measured(const NamedPolygon& polygon,
   if (!subject) return refused(subject.error());
   experiment::PolygonResult result = experiment::result_of(polygon.set, polygon.name, *subject);
   for (const Method method : all_methods)
-    for (experiment::Measurement& m : experiment::measure(*subject, method, settings))
-      result.measurements.push_back(std::move(m));
+    for (const experiment::Measurement& m : experiment::measure(*subject, method, settings))
+      result.measurements.push_back(m);
   return result;
 }
 
@@ -157,20 +157,20 @@ std::string experiment_answer(const Request& request) {
 
 }  // namespace
 
-std::string answer(std::string_view text) {
-  const Result<Request> request = read_request(text);
-  if (!request) return error_json(request.error());
-  switch (request->command) {
+std::string answer(std::string_view request) {
+  const Result<Request> read = read_request(request);
+  if (!read) return error_json(read.error());
+  switch (read->command) {
     case Command::place:
     case Command::svg:
     case Command::poses:
-      return placed_answer(*request);
+      return placed_answer(*read);
     case Command::candidates:
-      return candidates_answer(*request);
+      return candidates_answer(*read);
     case Command::link:
-      return link_answer(*request);
+      return link_answer(*read);
     case Command::experiment:
-      return experiment_answer(*request);
+      return experiment_answer(*read);
     case Command::version:
       return one_member("version", EVENLIFT_VERSION);
   }

@@ -114,18 +114,18 @@ std::string StepCaptions::completion() const {
   const BalancedDetail& balanced = *detail_.balanced;
   const std::size_t chords = balanced.chords.size();
   const Piece robots = whole(balanced.robots.size());
-  const std::string makes =
+  std::string text =
       chords == 1
           ? fill("This chord makes a set of # robots that bear the same.", {robots})
           : fill(
                 "Each of the # chords makes a set of # robots that bear the same. The best is chord #.",
                 {whole(chords), robots, counted_from_1(balanced.chosen)});
-  if (balanced.rest.empty()) return makes;
-  return makes +
-         fill(
-             " The first robot was tried at # stands along the outline, and this set is the best of all (#): it covers # of the object.",
-             {whole(trace_.history.stands), aim_of_sets(placement_.settings),
-              percent(balanced.keys.coverage)});
+  if (!balanced.rest.empty())
+    text += fill(
+        " The first robot was tried at # stands along the outline, and this set is the best of all (#): it covers # of the object.",
+        {whole(trace_.history.stands), aim_of_sets(placement_.settings),
+         percent(balanced.keys.coverage)});
+  return text;
 }
 
 std::string StepCaptions::start() const {
