@@ -1,7 +1,8 @@
 // Sharpness, size, colours, failure: what the page does on all kinds of screens and without one.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { idle, load, phone, press, sharedBrowser, startBrowser, state, thrown, wide } from "./browser.mjs";
+import { asset, axe, evenlift, fragment, idle, link, load, phone, press, sample, set, sharedBrowser, startBrowser, state, thrown, wide } from "./browser.mjs";
 import { sizes } from "./sizes.mjs";
 
 const browser = sharedBrowser();
@@ -93,32 +94,10 @@ test("a lost WebGL context comes back with everything on it", async () => {
   await page.done();
 });
 
-test("without WebGL 2 it says so, and ready is rejected with the reason", async () => {
-  const page = await browser.open({
-    ready: false, quiet: false,
-    script: () => { HTMLCanvasElement.prototype.getContext = () => null; },
-  });
-  const reason = await page.evaluate(() => evenlift.ready.then(() => "ready", (error) => error.message));
-  assert.match(reason, /WebGL 2/);
-  assert.match(await page.locator("#problem").textContent(), /WebGL 2/);
-  assert.ok(await page.locator("#problem").isVisible());
-  assert.match(await thrown(page, "link"), /not ready|cannot run/);
-  assert.deepEqual(page.complaints, []);
-  await page.done();
-});
-
 test("without WebAssembly it says so", async () => {
   const page = await browser.open({ ready: false, quiet: false, script: () => { delete globalThis.WebAssembly; } });
   assert.match(await page.evaluate(() => evenlift.ready.then(() => "ready", (error) => error.message)), /WebAssembly/);
   assert.ok(await page.locator("#problem").isVisible());
-  await page.done();
-});
-
-test("without graphics at all it says so", async (t) => {
-  const bare = await startBrowser(["--disable-gpu", "--disable-3d-apis"]);
-  t.after(() => bare.close());
-  const page = await bare.open({ ready: false, quiet: false });
-  assert.match(await page.evaluate(() => evenlift.ready.then(() => "ready", (error) => error.message)), /WebGL 2/);
   await page.done();
 });
 
@@ -166,3 +145,139 @@ test("what the first picture and all tools need is at most 580,000 bytes after c
   const { start } = sizes();
   assert.ok(start <= 580000, `${start} bytes after gzip`);
 });
+
+// --- Without WebGL 2: the picture that stands still ---------------------------------------------------------------------
+
+const encoded = (name, ...options) => evenlift("link", "encode", sample(name), ...options).trim();
+const verdict = (name, ...options) => evenlift("place", sample(name), ...options).split("\n")[0];
+// Two of its vertices are at the same place.
+const refusedLink = "1.KmDRFlKatH44ZmxgIVCLZ23kF5N";
+
+const withoutWebGl = () => {
+  const before = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    return kind === "2d" ? before.call(this, kind, ...rest) : null;
+  };
+  const address = URL.createObjectURL;
+  URL.createObjectURL = (blob) => address(globalThis.lastBlob = blob);
+};
+const open = (options) => browser.open({ script: withoutWebGl, ...options });
+
+const words = (page) => page.locator("#still section").innerText();
+const alt = (page) => page.locator("#still img").getAttribute("alt");
+const shown = (page) => page.evaluate(() => globalThis.lastBlob.text());
+
+test("without WebGL 2 the link's polygon is the picture that Save writes, with its verdict and what is missing", async () => {
+  const page = await open({ address: `#${encoded("guitar", "--teams", "4")}` });
+  assert.equal(await alt(page), verdict("guitar", "--teams", "4"));
+  assert.equal(await shown(page), await page.evaluate(() => evenlift.svg()));
+  const said = await words(page);
+  assert.ok(said.includes(verdict("guitar", "--teams", "4")), said);
+  assert.match(said, /stands still[^]*no WebGL 2[^]*Firefox[^]*The link in the address bar keeps everything/);
+  assert.equal((await state(page)).teams.length, 4);
+  await page.done();
+});
+
+test("without graphics at all it is there, too, of the opening sample", async (t) => {
+  const bare = await startBrowser(["--disable-gpu", "--disable-3d-apis"]);
+  t.after(() => bare.close());
+  const page = await bare.open({ quiet: false });
+  assert.match(await alt(page), /robots carry/);
+  assert.ok(await page.locator("#still img").evaluate((picture) => picture.decode().then(() => picture.naturalWidth > 0)));
+  await page.done();
+});
+
+test("a link of a polygon that is refused says why, and the opening sample is shown", async () => {
+  const page = await open({ address: `#${refusedLink}` });
+  assert.match(await words(page), /This link cannot be opened: vertices 2 and 3: two vertices are at the same place\./i);
+  assert.match(await alt(page), /robots carry/);
+  await page.done();
+});
+
+test("another link in the address changes the still picture, and a refused one says that nothing was changed", async () => {
+  const page = await open({ address: `#${encoded("guitar")}` });
+  await page.evaluate((to) => { location.hash = to; }, encoded("anchor"));
+  await idle(page);
+  assert.equal(await alt(page), verdict("anchor"));
+  await page.evaluate((to) => { location.hash = to; }, refusedLink);
+  await idle(page);
+  assert.match(await words(page), /cannot be opened: .* same place\. Nothing was changed\./i);
+  assert.equal(await alt(page), verdict("anchor"));
+  await page.evaluate((to) => { location.hash = to; }, encoded("violin"));
+  await idle(page);
+  assert.doesNotMatch(await words(page), /cannot be opened/);
+  assert.equal(await shown(page), await page.evaluate(() => evenlift.svg()));
+  await page.done();
+});
+
+test("scripts change the still picture and the address as they would the canvas", async () => {
+  const page = await open();
+  await page.evaluate((text) => evenlift.load(text), asset("guitar"));
+  await set(page, { teams: 2 });
+  await idle(page);
+  assert.equal(await alt(page), verdict("guitar", "--teams", "2"));
+  assert.equal(await fragment(page), await link(page));
+  assert.equal(await page.evaluate(() => evenlift.frames), 0);
+  assert.equal(await page.evaluate(() => evenlift.view.control("Samples")), null);
+  assert.match(await thrown(page, "set", { teams: 0 }), /teams/);
+  await page.done();
+});
+
+test("balanced robots are looked for until the still picture has them", async () => {
+  const page = await open({ address: `#${encoded("guitar", "--metric", "balanced", "--robots", "4")}` });
+  await idle(page);
+  assert.equal((await state(page)).teams[0].ends.length, 4);
+  assert.equal(await shown(page), await page.evaluate(() => evenlift.svg()));
+  await page.done();
+});
+
+test("the one thing to press is Save, which saves the same picture and gives the focus back", async () => {
+  const page = await open({ address: `#${encoded("guitar")}` });
+  const pressable = () => page.$$eval("button, a, input, select, canvas",
+    (all) => all.filter((element) => element.checkVisibility()).map((element) => element.textContent));
+  assert.deepEqual(await pressable(), ["Save"]);
+  await page.getByRole("button", { name: "Save" }).click();
+  const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: /^SVG/ }).click()]);
+  assert.equal(readFileSync(await file.path(), "utf8"), await page.evaluate(() => evenlift.svg()));
+  await page.keyboard.press("Escape");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Save");
+  await page.done();
+});
+
+test("what was kept of other visits stays as it is", async () => {
+  const page = await open({ script: withoutWebGl });
+  const kept = { "evenlift.work": encoded("guitar"), "evenlift.draft": refusedLink, "evenlift.history": "x" };
+  await page.evaluate((all) => Object.assign(localStorage, all), kept);
+  await page.reload();
+  await page.evaluate(() => evenlift.ready);
+  await set(page, { teams: 2 });
+  await idle(page);
+  const now = await page.evaluate((names) => Object.fromEntries(names.map((name) => [name, localStorage[name]])), Object.keys(kept));
+  assert.deepEqual(now, kept);
+  await page.done();
+});
+
+test("a challenge shows no picture, which would hold its answer", async () => {
+  const page = await open({ address: `?challenge=1#${encoded("guitar")}`, ready: false });
+  assert.match(await page.evaluate(() => evenlift.ready.then(() => "ready", (error) => error.message)), /WebGL 2/);
+  assert.match(await page.locator("#problem").innerText(), /cannot run here[^]*WebGL 2/);
+  assert.match(await thrown(page, "link"), /not ready/);
+  await page.done();
+});
+
+for (const [where, viewport] of [["a phone", phone], ["a desk", wide], ["a figure in an article", { width: 640, height: 420 }]]) {
+  for (const colorScheme of ["light", "dark"]) {
+    test(`the still picture is whole on ${where} in ${colorScheme} colours, and can be read by all`, async () => {
+      const embed = viewport.width === 640;
+      const page = await open({ address: `${embed ? "?embed=1" : ""}#${encoded("anchor")}`, viewport, colorScheme });
+      await idle(page);
+      const { width, height } = await page.locator("#still img").boundingBox();
+      assert.ok(width > 200 && width <= viewport.width - 32 && height <= viewport.height - 32, `${width} x ${height}`);
+      assert.ok(await page.evaluate(() => document.getElementById("still").scrollWidth <= innerWidth));
+      assert.equal(await page.getByRole("button").count(), embed ? 0 : 1);
+      await page.evaluate(axe);
+      assert.deepEqual(await page.evaluate(async () => (await globalThis.axe.run()).violations.map(({ id, nodes }) => [id, nodes[0].html])), []);
+      await page.done();
+    });
+  }
+}

@@ -38,7 +38,7 @@ namespace {
 constexpr int frames_after_input = 3;
 
 struct Page {
-  SDL_Window* window = nullptr;
+  SDL_Window* window = nullptr;  // none without WebGL 2
   WebglRenderer renderer;
   SdlInput input;
   int canvas_width = 0, canvas_height = 0;  // device pixels
@@ -179,7 +179,9 @@ void take_input() {
 
 void draw() {
   App& a = app();
-  if (page.passing || page.context_lost || page.canvas_width <= 0 || !a.state.placement) return;
+  if (!page.window || page.passing || page.context_lost || page.canvas_width <= 0 ||
+      !a.state.placement)
+    return;
   // Not every browser reports at once that the window was moved to another screen.
   if (emscripten_get_device_pixel_ratio() != a.state.screen.ratio) browser::measure_screen();
   take_input();
@@ -212,12 +214,14 @@ bool make_webgl_context() {
   return context > 0 && emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
 }
 
+// Returns whether there is a canvas to draw on. All calls but those about it work without one, too.
 bool start() {
+  if (!make_webgl_context()) return false;
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");  // sdl_input.cpp tells fingers apart itself
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return false;
   page.window = SDL_CreateWindow("evenlift", 0, 0, 1280, 800, 0);
-  if (!page.window || !make_webgl_context()) return false;
+  if (!page.window) return false;
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -275,6 +279,9 @@ EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
     ask_for_frames(frames_after_input);
   }
 }
+
+// Whether there is a canvas to draw on. Without, the page shows page_svg() after each page_frame().
+EMSCRIPTEN_KEEPALIVE int page_draws() { return page.window ? 1 : 0; }
 
 EMSCRIPTEN_KEEPALIVE double page_frames() { return page.frames; }
 
@@ -343,7 +350,6 @@ EMSCRIPTEN_KEEPALIVE void page_ask_control(int what, const char* card, const cha
 }  // extern "C"
 
 int main(int, char**) {
-  if (!start()) return 1;
-  SDL_AddEventWatch(on_event, nullptr);
+  if (start()) SDL_AddEventWatch(on_event, nullptr);
   return 0;
 }

@@ -15,7 +15,7 @@ export function ensureStyles(name = "dialogs.css") {
 }
 
 // Opens a window: modal, or beside the canvas. When it is closed, its element is removed, and the focus goes back to the
-// canvas or to the window below. `tools` go into its header, and `focus` gets the focus. Returns the element; or nothing if
+// canvas or, where there is none or a window is below, to what had it before. `tools` go into its header, and `focus` gets the focus. Returns the element; or nothing if
 // the window is open already, or a modal window that it may not be `over`.
 export async function openWindow({ name, title, modal = true, over = false, tools = [], body, focus, closed }) {
   await ensureStyles();
@@ -27,7 +27,8 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   root.addEventListener("close", () => {
     closed?.();
     root.remove();
-    const below = before?.isConnected && before.closest("dialog") ? before : document.getElementById("canvas");
+    const canvas = document.getElementById("canvas");
+    const below = before?.isConnected && (before.closest("dialog") || canvas.hidden) ? before : canvas;
     below.focus({ preventScroll: true });
   });
   if (modal) closeOutside(root);

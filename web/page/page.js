@@ -11,24 +11,16 @@ import { lasting, read } from "./storage.js";
 import { underWay } from "./under_way.js";
 
 const cover = document.getElementById("cover");
-const { embed } = readAddress();
+const { embed, challenge } = readAddress();
 const api = createApi();
 window.evenlift = api.evenlift;
 
-function missing() {
-  if (typeof WebAssembly !== "object") {
-    return "This browser has no WebAssembly, or it is switched off. evenlift computes with it.";
-  }
-  const probe = document.createElement("canvas").getContext("webgl2");
-  if (!probe) {
-    return "This browser offers no WebGL 2, or it is switched off. evenlift draws with it.";
-  }
-  probe.getExtension("WEBGL_lose_context")?.loseContext();
-  return "";
-}
+const noWebAssembly = "This browser has no WebAssembly, or it is switched off. evenlift computes with it.";
+const noWebGl = "This browser offers no WebGL 2, or it is switched off. evenlift draws with it.";
+const whereItRuns = "A current Firefox, Chrome, Edge or Safari with graphics acceleration switched on can run the page. " +
+  "The link in the address bar keeps everything: it opens there as it would have here.";
 
-const cannotRun = ["The page cannot run here.", "A current Firefox, Chrome, Edge or Safari with graphics acceleration switched on can show it. " +
-  "The link in the address bar keeps everything: it opens there as it would have here."];
+const cannotRun = ["The page cannot run here.", whereItRuns];
 const hasStopped = ["The page has stopped.", "Nothing that was drawn is lost. Load the page again to go on."];
 
 function showProblem(reason, [heading, advice] = cannotRun) {
@@ -41,13 +33,14 @@ function showProblem(reason, [heading, advice] = cannotRun) {
   cover.classList.remove("done", "see-through");
 }
 
-function followAddress(program, bindings) {
+// `say` is given a sentence about a link that is refused; after any other, `opened` is called.
+function followAddress(program, say, opened) {
   addEventListener("hashchange", () => {
     const link = location.hash.slice(1);
     if (!link) return;
     const problem = program.text("page_open_link", link);
-    if (problem) program.call("page_notice", `${refused(problem)} Nothing was changed.`, 1);
-    else bindings.beginLesson(true);
+    if (problem) say(`${refused(problem)} Nothing was changed.`);
+    else opened();
   });
 }
 
@@ -84,11 +77,35 @@ function loadTheRest(program, bindings, { begins }) {
   if (begins && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
 }
 
+// Without WebGL 2 the polygon of the link is a picture that stands still. What is kept of other visits stays as it is. Returns
+// what is to be called after each change.
+async function startStill(program, publisher, bindings) {
+  // The picture would give away the answer of a challenge.
+  const still = !challenge && await import("./still.js").catch(() => undefined);
+  if (!still) throw new Error(noWebGl);
+  program.onStop = (error) => {
+    console.error(error);
+    showProblem("Something went wrong while the picture was drawn.", hasStopped);
+  };
+  publisher.keepNothing();
+  publisher.holdLesson(true);  // lessons need the canvas, and the address goes on to name its own
+  const problem = program.text("page_start", location.hash.slice(1), "", "", embed ? 1 : 0);
+  api.connect(program);
+  publisher.connect(program);
+  bindings.connect(program, undefined, { embed: true });
+  const { draw, say } = await still.showStill(program, {
+    missing: [noWebGl, whereItRuns], save: embed ? undefined : () => bindings.openDialog("save"),
+  });
+  if (problem) say(refused(problem));
+  followAddress(program, say, () => say(""));
+  draw();
+  return draw;
+}
+
 async function start() {
-  const reason = missing();
-  if (reason) throw new Error(reason);
+  if (typeof WebAssembly !== "object") throw new Error(noWebAssembly);
   const publisher = new Publisher({ embed });
-  let mirror;
+  let afterPicture;
   let pictureIsThere;
   const firstPicture = new Promise((done) => {
     pictureIsThere = done;
@@ -98,11 +115,15 @@ async function start() {
     pictureIsThere();
     publisher.drawn();
     program.onPicture();
-    mirror?.();
+    afterPicture?.();
     opening = "";
   });
   let opening = "";
   const program = await load(bindings);
+  if (!program.number("page_draws")) {
+    afterPicture = await startStill(program, publisher, bindings);
+    return;
+  }
   const fragment = location.hash.slice(1);
   const kept = publisher.kept(fragment);
   const asked = { ...kept, fragment: kept.own ? "" : fragment };
@@ -120,7 +141,7 @@ async function start() {
   if (!started.fragment) publisher.resumeDrawing(started.drawing);
   bindings.connect(program, connectScreen(program), { embed });
   connectInput(program, { embed });
-  followAddress(program, bindings);
+  followAddress(program, (text) => program.call("page_notice", text, 1), () => bindings.beginLesson(true));
   // If the document of the address is open, the lesson that it names goes on at the link's step.
   await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
   const say = started.problem || (problem && refused(problem)) || (embed ? "" : whyStartedAnew());
@@ -128,8 +149,8 @@ async function start() {
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
   underWay(loadMirror(program, field, publisher)).then((drawn) => {
-    mirror = drawn;
-    mirror();
+    afterPicture = drawn;
+    drawn();
   }, (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error));
   program.onOpening = (text) => {
     publisher.flush({ drawn: true });

@@ -67,6 +67,11 @@ export class Publisher {
     return { work, draft: read(lasting, draftKey), drawing: read(lasting, drawingKey), own };
   }
 
+  // From now on nothing is kept, and what is kept stays as it is.
+  keepNothing() {
+    this.#embed = true;
+  }
+
   // Removes what is kept, so that it is not opened again.
   forget() {
     for (const key of [workKey, draftKey, drawingKey, historyKey]) write(lasting, key, "");
