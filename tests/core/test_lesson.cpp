@@ -37,7 +37,8 @@ const std::string good =
     "Another paragraph.\n"
     "\n"
     "[team 2]\nTwo.\n[vertex 3]\nThree.\n[pair 4]\nFour.\n[edges 5 6]\nFive.\n[step 7]\nSix.\n"
-    "[ cut   8 ]\nSeven.\n[end]\nEight.";
+    "[ cut   8 ]\nSeven.\n[end]\nEight.\n"
+    "[question]\nWhy\neight?\n\n[ answer ]\nThat is\n\nas many as there are.\n";
 
 Lesson lesson_of(const std::string& text) {
   const Result<Lesson> lesson = parse_lesson(text);
@@ -95,6 +96,9 @@ TEST_CASE("a lesson is read with its settings, addresses and words", "[lesson]")
   REQUIRE(lesson.steps.size() == 8);
   CHECK(lesson.steps[0].words == "Two lines that are one.\nAnother paragraph.");
   CHECK(lesson.steps[0].line == 12);
+  CHECK(lesson.steps[7].words == "Eight.");
+  CHECK(lesson.question == "Why eight?");
+  CHECK(lesson.answer == "That is\nas many as there are.");
   const StepAddress expected[] = {at::Kind{StepKind::centre, 0},
                                   at::Kind{StepKind::team, 1},
                                   at::Vertex{2},
@@ -167,6 +171,18 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
   refused(head + "[end]\nA \xed\xa0\x80 surrogate.", 4, "not readable");
   refused(head + "[end]\nCut \xc3", 4, "not readable");
   refused(head + "[end]\nA " + std::string(1, '\0') + " byte.", 4, "not readable");
+  const std::string one = head + "[end]\nWords.\n";
+  refused(head + "[question]\nWhy?\n", 3, "after the steps");
+  refused(one + "[question]\n", 5, "no words");
+  refused(one + "[question]\nWhy?\n", 5, "no answer");
+  refused(one + "[question]\nWhy?\n[answer]\n", 7, "no words");
+  refused(one + "[answer]\nSo.\n", 5, "without a question");
+  refused(one + "[question]\nWhy?\n[question]\nHow?\n", 7, "one question");
+  refused(one + "[question]\nWhy?\n[answer]\nSo.\n[answer]\nOr so.\n", 9, "one answer");
+  refused(one + "[question]\nWhy?\n[end]\nWords.\n", 7, "after the question");
+  refused(one + "[question]\nWhy?\n[answer]\nSo.\n[end]\nWords.\n", 9, "after the question");
+  refused(one + "[question]\n" + std::string(301, 'x'), 5, "longer than 300");
+  refused(one + "[question]\nWhy?\n[answer]\n" + std::string(601, 'x'), 7, "longer than 600");
   std::string many = head;
   for (int i = 0; i < 201; ++i) many += "[end]\nWords.\n";
   refused(many, 403, "at most 200");
