@@ -50,7 +50,7 @@ def samples(folder, target, opening=None):
 def lesson(folder, polygons, name, title):
     text = read(folder / f"{name}.txt")
     polygon = re.search(r"^polygon:\s*([a-z0-9-]+)", text, re.MULTILINE)
-    return {"name": name, "title": title, "stops": len(re.findall(r"^\[", text, re.MULTILINE)), "text": text,
+    return {"name": name, "title": title, "stops": len(re.findall(r"^\[(?!(?:question|answer)\])", text, re.MULTILINE)), "text": text,
             "polygon": read(polygons / f"{polygon[1]}.txt") if polygon else ""}
 
 

@@ -37,7 +37,8 @@ const std::string good =
     "Another paragraph.\n"
     "\n"
     "[team 2]\nTwo.\n[vertex 3]\nThree.\n[pair 4]\nFour.\n[edges 5 6]\nFive.\n[step 7]\nSix.\n"
-    "[ cut   8 ]\nSeven.\n[end]\nEight.";
+    "[ cut   8 ]\nSeven.\n[end]\nEight.\n"
+    "[question]\nWhy\neight?\n\n[ answer ]\nThat is\n\nas many as there are.\n";
 
 Lesson lesson_of(const std::string& text) {
   const Result<Lesson> lesson = parse_lesson(text);
@@ -95,6 +96,9 @@ TEST_CASE("a lesson is read with its settings, addresses and words", "[lesson]")
   REQUIRE(lesson.steps.size() == 8);
   CHECK(lesson.steps[0].words == "Two lines that are one.\nAnother paragraph.");
   CHECK(lesson.steps[0].line == 12);
+  CHECK(lesson.steps[7].words == "Eight.");
+  CHECK(lesson.question == "Why eight?");
+  CHECK(lesson.answer == "That is\nas many as there are.");
   const StepAddress expected[] = {at::Kind{StepKind::centre, 0},
                                   at::Kind{StepKind::team, 1},
                                   at::Vertex{2},
@@ -167,6 +171,18 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
   refused(head + "[end]\nA \xed\xa0\x80 surrogate.", 4, "not readable");
   refused(head + "[end]\nCut \xc3", 4, "not readable");
   refused(head + "[end]\nA " + std::string(1, '\0') + " byte.", 4, "not readable");
+  const std::string one = head + "[end]\nWords.\n";
+  refused(head + "[question]\nWhy?\n", 3, "after the steps");
+  refused(one + "[question]\n", 5, "no words");
+  refused(one + "[question]\nWhy?\n", 5, "no answer");
+  refused(one + "[question]\nWhy?\n[answer]\n", 7, "no words");
+  refused(one + "[answer]\nSo.\n", 5, "without a question");
+  refused(one + "[question]\nWhy?\n[question]\nHow?\n", 7, "one question");
+  refused(one + "[question]\nWhy?\n[answer]\nSo.\n[answer]\nOr so.\n", 9, "one answer");
+  refused(one + "[question]\nWhy?\n[end]\nWords.\n", 7, "after the question");
+  refused(one + "[question]\nWhy?\n[answer]\nSo.\n[end]\nWords.\n", 9, "after the question");
+  refused(one + "[question]\n" + std::string(301, 'x'), 5, "longer than 300");
+  refused(one + "[question]\nWhy?\n[answer]\n" + std::string(601, 'x'), 7, "longer than 600");
   std::string many = head;
   for (int i = 0; i < 201; ++i) many += "[end]\nWords.\n";
   refused(many, 403, "at most 200");
@@ -238,6 +254,7 @@ TEST_CASE("every ready-made lesson opens and has its steps", "[lesson]") {
     const Lesson lesson = lesson_of(corpus::read_file(lessons_folder() / (name + ".txt")));
     CHECK(lesson.title == title);
     CHECK(lesson.steps.size() >= 4);
+    CHECK_FALSE(lesson.question.empty());
     const Trace trace = trace_of(lesson);
     const auto missing = check_lesson(lesson, trace);
     INFO((missing ? describe(missing->place) : ""));
@@ -289,6 +306,10 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
     CHECK(std::fabs(t.placement.teams[1].ratio - 0.895) < 5e-4);
     CHECK(is_even(chord_of(t.placement.teams[0])));
     CHECK(t.placement.loads->spread < 2);
+    const PairDetail uneven = look_at_pair(t, t.step(*find_step(t, at::Edges{9, 3})).item);
+    CHECK(std::fabs(uneven.ends[0].ratio - 0.293) < 5e-4);
+    CHECK(std::fabs(uneven.ends[1].ratio - 0.936) < 5e-4);
+    CHECK(uneven.outcome == Outcome::nearer_end);
   }
   {
     const Trace t = trace("convex");
@@ -367,5 +388,120 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
     CHECK(t.placement.closure.second_order);
     CHECK(look_at(t, *t.find(StepKind::cut, 1)).clockwise.clipped.size() == 2);
     CHECK(look_at(t, *t.find(StepKind::cut, 3)).clockwise.clipped.size() == 1);
+  }
+}
+
+// What they answer to the questions at their ends, in numbers.
+TEST_CASE("what the ready-made lessons answer is so", "[lesson]") {
+  const auto placed = [](const char* name, auto change) {
+    const Lesson lesson =
+        lesson_of(corpus::read_file(lessons_folder() / (std::string(name) + ".txt")));
+    Document document = *lesson_document(
+        lesson, lesson.link.empty() ? corpus::polygon(lesson.polygon) : Document{});
+    change(document);
+    const Result<Placement> placement = place(document);
+    REQUIRE(placement.ok());
+    return *placement;
+  };
+  const auto with_teams = [&](const char* name, std::uint32_t teams) {
+    return placed(name, [&](Document& d) { d.settings.teams = teams; });
+  };
+  const auto near = [](double value, double said, double within = 0.005) {
+    return std::fabs(value - said) < within;
+  };
+  {
+    const Placement heavy = placed("opposite", [](Document& d) { d.settings.weight = 300; });
+    CHECK(heavy.teams[0].robots[0].load == 150);
+    const Placement light = with_teams("opposite", 1);
+    CHECK(chord_of(heavy.teams[0]).r1.position == chord_of(light.teams[0]).r1.position);
+    CHECK(chord_of(heavy.teams[0]).r2.position == chord_of(light.teams[0]).r2.position);
+  }
+  {
+    const auto evens = [&](Vec2 by) {
+      const Placement moved =
+          placed("convex", [&](Document& d) { d.centre_of_mass = Vec2(516.6, 377.8) + by; });
+      return std::count_if(moved.candidates.begin(), moved.candidates.end(),
+                           [](const Candidate& c) { return is_even(c.chord); });
+    };
+    CHECK(evens({0, 0}) == 5);
+    CHECK(evens({10, 0}) == 5);
+    CHECK(evens({0, 20}) == 5);
+    CHECK(evens({0, 40}) == 1);
+  }
+  for (const auto& [teams, area, arms] : {std::tuple{2u, 0.605, 0.600},
+                                          {3u, 0.82, 0.80},
+                                          {4u, 0.883, 0.880},
+                                          {5u, 0.934, 0.934},
+                                          {7u, 0.949, 0.949}}) {
+    CHECK(near(with_teams("metrics-area", teams).coverage, area));
+    CHECK(near(with_teams("metrics-arms", teams).coverage, arms));
+  }
+  {
+    const Placement ten = with_teams("how-many", 5);
+    CHECK(ten.loads->max == 10);
+    CHECK(ten.loads->min == 10);
+    const Placement all = with_teams("how-many", 14);
+    CHECK(all.candidates.size() == 14);
+    CHECK(near(all.coverage, 0.82));
+    CHECK(near(with_teams("how-many", 11).coverage, 0.82));
+  }
+  {
+    const Placement three = with_teams("not-convex", 3), four = with_teams("not-convex", 4);
+    CHECK(three.closure.second_order);
+    CHECK_FALSE(three.closure.form_closure);
+    CHECK(four.closure.form_closure);
+    CHECK(near(three.coverage, 0.90, 0.006));
+    CHECK(near(four.coverage, 0.90, 0.006));
+  }
+  {
+    const Placement lower = placed("outside", [](Document& d) { d.settings.min_ratio = 0.5; });
+    CHECK(near(lower.coverage, 0.76));
+    CHECK(near(lower.loads->min, 12.5, 0.05));
+    CHECK(near(lower.loads->max, 20.9, 0.05));
+  }
+  {
+    const auto moved_back = [&](double part) {
+      return placed("moved", [&](Document& d) {
+        d.centre_of_mass = *d.centre_of_mass + part * (Vec2(516.6, 377.8) - *d.centre_of_mass);
+      });
+    };
+    CHECK(moved_back(0.3).teams.size() == 5);
+    CHECK(near(moved_back(0.3).coverage, 0.80));
+    CHECK(moved_back(0.35).teams.size() == 6);
+    CHECK(near(moved_back(0.35).coverage, 0.94));
+  }
+  {
+    const Closure one = with_teams("form-closure", 1).closure;
+    CHECK((one.clockwise.exists && one.counterclockwise.exists && one.translation_free));
+    CHECK(near(with_teams("form-closure", 2).closure.margin.value_or(0), 0.090, 5e-4));
+    CHECK(near(with_teams("form-closure", 3).closure.margin.value_or(0), 0.289, 5e-4));
+  }
+  {
+    for (const std::uint32_t teams : {3u, 4u})
+      CHECK(with_teams("slides", teams).closure.translation_free);
+    const Placement by_area = placed("slides", [](Document& d) {
+      d.settings.method = Method::area;
+      d.settings.teams = 4;
+    });
+    CHECK(by_area.closure.second_order);
+    const Placement longer = placed("second-order", [](Document& d) {
+      d.vertices = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+    });
+    CHECK(longer.closure.second_order);
+    CHECK_FALSE(longer.closure.form_closure);
+  }
+  {
+    const auto coverage = [&](std::uint32_t robots, std::uint32_t failures) {
+      return placed("robot-fails",
+                    [&](Document& d) {
+                      d.settings.robots = robots;
+                      d.settings.survive = failures;
+                    })
+          .coverage;
+    };
+    CHECK(near(coverage(5, 1), 0.84));
+    CHECK(near(coverage(6, 1), 0.96));
+    CHECK(near(coverage(6, 0), 0.97));
+    CHECK(near(coverage(7, 0), 0.98));
   }
 }

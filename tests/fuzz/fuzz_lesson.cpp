@@ -25,6 +25,9 @@ void check_bounds(const Lesson& lesson) {
   fuzz::require(!lesson.steps.empty() && lesson.steps.size() <= max_lesson_steps);
   for (const LessonStep& step : lesson.steps)
     fuzz::require(!step.words.empty() && step.words.size() <= max_lesson_words);
+  fuzz::require(lesson.question.empty() == lesson.answer.empty());
+  fuzz::require(lesson.question.size() <= max_lesson_question);
+  fuzz::require(lesson.answer.size() <= max_lesson_answer);
 }
 
 void open(const Lesson& lesson) {

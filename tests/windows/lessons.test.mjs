@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, idle, link, load, phone, press, reload, root, set, sharedBrowser, state } from "../page/browser.mjs";
+import { asset, control, drag, idle, link, load, phone, press, reload, root, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
 import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const order = readFileSync(path.join(root, "assets/lessons/index.txt"), "utf8").split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
@@ -56,6 +56,64 @@ test("from the end, one key leads to the next lesson; going back takes the card 
   await idle(page);
   assert.equal(await end(page).count(), 0);
   assert.equal(await page.evaluate(() => new URLSearchParams(location.search).get("lesson")), order[1]);
+  await page.done();
+});
+
+test("at the end a question waits, its answer comes when it is asked for, and is there when the end comes again", async () => {
+  const page = await browser.open();
+  await begin(page, "moved");
+  await page.keyboard.press("End");
+  await idle(page);
+  assert.match(await end(page).textContent(), /How far must it go until there is room for six teams again\?/);
+  assert.doesNotMatch(await end(page).textContent(), /About a third/);
+  await end(page).getByRole("button", { name: "Answer" }).press("Enter");
+  await idle(page);
+  assert.match(await end(page).textContent(), /again\?About a third of the way/);
+  assert.equal(await end(page).getByRole("button", { name: "Answer" }).count(), 0);
+  assert.match(await page.evaluate(() => document.activeElement.textContent), /^Next: /, "the keyboard goes on from here");
+  assert.deepEqual(await violations(page), []);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("ArrowLeft");
+  await idle(page);
+  await page.keyboard.press("ArrowRight");
+  await idle(page);
+  assert.match(await end(page).textContent(), /About a third of the way/);
+  await begin(page, "opposite");
+  await page.keyboard.press("End");
+  await idle(page);
+  assert.doesNotMatch(await end(page).textContent(), /No\. The centre of mass/, "another lesson's answer is not shown");
+  await page.done();
+});
+
+test("while the question is tried on the shape, it stays", async () => {
+  const page = await browser.open();
+  await begin(page, "moved");
+  await page.keyboard.press("End");
+  await idle(page);
+  for (const [from, to] of [[[440, 330], [478, 354]], [[1000, 300], [960, 320]]]) {  // C, then a vertex
+    await drag(page, await toScreen(page, from), await toScreen(page, to));
+    await idle(page);
+    assert.match(await end(page).textContent(), /room for six teams again\?/);
+  }
+  assert.deepEqual((await state(page)).teams.length, 6);
+  await page.done();
+});
+
+test("a lesson from a file ends with its question, too, with paragraphs and without markup", async () => {
+  const page = await browser.open();
+  const window = await openWindow(page, "lessons");
+  const text = "title: Mine\npolygon: square\n\n[centre]\nHere.\n\n[team 1]\nThere.\n\n[question]\nIs <b>1 < 2</b>?\n\nOr not?\n\n[answer]\nIt is.\n";
+  await window.locator("input[type=file]").setInputFiles({ name: "mine.txt", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await allClosed(page);
+  await page.keyboard.press("End");
+  await idle(page);
+  assert.deepEqual(await end(page).locator("p.question").allTextContents(), ["Is <b>1 < 2</b>?", "Or not?"]);
+  await end(page).getByRole("button", { name: "Answer" }).click();
+  await idle(page);
+  assert.match(await end(page).textContent(), /It is\./);
+  await page.keyboard.press("ArrowLeft");
+  await idle(page);
+  assert.equal(await end(page).count(), 0, "after a click the keys are the lesson's again");
   await page.done();
 });
 
@@ -261,7 +319,8 @@ test("the handout has a picture and the words for each stop of the lesson, and o
   await figures.first().waitFor();
   await idle(page);
   const lesson = readFileSync(path.join(root, "assets/lessons/convex.txt"), "utf8");
-  assert.equal(await figures.count(), lesson.match(/^\[/gm).length);
+  assert.equal(await figures.count(), lesson.match(/^\[(?!question|answer)/gm).length);
+  assert.match(await page.locator("#handout .paper-question").textContent(), /A question.*Do the even chords stay even\?.*an even chord moves along with C/);
   assert.match(await figures.first().textContent(), /Eight vertices, no corner that points inwards/);
   assert.equal(await page.locator("#handout figure svg .object").count(), await figures.count());
   const last = figures.last().locator("svg");

@@ -34,16 +34,22 @@ struct Stop {
   std::uint32_t step;
   std::string words;
 };
-std::vector<Stop> stops_of(const Trace& trace, std::string_view text) {
+std::vector<Stop> stops_of(const Trace& trace, const Result<Lesson>& lesson) {
   std::vector<Stop> stops;
-  if (const Result<Lesson> lesson = parse_lesson(text)) {
+  if (lesson) {
     for (const LessonStep& step : lesson->steps)
       if (const auto found = find_step(trace, step.address)) stops.push_back({*found, step.words});
   } else {
     for (const std::uint32_t step : main_steps(trace)) stops.push_back({step, {}});
   }
-  for (Stop& stop : stops) std::replace(stop.words.begin(), stop.words.end(), '\n', '\v');
   return stops;
+}
+
+// A teacher's words as part of a line.
+std::string in_a_line(std::string words) {
+  std::replace(words.begin(), words.end(), '\n', '\v');
+  std::replace(words.begin(), words.end(), '\t', ' ');
+  return words;
 }
 
 std::string in_text(const Points& points) {
@@ -81,7 +87,7 @@ std::string step_text(const Trace& trace, const Stop& stop) {
   const StepDetail detail = look_at(trace, stop.step);
   std::string text = "step\t" + std::to_string(stop.step) + '\t' +
                      std::string(title(detail.step.chapter)) + '\t' + caption(trace, detail) +
-                     '\t' + formula(trace, detail) + '\t' + stop.words + '\n';
+                     '\t' + formula(trace, detail) + '\t' + in_a_line(stop.words) + '\n';
   append_known(trace, detail, text);
   std::size_t shown = 0;
   for (const Figure& figure : figures(trace, detail)) {
@@ -94,7 +100,7 @@ std::string step_text(const Trace& trace, const Stop& stop) {
   return text;
 }
 
-std::string handout(std::string_view link, std::string_view lesson) {
+std::string handout(std::string_view link, std::string_view lesson_text) {
   const Result<Document> document = decode_link(link);
   if (!document) return "problem\t" + document.error().message + '\n';
   const Result<Placement> placement = place(*document);
@@ -103,7 +109,11 @@ std::string handout(std::string_view link, std::string_view lesson) {
   if (!trace) return "problem\t" + trace.error().message + '\n';
   std::string text = "polygon\t" + in_text(placement->vertices()) + "\ncentre\t" +
                      in_text(Points{trace->centre}) + '\n';
+  const Result<Lesson> lesson = parse_lesson(lesson_text);
   for (const Stop& stop : stops_of(*trace, lesson)) text += step_text(*trace, stop);
+  if (lesson && !lesson->question.empty())
+    text += "question\t" + in_a_line(lesson->question) + "\nanswer\t" + in_a_line(lesson->answer) +
+            '\n';
   return text;
 }
 
@@ -118,6 +128,7 @@ extern "C" {
 //   step NUMBER CHAPTER CAPTION FORMULA WORDS     begins a step; what follows is its picture:
 //   base, candidate, team CHORD [LOAD LOAD]       what is known by then
 //   figure KIND ITEM VALUE POINTS                 what the step is about
+//   question WORDS, answer WORDS                  at the end of a lesson that has them
 //   problem SENTENCE                              instead of all of it
 EMSCRIPTEN_KEEPALIVE const char* handout_steps(const char* link, const char* lesson) {
   return evenlift::hand_over(evenlift::handout(link, lesson));

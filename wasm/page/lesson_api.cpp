@@ -89,4 +89,15 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   return hand_over(std::move(text));
 }
 
+// The question at the end of the lesson that is open, and its answer, in paragraphs with "\n" between them. Nothing without one.
+EMSCRIPTEN_KEEPALIVE const char* page_lesson_question() {
+  const std::optional<Script>& script = app().state.walkthrough.script;
+  return hand_over(script ? script->lesson.question : std::string());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* page_lesson_answer() {
+  const std::optional<Script>& script = app().state.walkthrough.script;
+  return hand_over(script ? script->lesson.answer : std::string());
+}
+
 }  // extern "C"

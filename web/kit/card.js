@@ -46,6 +46,7 @@ export async function openCard(page, { name, title, body, closed, focus = false 
     const [left, right, bottom] = asked(0);
     root.style.left = `${left}px`;
     root.style.width = `${right - left}px`;
+    root.style.maxHeight = `${bottom - 8}px`;
     root.classList.toggle("in-a-row", right - left >= 620);
     const { height } = root.getBoundingClientRect();
     root.style.top = `${bottom - height}px`;

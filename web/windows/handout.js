@@ -15,11 +15,14 @@ function points(text) {
   return Array.from({ length: numbers.length / 2 }, (_, i) => numbers.slice(2 * i, 2 * i + 2));
 }
 
+// The paragraphs of a teacher's words.
+const paragraphs = (words) => words ? words.split("\v") : [];
+
 function readStep([, chapter, caption, formula, words]) {
-  return { chapter, caption, formula, words: words ? words.split("\v") : [], base: [], candidates: [], teams: [], figures: [] };
+  return { chapter, caption, formula, words: paragraphs(words), base: [], candidates: [], teams: [], figures: [] };
 }
 
-// The lines of handout_steps() as { polygon, centre, steps }.
+// The lines of handout_steps() as { polygon, centre, steps, question, answer }.
 function readHandout(text) {
   const handout = { steps: [] };
   for (const line of text.trimEnd().split("\n")) {
@@ -27,6 +30,7 @@ function readHandout(text) {
     const step = handout.steps.at(-1);
     if (what === "problem") throw new Error(parts[0]);
     if (what === "polygon" || what === "centre") handout[what] = points(parts[0]);
+    else if (what === "question" || what === "answer") handout[what] = paragraphs(parts[0]);
     else if (what === "step") handout.steps.push(readStep(parts));
     else if (what === "base") step.base = points(parts[0]);
     else if (what === "candidate") step.candidates.push(points(parts[0]));
@@ -96,6 +100,13 @@ function figureOf(handout, step, number, place) {
     step.formula ? el("p", { class: "formula" }, step.formula) : ""));
 }
 
+// The question at the lesson's end, and its answer upside down, so that nobody reads it by chance.
+function questionOf({ question, answer }) {
+  if (!question) return [];
+  return [el("section", { class: "paper-question" }, el("h3", {}, "A question"), ...question.map((words) => el("p", {}, words)),
+    el("div", { class: "upside-down", role: "group", "aria-label": "The answer" }, ...answer.map((words) => el("p", {}, words))))];
+}
+
 export async function show(page) {
   const { program } = page;
   const lesson = openLessonOf(program);
@@ -117,7 +128,7 @@ export async function show(page) {
     const handout = readHandout((await handoutModule()).text("handout_steps", link, lesson?.text ?? ""));
     const place = fitted(handout.polygon, width, height, margin);
     const figures = handout.steps.map((step, i) => figureOf(handout, step, i + 1, place));
-    pages.replaceChildren(el("h2", { class: "paper-title" }, title), el("div", { class: "steps" }, ...figures), el("p", { class: "paper-foot" }, "Made with evenlift."));
+    pages.replaceChildren(el("h2", { class: "paper-title" }, title), el("div", { class: "steps" }, ...figures), ...questionOf(handout), el("p", { class: "paper-foot" }, "Made with evenlift."));
     print.disabled = false;
     print.focus();
   } catch (error) {

@@ -33,6 +33,13 @@ The first team, and why it is this one.
 
 [end]
 What should they remember?
+
+# On the card at the end. The answer is shown when it is asked for.
+[question]
+What could they find out by themselves?
+
+[answer]
+What they will have found.
 `;
 }
 
@@ -180,11 +187,11 @@ class Editor {
     return problem;
   }
 
-  // The step in which this place of the text is, from 0; -1 among the settings.
+  // The step in which this place of the text is, from 0; -1 among the settings. The question at the end is asked at the last.
   #stopAt(position) {
     const end = this.field.value.indexOf("\n", position);
     const before = this.field.value.slice(0, end < 0 ? undefined : end);
-    return before.split("\n").filter((line) => /^\s*\[/.test(line)).length - 1;
+    return before.split("\n").filter((line) => /^\s*\[(?!\s*(question|answer)\s*\])/.test(line)).length - 1;
   }
 
   // Writes the sample in place of the polygon that the lesson is about, or else below its title.

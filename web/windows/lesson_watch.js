@@ -1,8 +1,9 @@
-// Which lesson is open, and what comes at its end: how the guesses went, and the next lesson.
+// Which lesson is open, and what comes at its end: how the guesses went, a question with its answer, and the next lesson.
 import { closingButton, openCard } from "../kit/card.js";
-import { el } from "../kit/elements.js";
+import { button, el } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
 import { lasting, read, write } from "../page/storage.js";
+import { underWay } from "../page/under_way.js";
 import { openReadyMade } from "./lesson_source.js";
 
 const seenKey = "evenlift.lessons";
@@ -18,7 +19,7 @@ function markSeen(name) {
   write(lasting, seenKey, [...seen, name].join(" "));
 }
 
-let playing;  // { page, lesson, atEnd }; lesson: { name, title, text } as far as they are known
+let playing;  // { page, lesson, atEnd, answered }; lesson: { name, title, text } as far as they are known
 
 // The text of the lesson that is open; nothing if none is, or if it is the walkthrough of a polygon.
 export function openLessonOf(program) {
@@ -44,13 +45,38 @@ function look() {
   const { page, lesson } = playing;
   const now = standing(page.program);
   const script = page.program.number("page_script");
-  const ours = now && (lesson.text ? script === 2 : script === 0);
+  // Whoever edits the polygon at the end tries what the question asks: it stays.
+  const ours = now && (lesson.text ? script === 2 || (script === 1 && playing.atEnd) : script === 0);
   const atEnd = Boolean(ours && now.at + 1 === now.count);
   if (atEnd === playing.atEnd) return;
   playing.atEnd = atEnd;
   if (!atEnd) return playing.card?.close();
   markSeen(lesson.name);
-  showEnd(page, lesson, now, playing);
+  underWay(showEnd(page, lesson, now, playing));
+}
+
+const paragraphs = (text, attributes = {}) => text.split("\n").map((words) => el("p", attributes, words));
+
+// The question at the lesson's end, and the button that shows its answer. Once shown, it is there whenever the end comes again.
+function questionOf(program, of) {
+  const answer = el("div", { role: "status" });
+  const show = () => answer.replaceChildren(...paragraphs(program.text("page_lesson_answer"), { class: "second" }));
+  const words = [...paragraphs(program.text("page_lesson_question"), { class: "question" }), answer];
+  if (of.answered) {
+    show();
+    return { words };
+  }
+  const shown = button("Answer", { onclick: () => {
+    of.answered = true;
+    show();
+    answer.parentElement.classList.add("answered");
+    const next = shown.nextElementSibling;
+    const byKey = shown.matches(":focus-visible");
+    shown.remove();
+    if (byKey) next.focus();
+    of.card.seat();
+  } });
+  return { words, button: shown };
 }
 
 async function showEnd(page, lesson, { guesses, right, told }, of) {
@@ -59,17 +85,19 @@ async function showEnd(page, lesson, { guesses, right, told }, of) {
   const next = index >= 0 ? all[index + 1] : undefined;
   const score = guesses ? `${right} of ${guesses} ${guesses === 1 ? "guess was" : "guesses were"} right.` : "";
   const untold = score && told ? ` ${told === 1 ? "One more choice was" : `${told} more choices were`} shown without a question: at most three of a kind are asked.` : "";
-  if (!score && index < 0) return;
-  if (playing !== of || !of.atEnd || document.querySelector("dialog[open]")) return;
+  const asked = page.program.text("page_lesson_question");
+  if (!score && index < 0 && !asked) return;
+  if (playing !== of || !of.atEnd || document.querySelector("dialog[open]:not(#editor)")) return;
   const ended = index >= 0 ? `The end of lesson ${index + 1} of ${all.length}.` : "This is the end.";
   const seen = seenLessons();
+  const question = asked ? questionOf(page.program, of) : undefined;
   const rest = index >= 0 && all.every(({ name }) => seen.has(name)) ? " You have seen all of them." : "";
   of.card = await openCard(page, {
     name: "lesson-end",
     title: "The end of the lesson",
     body: [
-      el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", untold, rest),
-      el("div", { class: "ways" },
+      el("div", { class: of.answered ? "said answered" : "said" }, el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", untold, rest), ...(question?.words ?? [])),
+      el("div", { class: "ways" }, question?.button ?? "",
         next ? closingButton(`Next: ${next.title}`, { class: "button primary" }, () => openReadyMade(page, next)) : "",
         closingButton("All lessons", {}, () => page.windows().then((windows) => windows.lessons(page)))),
     ],

@@ -13,6 +13,12 @@
 //   [team 2]
 //   And so on.
 //
+//   [question]
+//   Which team bears most?
+//
+//   [answer]
+//   None: each bears the same.
+//
 // First the settings, one to a line. `title` and one of `polygon` (the name of a sample) and `link`
 // (a share link) must be there; `teams`, `metric`, `min-ratio`, `com`, `weight`, `seed`, `robots`,
 // `goal` and `positions` are those of `evenlift place` and override what the link carries;
@@ -24,6 +30,7 @@
 //   edges A B        the same by the edges' numbers
 //   step N           its number in the whole trace, which changes with the polygon
 //   end              the last step
+// A question to think about may stand at the end, and then its answer, which is shown when it is asked for.
 #pragma once
 
 #include <cstddef>
@@ -44,8 +51,10 @@ namespace evenlift {
 // Bounds. What is beyond them is refused.
 inline constexpr std::size_t max_lesson_bytes = 1u << 16;
 inline constexpr std::size_t max_lesson_steps = 200;
-inline constexpr std::size_t max_lesson_title = 100;   // bytes
-inline constexpr std::size_t max_lesson_words = 1000;  // bytes, of one step
+inline constexpr std::size_t max_lesson_title = 100;     // bytes
+inline constexpr std::size_t max_lesson_words = 1000;    // bytes, of one step
+inline constexpr std::size_t max_lesson_question = 300;  // bytes
+inline constexpr std::size_t max_lesson_answer = 600;    // bytes
 
 // Where a lesson stops. All indices count from 0.
 namespace at {
@@ -91,6 +100,7 @@ struct Lesson {
   std::vector<GivenSetting> settings;  // each at most once; what read_setting() takes
   bool predict = false;
   std::vector<LessonStep> steps;  // at least one
+  std::string question, answer;   // at the end, in words as those of a step; both empty or neither
 };
 
 // Reads a lesson in UTF-8 with lines that end in \n or \r\n. Any bytes give a lesson or an error,

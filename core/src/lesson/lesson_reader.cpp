@@ -72,8 +72,8 @@ class Reader {
     if (!is_readable(whole_line)) return refuse("not readable text (UTF-8)");
     const std::string_view line = trimmed(whole_line);
     if (!line.empty() && line.front() == '#') return;
-    if (!line.empty() && line.front() == '[') return begin_step(line);
-    if (lesson_.steps.empty()) return read_heading(line);
+    if (!line.empty() && line.front() == '[') return begin_part(line);
+    if (!part_.words) return read_heading(line);
     read_words(line);
   }
 
@@ -149,16 +149,50 @@ class Reader {
       {"predict", &Reader::take_predict, {}},
   };
 
-  void begin_step(std::string_view line) {
-    finish_step();
+  // What the words to come belong to, and the refusals if they are too many or none.
+  struct Part {
+    std::string* words = nullptr;  // of lesson_; null before the first part
+    std::size_t most = 0;          // bytes
+    const char* too_long = nullptr;
+    const char* missing = nullptr;
+    std::size_t line = 0;
+  };
+
+  void begin_part(std::string_view line) {
+    finish_part();
+    gap_ = false;
     if (line.back() != ']') return refuse("a step's address ends in ]");
+    const std::string_view name = trimmed(line.substr(1, line.size() - 2));
+    if (name == "question") return begin_question();
+    if (name == "answer") return begin_answer();
+    begin_step(name);
+  }
+
+  void begin_step(std::string_view name) {
+    if (asked_) return refuse("a step after the question, which is the end of a lesson");
     if (lesson_.steps.size() == max_lesson_steps) return refuse("a lesson has at most 200 steps");
-    const auto address = read_address(trimmed(line.substr(1, line.size() - 2)));
+    const auto address = read_address(name);
     if (!address)
       return refuse(
           "expected the address of a step, such as [centre], [vertex 3], [pair 2], [edges 4 7], [team 2] or [end]");
     lesson_.steps.push_back({*address, {}, line_});
-    gap_ = false;
+    part_ = {&lesson_.steps.back().words, max_lesson_words,
+             "a step has more than 1000 bytes of words", "the step has no words", line_};
+  }
+
+  void begin_question() {
+    if (asked_) return refuse("a lesson has one question, at its end");
+    if (lesson_.steps.empty()) return refuse("the question comes after the steps");
+    asked_ = line_;
+    part_ = {&lesson_.question, max_lesson_question, "the question is longer than 300 bytes",
+             "the question has no words", line_};
+  }
+
+  void begin_answer() {
+    if (!asked_) return refuse("an answer without a question before it");
+    if (!lesson_.answer.empty()) return refuse("a question has one answer");
+    part_ = {&lesson_.answer, max_lesson_answer, "the answer is longer than 600 bytes",
+             "the answer has no words", line_};
   }
 
   // A word and up to two numbers from 1; nothing for anything else.
@@ -189,7 +223,7 @@ class Reader {
   }
 
   void read_words(std::string_view line) {
-    std::string& words = lesson_.steps.back().words;
+    std::string& words = *part_.words;
     if (line.empty()) {
       gap_ = !words.empty();
       return;
@@ -197,17 +231,17 @@ class Reader {
     if (!words.empty()) words += gap_ ? '\n' : ' ';
     gap_ = false;
     words += line;
-    if (words.size() > max_lesson_words)
-      refuse("a step has more than 1000 bytes of words", lesson_.steps.back().line);
+    if (words.size() > part_.most) refuse(part_.too_long, part_.line);
   }
 
-  void finish_step() {
-    if (!lesson_.steps.empty() && lesson_.steps.back().words.empty())
-      refuse("the step has no words", lesson_.steps.back().line);
+  void finish_part() {
+    if (part_.words && part_.words->empty()) refuse(part_.missing, part_.line);
   }
 
   void finish() {
-    finish_step();
+    finish_part();
+    if (asked_ && lesson_.answer.empty())
+      refuse("the question has no answer; write one below [answer]", *asked_);
     if (error_) return;
     const char* missing = lesson_.title.empty() ? "the lesson has no title"
                           : lesson_.polygon.empty() && lesson_.link.empty()
@@ -223,7 +257,9 @@ class Reader {
   std::size_t line_ = 0;
   Lesson lesson_;
   std::array<bool, std::size(keys)> seen_{};  // by key
-  bool gap_ = false;                          // an empty line since the last words
+  Part part_;
+  bool gap_ = false;                  // an empty line since the last words
+  std::optional<std::size_t> asked_;  // the line of the question
   std::optional<InputError> error_;
 };
 
