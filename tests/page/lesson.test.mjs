@@ -536,10 +536,10 @@ test("a challenge link hides the answer and asks", async () => {
   await other.waitForFunction(() => location.search === "");
   await other.done();
   // Of a ready-made lesson, at a step of it.
-  const both = await browser.open({ address: "?lesson=convex&challenge=1" });
+  const both = await browser.open({ address: "?lesson=moved&challenge=1" });
   for (let i = 0; i < 13 && !await both.locator("#alert").textContent(); ++i) await both.keyboard.press("ArrowRight");
   assert.match(await both.locator("#alert").textContent(), /\?/);
-  assert.equal(await named(both), "?lesson=convex&challenge=1");
+  assert.equal(await named(both), "?lesson=moved&challenge=1");
   await both.done();
 });
 
