@@ -391,7 +391,7 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
     const bool free = !r.widening || calls.within(*r.widening, tolerance, "free region is empty");
     if (free) {
       open.push_back(r);
-      if (!r.widening || calls.within(-*r.widening, tolerance, "free region has an area") == false)
+      if (!r.widening || !calls.within(-*r.widening, tolerance, "free region has an area"))
         degenerate = false;
     }
     (side == 1 ? result.counterclockwise : result.clockwise) = free;

@@ -1,9 +1,9 @@
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"
 #include "evenlift/placement.h"
+#include "exact/bits.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
 #include "kit/texts.h"
@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+using evenlift::same_bits;  // of doubles
 
 bool same_bits(const ordered_json& json, const Vec2& point) {
   return json.size() == 2 && same_bits(json[0].get<double>(), point.x()) &&
