@@ -31,7 +31,7 @@ struct RobustnessAsked {
 
 // What is known of a placement's robots beyond its own numbers, as far as it was asked for.
 struct RobustnessKnown {
-  RobustnessKnown(const Placement& placement, const RobustnessAsked& asked);
+  RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted);
 
   RobustnessAsked asked;
   Robustness robustness;

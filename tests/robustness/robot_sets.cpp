@@ -140,7 +140,7 @@ Rng generator(std::uint64_t number) { return Rng(number * 0x9e3779b97f4a7c15u + 
 RobotSet make_set(std::uint64_t number, std::size_t most) {
   Rng rng = generator(number);
   const auto kind = static_cast<Kind>(number % static_cast<std::uint64_t>(Kind::count));
-  const RobotSet set = basic_set(kind, rng, 1 + rng.below(most));
+  RobotSet set = basic_set(kind, rng, 1 + rng.below(most));
   switch (rng.below(5)) {
     case 0:  // as small as an object may be
       return scaled_and_shifted(set, 1e-9, Vec2::Zero());

@@ -71,7 +71,8 @@ bool near(const Points& a, const Points& b) {
 double distance(const Points& edges, const Vec2& p, bool closed) {
   double best = HUGE_VAL;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < edges.size(); ++i) {
-    const Vec2 a = edges[i], d = edges[(i + 1) % edges.size()] - a;
+    const Vec2& a = edges[i];
+    const Vec2 d = edges[(i + 1) % edges.size()] - a;
     const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
     best = std::min(best, length(p - a - t * d));
   }
@@ -483,9 +484,8 @@ TEST_CASE("columns with every usual separator are the same triangle", "[import][
         "y;x\n0;0\n0;40\n30,5;10\n", "\"X (mm)\",\"Y (mm)\"\n\"0\",\"0\"\n\"40\",\"0\"\n10,30.5\n",
         "name,x,y\nA,0,0\nB,40,0\nC,10,30.5\n", "A 0 0\nB 40 0\nC 10 30.5\n",
         "# a comment\n0,0\n40,0\n# another\n10,30.5\n0,0\n", "x\ty\n0\t0\n40\t0\n10\t30.5\n",
-        "\xef\xbb\xbf"
-        "0;0\n40;0\n10;30.5\n",
-        "[[0,0],[40,0],[10,30.5]]", "[{\"x\":0,\"y\":0},{\"y\":0,\"x\":40},{\"x\":10,\"y\":30.5}]",
+        "\ufeff0;0\n40;0\n10;30.5\n", "[[0,0],[40,0],[10,30.5]]",
+        "[{\"x\":0,\"y\":0},{\"y\":0,\"x\":40},{\"x\":10,\"y\":30.5}]",
         "[[[0,0],[40,0],[10,30.5]]]"}) {
     INFO(text);
     CHECK(same_vertices(only(text), triangle));

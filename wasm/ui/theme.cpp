@@ -1,5 +1,6 @@
 #include "ui/theme.h"
 
+#include <cmath>
 #include <iterator>
 
 #include "state/heat_levels.h"
@@ -96,7 +97,7 @@ const FaceSpec& spec(Face face) { return faces[static_cast<int>(face)]; }
 ImU32 Colour::packed() const {
   return (rgb >> 16 & 0xFF) << IM_COL32_R_SHIFT | (rgb >> 8 & 0xFF) << IM_COL32_G_SHIFT |
          (rgb & 0xFF) << IM_COL32_B_SHIFT |
-         static_cast<ImU32>(opacity * 255 + 0.5f) << IM_COL32_A_SHIFT;
+         static_cast<ImU32>(std::lround(opacity * 255)) << IM_COL32_A_SHIFT;
 }
 
 ImVec4 Colour::vec() const {

@@ -61,12 +61,12 @@ RayCaster::Hit RayCaster::farthest(const Vec2& u, const std::vector<std::uint32_
   return farthest;
 }
 
-RayCaster::Hit RayCaster::hit_on(const Vec2& u, std::uint32_t i) const {
-  const Edge& edge = edges_[i];
-  const double side_start = cross(u, edge.start), side_end = cross(u, edge.end);
+RayCaster::Hit RayCaster::hit_on(const Vec2& u, std::uint32_t edge) const {
+  const Edge& met = edges_[edge];
+  const double side_start = cross(u, met.start), side_end = cross(u, met.end);
   const double part = std::clamp(side_start / (side_start - side_end), 0.0, 1.0);
-  const Vec2 point = edge.start + part * (edge.end - edge.start);
-  return {length(point), {centre_ + point, i}};
+  const Vec2 point = met.start + part * (met.end - met.start);
+  return {length(point), {centre_ + point, edge}};
 }
 
 }  // namespace evenlift

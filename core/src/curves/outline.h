@@ -41,18 +41,18 @@ struct Outline {
   const Vec2& end() const { return pieces.empty() ? start : pieces.back().end; }
   bool curved() const;
 
-  void line_to(const Vec2& end);
-  void quadratic_to(const Vec2& control, const Vec2& end);
-  void cubic_to(const Vec2& first, const Vec2& second, const Vec2& end);
+  void line_to(const Vec2& to);
+  void quadratic_to(const Vec2& control, const Vec2& to);
+  void cubic_to(const Vec2& first, const Vec2& second, const Vec2& to);
   // A quarter of an ellipse whose tangents at its ends meet at the corner.
-  void quarter_to(const Vec2& corner, const Vec2& end);
+  void quarter_to(const Vec2& corner, const Vec2& to);
   // An arc as DXF has it: `bulge` is the tangent of a quarter of its angle, positive if it turns
   // counter-clockwise, and finite. 0 is a line.
-  void bulge_to(const Vec2& end, double bulge);
+  void bulge_to(const Vec2& to, double bulge);
   // The image under `frame` of the arc of the unit circle from `from` to `to`, counter-clockwise or
-  // clockwise, the part of more than 180 degrees if `large`. It ends exactly at `end`.
+  // clockwise, the part of more than 180 degrees if `large`. It ends exactly at `last`.
   void arc_to(const Affine& frame, const Vec2& from, const Vec2& to, bool counterclockwise,
-              bool large, const Vec2& end);
+              bool large, const Vec2& last);
   // The whole image of the unit circle, counter-clockwise before the map. Sets the start.
   static Outline ellipse(const Affine& frame);
   // The B-spline curve of degree 1, 2 or 3 without weights; nothing if there are not as many finite

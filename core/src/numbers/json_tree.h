@@ -39,8 +39,8 @@ class JsonTree {
   Index next(Index i) const { return nodes_[i].next; }
 
   // The member of an object by its name, if it has one; the last, if it has two. O(members).
-  std::optional<Index> member(Index object, std::string_view name) const;
-  bool is_string(std::optional<Index> i, std::string_view text) const;
+  std::optional<Index> member(Index object, std::string_view wanted) const;
+  bool is_string(std::optional<Index> i, std::string_view wanted) const;
 
  private:
   friend class TreeBuilder;
