@@ -92,7 +92,8 @@ std::string clean_name(std::string_view name) {
     if (plain) {
       clean += name.substr(0, length);
       ++characters;
-    } else if (!clean.empty() && clean.back() != ' ') {  // bytes that are not a character separate words
+    } else if (!clean.empty() &&
+               clean.back() != ' ') {  // bytes that are not a character separate words
       clean += ' ';
       ++characters;
     }

@@ -121,7 +121,8 @@ std::string fingerprint(const Document& document, const ExperimentSettings& sett
   return fingerprint(csv::line(csv::settings_fields(settings)) + write_thesis(document));
 }
 
-PolygonResult result_of(const std::string& set, const std::string& polygon, const Subject& subject) {
+PolygonResult result_of(const std::string& set, const std::string& polygon,
+                        const Subject& subject) {
   PolygonResult result;
   result.set = set;
   result.polygon = polygon;
