@@ -135,19 +135,6 @@ test("the card at the end covers no control of the player, wide and on a phone",
   }
 });
 
-test("before a room the card at the end covers none of the words", async () => {
-  const page = await browser.open();
-  await begin(page, order[0]);
-  await page.keyboard.press("End");
-  await idle(page);
-  await end(page).waitFor();
-  await page.locator("#canvas").focus();
-  await page.keyboard.press("Shift+P");
-  // The words stand in the lowest third of the window.
-  await page.waitForFunction(() => document.querySelector(".seat-card").getBoundingClientRect().bottom < innerHeight * 0.65);
-  await page.done();
-});
-
 test("guesses are counted, the first one at each step, and summed up at the end", async () => {
   const page = await browser.open();
   await load(page, asset("trapezium"));
