@@ -58,8 +58,7 @@ export async function openCard(page, { name, title, body, closed, focus = false 
   // Panels may be folded and windows resized; a frame later the program knows.
   const seatSoon = () => requestAnimationFrame(() => requestAnimationFrame(seat));
   addEventListener("resize", seatSoon, { signal });
-  // The keys that the program takes never come as far as the canvas's listeners.
-  for (const type of ["pointerup", "keyup"]) addEventListener(type, seatSoon, { signal, capture: true });
+  canvas.addEventListener("pointerup", seatSoon, { signal });
   root.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
     event.preventDefault();
