@@ -66,7 +66,7 @@ std::vector<Space> wrenches(const Object& object, const std::vector<Point>& robo
   const std::vector<Point> ring = counter_clockwise(object);
   const std::size_t n = ring.size();
   assert(n >= 3);
-  const double near = tau * diagonal(object), r = radius(object);
+  const double near = tau * diameter(object), r = radius(object);
   std::vector<Space> all;
   const auto touch = [&](const Point& p, std::size_t edge) {
     const Point along = ring[(edge + 1) % n] - ring[edge];
@@ -98,14 +98,11 @@ std::vector<Space> wrenches(const Object& object, const std::vector<Point>& robo
 
 }  // namespace
 
-double diagonal(const Object& object) {
-  Point low = object.vertices[0], high = low;
+double diameter(const Object& object) {
+  double greatest = 0;
   for (const Point& v : object.vertices)
-    for (std::size_t i = 0; i < 2; ++i) {
-      low[i] = std::min(low[i], v[i]);
-      high[i] = std::max(high[i], v[i]);
-    }
-  return size(high - low);
+    for (const Point& w : object.vertices) greatest = std::max(greatest, size(v - w));
+  return greatest;
 }
 
 double radius(const Object& object) {
@@ -118,7 +115,7 @@ bool inside_hull(const Object& object, const Point& p) {
   const std::vector<Point> corners = hull(object.vertices);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point along = corners[(i + 1) % corners.size()] - corners[i];
-    if (cross(along, p - corners[i]) <= tau * diagonal(object) * size(along)) return false;
+    if (cross(along, p - corners[i]) <= tau * diameter(object) * size(along)) return false;
   }
   return true;
 }
@@ -192,7 +189,7 @@ std::vector<Point> stands(const Object& object) {
   std::vector<Point> ring = counter_clockwise(object);
   std::size_t first = 0;
   double farthest = radius(object);
-  const double near = tau * diagonal(object);
+  const double near = tau * diameter(object);
   bool found = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (size(ring[i] - object.centre) < farthest - near) continue;

@@ -17,7 +17,7 @@ struct Object {
 };
 
 // L and R.
-double diagonal(const Object& object);
+double diameter(const Object& object);
 double radius(const Object& object);
 
 // Whether a point is inside the convex hull, not only within tolerance.

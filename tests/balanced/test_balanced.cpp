@@ -46,7 +46,7 @@ void check(const Placement& placement, std::uint32_t robots) {
 
   const set_oracle::Object object = object_of(placement.polygon, placement.centre_of_mass);
   const std::vector<set_oracle::Point> points = plain(lifting_points(placement.teams));
-  const double size = set_oracle::diagonal(object);
+  const double size = set_oracle::diameter(object);
   for (const set_oracle::Point& p : points)
     CHECK(set_oracle::away_from_outline(object, p) <= 1e-9 * size);
   CHECK(set_oracle::imbalance(object, points) <= 3e-9 * size);
@@ -141,8 +141,7 @@ TEST_CASE("balanced robots survive the failures that they are asked to", "[balan
     const Placement placement = placed(document);
     Points robots;
     for (const Robot& robot : placement.teams[0].robots) robots.push_back(robot.point.position);
-    const double diagonal = bounding_box(document.vertices).diagonal();
-    CHECK(failures_steady(robots, placement.centre_of_mass, diagonal) >= 1);
+    CHECK(failures_steady(robots, placement.centre_of_mass, placement.polygon.diameter()) >= 1);
   }
 }
 

@@ -72,7 +72,7 @@ TEST_CASE("each set of the story is balanced, and each exchange makes the set be
     INFO(name);
     const Trace trace = traced(document_of(name, 6));
     const set_oracle::Object object = object_of(trace.polygon, trace.centre);
-    const double near = 1e-9 * set_oracle::diagonal(object);
+    const double near = 1e-9 * set_oracle::diameter(object);
     for (const BalancedSet& set : trace.history.start)
       CHECK(set_oracle::imbalance(object, plain(set.robots)) < near);
     std::vector<LiftingPoint> before = trace.history.start.back().robots;
@@ -204,10 +204,10 @@ TEST_CASE("why no robot stands at a place: the best set with one there is no bet
       CHECK_FALSE(answer.comparison.better);
       CHECK(answer.set.robots.size() == 6);
       CHECK(set_oracle::imbalance(object, plain(answer.set.robots)) <
-            1e-9 * set_oracle::diagonal(object));
+            1e-9 * set_oracle::diameter(object));
       CHECK(std::any_of(
           answer.set.robots.begin(), answer.set.robots.end(), [&](const LiftingPoint& robot) {
-            return length(robot.position - place) < 1e-9 * set_oracle::diagonal(object);
+            return length(robot.position - place) < 1e-9 * set_oracle::diameter(object);
           }));
       ++compared;
     }

@@ -21,6 +21,8 @@ Point point(const evenlift::Vec2& v) { return {v.x(), v.y()}; }
 
 double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
 
+double length(const std::array<Point, 2>& ends) { return distance(ends[0], ends[1]); }
+
 /// The greater gap between the ends of two chords, matched in the better way.
 double apart(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
   return std::min(std::max(distance(a[0], b[0]), distance(a[1], b[1])),
@@ -90,6 +92,13 @@ double outside(const Point& p, const std::vector<Point>& hull, double size) {
   return inside ? 0 : least;
 }
 
+double farthest_from_origin(const oracle::Problem& problem) {
+  double largest = 0;
+  for (const Point& p : problem.vertices)
+    largest = std::max({largest, std::fabs(p[0]), std::fabs(p[1])});
+  return largest;
+}
+
 class Comparison {
  public:
   Comparison(const Case& c, const evenlift::Placement& core)
@@ -108,7 +117,7 @@ class Comparison {
     closest.merge(selection.closest_call);
     teams(d, selection);
     // Verdicts on different teams would only repeat that the teams differ.
-    if (d.none()) closest.merge(verdicts(d, list, selection.teams, 1e-9));
+    if (d.none()) closest.merge(verdicts(d, list, selection.teams, 0));
     return closest;
   }
 
@@ -121,7 +130,8 @@ class Comparison {
     const oracle::Selection selection = oracle::select(case_.problem, list);
     oracle::ClosestCall closest = selection.closest_call;
     teams(d, selection);
-    if (d.none()) closest.merge(verdicts(d, list, selection.teams, 1e-9));
+    const double rounded = 0x1p-52 * farthest_from_origin(case_.problem);
+    if (d.none()) closest.merge(verdicts(d, list, selection.teams, rounded));
     return closest;
   }
 
@@ -165,16 +175,17 @@ class Comparison {
     out << "\n";
   }
 
+  /// `rounded` is how far the oracle's ends may be from what the core computed with.
   oracle::ClosestCall verdicts(Differences& d, const oracle::CandidateList& list,
-                               const std::vector<std::size_t>& teams, double tolerance) const {
+                               const std::vector<std::size_t>& teams, double rounded) const {
     const oracle::Judgement exact = oracle::judge(case_.problem, list, teams);
     // Of several corners of H in a row, each within tau L of the line of its neighbours, one or the other
     // may be left out. In an object that is nearly as thin as that, this shows in the coverage.
     const double area = core_.polygon.area(), square = size_ * size_;
-    hull(d, exact.hull, std::max(tolerance, 2e-9));
+    hull(d, exact.hull, 2e-9);
     d.near("coverage", core_.coverage, exact.coverage,
-           area < 1e-4 * square ? std::max(tolerance, 4e-9 * square / area) : tolerance);
-    loads(d, list, teams, exact.loads);
+           area < 1e-4 * square ? 4e-9 * square / area : 1e-9);
+    loads(d, list, teams, exact.loads, rounded);
     d.same("clockwise free", core_.closure.clockwise.exists, exact.closure.clockwise);
     d.same("counterclockwise free", core_.closure.counterclockwise.exists,
            exact.closure.counterclockwise);
@@ -199,16 +210,21 @@ class Comparison {
   }
 
   void loads(Differences& d, const oracle::CandidateList& list,
-             const std::vector<std::size_t>& teams,
-             const std::optional<oracle::Loads>& exact) const {
+             const std::vector<std::size_t>& teams, const std::optional<oracle::Loads>& exact,
+             double rounded) const {
     d.same("loads", core_.loads.has_value(), exact.has_value());
     if (!core_.loads || !exact) return;
-    const double tolerance = 1e-9 * case_.problem.weight;
+    // The core takes shares from its arms, which are more precise than the ends of a chord that is hardly longer than their
+    // rounding.
+    double shortest = size_;
+    for (const evenlift::Team& team : core_.teams)
+      shortest = std::min(shortest, length(ends(chord_of(team))));
+    const double share = 1e-9 + 2 * rounded / shortest, tolerance = share * case_.problem.weight;
     d.near("least load", core_.loads->min, exact->min, tolerance);
     d.near("mean load", core_.loads->mean, exact->mean, tolerance);
     d.near("greatest load", core_.loads->max, exact->max, tolerance);
     d.near("spread", core_.loads->spread, exact->spread, tolerance);
-    d.near("greatest share", core_.loads->max_share, exact->max_share, 1e-9);
+    d.near("greatest share", core_.loads->max_share, exact->max_share, share);
     for (std::size_t k = 0; k < teams.size(); ++k) {
       const evenlift::Team& team = core_.teams[k];
       const std::array<Point, 2> mine = ends(chord_of(team)),
@@ -223,13 +239,6 @@ class Comparison {
   const evenlift::Placement& core_;
   double size_;
 };
-
-double farthest_from_origin(const oracle::Problem& problem) {
-  double largest = 0;
-  for (const Point& p : problem.vertices)
-    largest = std::max({largest, std::fabs(p[0]), std::fabs(p[1])});
-  return largest;
-}
 
 /// Whether the coordinates are so far from the origin that their spacing is no longer far below tau
 /// L. Ends within tau L of each other cannot then be told from ends at the same doubles.
@@ -319,13 +328,19 @@ Finding compare_vertex_chords(const Case& c) {
   std::ostringstream s;
   if (chords->size() != exact.size())
     s << "vertex-chords: core " << chords->size() << ", oracle " << exact.size() << "\n";
-  // Each of the oracle's has one of the core's for its own.
+  // Each of the oracle's has one of the core's for its own: the nearest, since those that one of them may be are not always those
+  // that another may be.
   std::vector<bool> used(chords->size(), false);
   int missing = 0;
   for (const auto& want : exact) {
     std::size_t found = used.size();
-    for (std::size_t k = 0; k < used.size() && found == used.size(); ++k)
-      if (!used[k] && apart(ends((*chords)[k].chord), want) <= 1e-9 * size) found = k;
+    double nearest = 1e-9 * size + 0x1p-51 * farthest_from_origin(c.problem);
+    for (std::size_t k = 0; k < used.size(); ++k) {
+      const double gap = used[k] ? 2 * size : apart(ends((*chords)[k].chord), want);
+      if (gap > nearest || (gap == nearest && found < used.size())) continue;
+      nearest = gap;
+      found = k;
+    }
     if (found < used.size())
       used[found] = true;
     else

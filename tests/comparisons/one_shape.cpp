@@ -85,7 +85,7 @@ class Shape {
     if (!taken.empty()) {
       const std::vector<double> score =
           scores(polygon_, centre(), candidates(), taken, placement_.settings.method);
-      const double across = 2 * farthest_vertex(polygon_, centre());
+      const double across = polygon_.diameter();
       const double floor =
           1e-12 * (placement_.settings.method == Method::distance ? across : across * across);
       keep_best(

@@ -66,6 +66,28 @@ TEST_CASE("the core agrees with the oracle on cases made by hand", "[oracle][cor
   }
 }
 
+TEST_CASE("the core agrees with the oracle on cases that the search found", "[oracle][core]") {
+  constexpr std::uint64_t ties_that_are_not_transitive = 2402166731664,
+                          chords_less_than_tolerance_apart = 2402166731816,
+                          arms_hardly_longer_than_rounding = 2402166732415,
+                          centre_beside_a_short_chord = 900000002950,
+                          ends_above_each_other_but_for_rounding = 900000005848,
+                          area_just_outside_the_angle_of_an_edge = 300000011106,
+                          middles_that_do_not_quite_face_each_other = 228482048635972,
+                          chord_of_opposite_vertices_below_the_minimum = 500000007317;
+  for (const std::uint64_t number :
+       {ties_that_are_not_transitive, chords_less_than_tolerance_apart,
+        arms_hardly_longer_than_rounding, centre_beside_a_short_chord,
+        ends_above_each_other_but_for_rounding, area_just_outside_the_angle_of_an_edge,
+        middles_that_do_not_quite_face_each_other, chord_of_opposite_vertices_below_the_minimum}) {
+    const Case c = small_polygons::make_case(number);
+    const Finding finding = against_oracle::compare_placement(c);
+    check(c, finding);
+    CHECK(finding.passed_over == 0);
+    check(c, against_oracle::compare_vertex_chords(c));
+  }
+}
+
 TEST_CASE("a case is passed over where the outline is folded within the tolerance",
           "[oracle][core]") {
   // The sixth and the seventh edge go back and forth along one line, up to rounding: which of them a

@@ -450,7 +450,7 @@ std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t te
   }
   const std::vector<double> score = scores(*polygon, placement.centre_of_mass, placement.candidates,
                                            selected, placement.settings.method);
-  const double size = 2 * farthest_vertex(*polygon, placement.centre_of_mass);
+  const double size = polygon->diameter();
   const double floor = 1e-12 * (placement.settings.method == Method::distance ? size : size * size);
   keep([&](std::size_t i) { return score[i]; },
        [&](double best) { return 1.01 * std::max(tolerance * std::fabs(best), floor); });

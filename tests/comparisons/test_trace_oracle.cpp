@@ -52,6 +52,24 @@ Exact exact_g(const Trace& trace, const EdgePair& pair, std::uint32_t on_a, std:
   return 1 / across(trace, on_b, pair.a);
 }
 
+bool joins_vertices(const Trace& trace, const Chord& chord) {
+  const Points& v = trace.polygon.vertices();
+  const auto is_vertex = [&](const LiftingPoint& p) {
+    return std::find(v.begin(), v.end(), p.position) != v.end();
+  };
+  return is_vertex(chord.r1) && is_vertex(chord.r2);
+}
+
+// Of the distances of its ends from C.
+double ratio_of_ends(const Trace& trace, const Chord& chord) {
+  const auto arm = [&](const LiftingPoint& p) {
+    const ExactVec u = exact(p.position) - exact(trace.centre);
+    return oracle::length(oracle::real(u));
+  };
+  const oracle::Real arm1 = arm(chord.r1), arm2 = arm(chord.r2);
+  return static_cast<double>(arm1 < arm2 ? arm1 / arm2 : arm2 / arm1);
+}
+
 void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
   const PairDetail detail = look_at_pair(trace, index);
   const EdgePair& pair = detail.pair;
@@ -77,16 +95,21 @@ void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
     CHECK((detail.outcome == Outcome::midpoint || detail.outcome == Outcome::parallel_low));
     return;
   }
-  // The bisecting chord is in the sections if and only if 1 lies between g0 and g1: exactly.
-  CHECK((detail.outcome == Outcome::bisecting) == ((g0 - 1) * (g1 - 1) <= 0));
   REQUIRE(detail.meeting);
+  // The bisecting chord is in the sections if and only if 1 lies between g0 and g1: exactly. Otherwise only an even chord between
+  // two vertices, at a section end, counts as one.
+  const bool in_sections = (g0 - 1) * (g1 - 1) <= 0;
   if (detail.outcome == Outcome::bisecting) {
-    CHECK(detail.chosen.ratio == 1);
+    const double ratio = detail.chosen.ratio;
+    CHECK((joins_vertices(trace, detail.chosen) ? ratio >= 1 - 1e-9 : in_sections && ratio == 1));
     return;
   }
+  CHECK(!in_sections);
   CHECK((detail.outcome == Outcome::nearer_end) == (best >= least - 1e-9));
   CHECK(detail.nearer == (r0 > r1 ? 0 : 1));
-  CHECK(std::fabs(detail.chosen.ratio - best) < 1e-12);
+  const bool between = joins_vertices(trace, detail.chosen);
+  CHECK(std::fabs(detail.chosen.ratio - (between ? ratio_of_ends(trace, detail.chosen) : best)) <
+        1e-12);
 }
 
 // The oracle's score of a candidate for a team: the teams before it and the candidate alone in a

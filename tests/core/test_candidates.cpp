@@ -167,7 +167,7 @@ TEST_CASE("a lower minimum load ratio only adds candidates", "[candidates]") {
     const auto polygon = Polygon::create(vertices);
     for (const Candidate& candidate : few) {
       CHECK(std::any_of(many.begin(), many.end(), [&](const Candidate& other) {
-        const double near = 4 * near_distance(polygon->diagonal());
+        const double near = 4 * near_distance(polygon->diameter());
         return (candidate.chord.r1.position - other.chord.r1.position).norm() <= near &&
                (candidate.chord.r2.position - other.chord.r2.position).norm() <= near;
       }));
@@ -201,7 +201,7 @@ void sort_by_slope(std::vector<Candidate>& list) {
   sort_keys(keys);
   std::vector<Candidate> sorted;
   for (const SlopeKey key : keys) sorted.push_back(list[number_of(key)]);
-  settle_order(sorted);
+  settle_order(sorted, 1e-9);
   list.swap(sorted);
 }
 
@@ -226,6 +226,20 @@ TEST_CASE(
       CHECK(shuffled[k].chord.r1.position == in_order[k].chord.r1.position);
       CHECK(shuffled[k].chord.r2.position == in_order[k].chord.r2.position);
     }
+  }
+}
+
+TEST_CASE("of chords equally long and equally far to the right, rounding does not tip the order",
+          "[candidates]") {
+  // On one line, within tolerance; their left ends are above each other but for rounding.
+  const auto low = [](double rounding) { return made({-3 + rounding, 0}, {3, -2e-9}, vertex); };
+  const auto high = [](double rounding) { return made({-3 + rounding, 2e-9}, {3, 0}, vertex); };
+  for (const double rounding : {-1e-17, -5e-16, 0.0, 5e-16}) {
+    std::vector<Candidate> one_way{high(rounding), low(0)}, other_way{low(0), high(rounding)};
+    sort_by_slope(one_way);
+    sort_by_slope(other_way);
+    CHECK(one_way[0].chord.r1.position.y() == 0);
+    CHECK(other_way[0].chord.r1.position.y() == 0);
   }
 }
 

@@ -22,7 +22,7 @@ bool same(const Polygon& polygon, const LiftingPoint& a, const LiftingPoint& b) 
   const auto lies_on = [&](std::uint32_t edge) {
     const Vec2 nearest =
         nearest_on_segment(polygon.edge_start(edge), polygon.edge_end(edge), a.position);
-    return length(nearest - a.position) <= near_distance(polygon.diagonal());
+    return length(nearest - a.position) <= near_distance(polygon.diameter());
   };
   return a.position == b.position && (a.edge == b.edge || (lies_on(a.edge) && lies_on(b.edge)));
 }

@@ -10,9 +10,12 @@
 #include "evenlift/angles.h"
 #include "evenlift/generate.h"
 #include "evenlift/placement.h"
+#include "evenlift/random.h"
+#include "evenlift/tolerance.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/metrics.h"
+#include "selection/tie_order.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -49,7 +52,7 @@ constexpr double tie = 1e-9;
 std::vector<std::uint32_t> greedy(const Shape& s, Method method, std::size_t teams) {
   std::vector<std::uint32_t> taken, left(s.candidates.size());
   std::iota(left.begin(), left.end(), 0u);
-  const double size = 2 * farthest_vertex(s.polygon, s.centre);
+  const double size = s.polygon.diameter();
   const double floor = 1e-12 * (method == Method::distance ? size : size * size);
   while (taken.size() < teams && !left.empty()) {
     std::vector<std::uint32_t> best = left;
@@ -372,4 +375,44 @@ TEST_CASE("no team is placed where none is asked for", "[selection]") {
   CHECK(random_teams(s.polygon, s.centre, 0, 1).empty());
   CHECK(distributed_teams(s.polygon, s.centre, 0).empty());
   CHECK(select_teams(s.polygon, s.centre, s.candidates, Method::area, 0).empty());
+}
+
+TEST_CASE("candidates that tie are taken as if the keys were compared anew each time",
+          "[core][selection]") {
+  Rng rng(7);
+  int chains = 0;  // in which the order is none of classes that are made once
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<Candidate> candidates(1 + rng.below(24));
+    for (Candidate& c : candidates) {
+      c.chord.ratio = 1 - 0.31e-9 * static_cast<double>(rng.below(9));
+      c.length = 5 * (1 + 0.31e-9 * static_cast<double>(rng.below(9)));
+    }
+    std::vector<std::uint32_t> left(candidates.size());
+    std::iota(left.begin(), left.end(), 0u);
+    const std::vector<std::uint32_t> all = left;
+    std::vector<std::uint32_t> expected;
+    double ratio_before = 0;
+    bool chain = false;
+    while (!left.empty()) {
+      std::vector<std::uint32_t> best = left;
+      const auto keep = [&](auto key, auto ties) {
+        double most = 0;
+        for (const auto i : best) most = std::max(most, key(i));
+        std::erase_if(best, [&](auto i) { return !ties(most, key(i)); });
+        return most;
+      };
+      const double ratio = keep([&](auto i) { return candidates[i].chord.ratio; }, ratios_tie);
+      keep([&](auto i) { return candidates[i].length; }, lengths_tie);
+      expected.push_back(best.front());
+      std::erase(left, best.front());
+      chain = chain || (ratio < ratio_before && ratios_tie(ratio, ratio_before));
+      ratio_before = ratio;
+    }
+    chains += chain;
+    for (const std::size_t count : {all.size(), std::size_t{1 + rng.below(4)}}) {
+      expected.resize(std::min(expected.size(), count));
+      CHECK(order_of_taking(candidates, all, count) == expected);
+    }
+  }
+  CHECK(chains > 1000);
 }

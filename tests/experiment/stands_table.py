@@ -21,7 +21,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("EVENLIFT_PROGRAM", str(ROOT / "build" / "bin" / "evenlift"))
 SETS = ["polygons", "thesis-like"]
-PERCENT = [0, 1, 2, 3, 4, 5]  # of L, the diagonal of the bounding box
+PERCENT = [0, 1, 2, 3, 4, 5]  # of the diagonal of the bounding box
 ROBOTS = [4, 6, 8]
 MADE_TO_FIT = {"area, made to fit": "best", "area, made to fit in ranges": "range"}  # with their positions
 ROWS = ["area", "circle", "distance", "distributed", "balanced", "area, made to fit", "area, made to fit in ranges"]
@@ -126,7 +126,7 @@ def figure(means, count=8):
             parts.append(f'<path d="M{left} {y}h{width}" stroke="#D5DBE1"/><text x="{left - 6}" y="{y + 4}" text-anchor="end" fill="#55616D">{100 * share:.0f}</text>')
         for p in PERCENT:
             parts.append(f'<text x="{at(p, 0)[0]}" y="{top + height + 18}" text-anchor="middle" fill="#55616D">{p}</text>')
-        parts.append(f'<text x="{left + width / 2}" y="{top + height + 38}" text-anchor="middle" fill="#55616D">radius, % of L</text>')
+        parts.append(f'<text x="{left + width / 2}" y="{top + height + 38}" text-anchor="middle" fill="#55616D">radius, % of the diagonal</text>')
         for row, colour in COLOURS.items():
             points = " ".join("{:.1f},{:.1f}".format(*at(p, means[name, row, count, p][0])) for p in PERCENT)
             parts.append(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="2"/>')

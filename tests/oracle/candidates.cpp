@@ -56,14 +56,53 @@ std::optional<Range> common_range(const Edge& a, const Edge& b) {
 
 struct Section {
   ExactVec on_a, on_b;
-  Exact g;  // |C on_b| / |C on_a|
+  Real g;  // |C on_b| / |C on_a|
+  bool between_vertices = false, even = false;
 };
-Section section_end(const ExactVec& u, const Edge& a, const Edge& b) {
+Section section_at(const ExactVec& u, const Edge& a, const Edge& b) {
   const Exact to_a = reach(u, a), to_b = -reach(u, b);
-  return {u * to_a, u * -to_b, to_b / to_a};
+  return {u * to_a, u * -to_b, Real(to_b / to_a), false, false};
 }
 
-Exact ratio_of(const Exact& g) { return g <= 1 ? g : 1 / g; }
+Real ratio_of(const Real& g) { return g <= 1 ? g : 1 / g; }
+
+/// Whether two vertices are opposite.
+bool opposite(const ExactShape& shape, const ExactVec& v, const ExactVec& w, Calls& calls) {
+  if (dot(v, w) >= 0) return false;
+  const RealVec rv = real(v), rw = real(w);
+  const Real near = tau * shape.size;
+  if (!calls.within(abs(cross(rv, rw)) / length(rv - rw), near, "opposite vertices")) return false;
+  for (const RealVec& u : {rv, rw})  // a vertex at C has no direction
+    if (calls.within(length(u), near, "vertex at the centre of mass")) return false;
+  return true;
+}
+
+/// The chord at the end of a range, in direction u from C or away from it. If a vertex there is opposite to a vertex of the other
+/// edge, which the chord meets or misses by little, it is the chord between the two; g stays that of the section.
+Section section_end(const ExactShape& shape, const ExactVec& u, const Edge& a, const Edge& b,
+                    Calls& calls) {
+  const Section seen = section_at(u, a, b);
+  const bool on_a = u == a.p || u == a.q;
+  const ExactVec &w = on_a ? seen.on_a : seen.on_b, &hit = on_a ? seen.on_b : seen.on_a;
+  const Edge& other = on_a ? b : a;
+  const ExactVec* v = nullptr;
+  Real least = sqrt(tau) * shape.size;
+  for (const ExactVec* end : {&other.p, &other.q}) {
+    const Real gap = length(real(*end) - real(hit));
+    if (!calls.within(gap, least, "chord beside a vertex") || !opposite(shape, *end, w, calls))
+      continue;
+    if (v && gap >= length(real(*v) - real(hit))) continue;
+    v = end;
+  }
+  if (!v) return seen;
+  const Real ratio = ratio_of(length(real(*v)) / length(real(w)));
+  const bool even = calls.within(1 - ratio, tau, "even chord between vertices");
+  return {on_a ? w : *v, on_a ? *v : w, seen.g, true, even};
+}
+bool are_one_chord(const Section& one, const Section& two) {
+  return one.between_vertices && two.between_vertices && one.on_a == two.on_a &&
+         one.on_b == two.on_b;
+}
 
 /// Where the line of a meets the line of b mirrored through C.
 ExactVec bisecting_point(const Edge& a, const Edge& b) {
@@ -73,57 +112,76 @@ ExactVec bisecting_point(const Edge& a, const Edge& b) {
   return {(kb * da.x - ka * db.x) / det, (kb * da.y - ka * db.y) / det};
 }
 
+/// The direction in which |C on_b| / |C on_a| is the geometric mean of its values at the ends of the range: towards the middle of both
+/// sections, if the edges are parallel. The roots are rounded, to 100 digits.
+ExactVec middle_of(const Range& range, const Edge& a, const Edge& b) {
+  const Section first = section_at(range.first, a, b), last = section_at(range.last, a, b);
+  return first.on_a * Exact(sqrt(first.g)) + last.on_a * Exact(sqrt(last.g));
+}
+
 /// A vertex-chord that is even within the tolerance is a bisecting one.
 Kind kind_of_vertex_chord(const Real& ratio, Calls& calls) {
   return calls.within(1 - ratio, tau, "even vertex-chord") ? Kind::bisecting : Kind::vertex;
 }
 
+/// The chord between two vertices, with the ratio of its arms.
+ExactChord chord_between(const ExactVec& v, const ExactVec& w, Calls& calls) {
+  const Real ratio = ratio_of(length(real(w)) / length(real(v)));
+  ExactChord chord = exact_chord(v, w, kind_of_vertex_chord(ratio, calls), ratio);
+  chord.between_vertices = true;
+  return chord;
+}
+
 /// The candidate of the pair {a, b}, if it has one.
-std::optional<ExactChord> candidate_of(const Edge& a, const Edge& b, const Range& range,
-                                       const Real& least_ratio, CandidateList& list, Calls& calls) {
-  const Section one = section_end(range.first, a, b), two = section_end(range.last, a, b);
-  for (const Exact& g : {one.g, two.g})
+std::optional<ExactChord> candidate_of(const ExactShape& shape, const Edge& a, const Edge& b,
+                                       const Range& range, const Real& least_ratio,
+                                       CandidateList& list, Calls& calls) {
+  const Section one = section_end(shape, range.first, a, b, calls),
+                two = section_end(shape, range.last, a, b, calls);
+  for (const Real& g : {one.g, two.g})
     if (g != 1)
       list.nearest_unit_g =
           std::min(list.nearest_unit_g, std::fabs(static_cast<double>(Real(g - 1))));
 
-  const auto even_enough = [&](const Exact& ratio) {
-    const Real r(ratio);
-    calls.note(1 + static_cast<double>((r - least_ratio) / tau), "minimum load ratio");
-    return r >= least_ratio;
+  const auto even_enough = [&](const Real& ratio) {
+    calls.note(1 + static_cast<double>((ratio - least_ratio) / tau), "minimum load ratio");
+    return ratio >= least_ratio;
   };
-  if (calls.within(abs(Real(one.g - two.g)), tau * Real(std::max(one.g, two.g)), "parallel pair")) {
-    const ExactVec middle = (one.on_a + two.on_a) * Exact(1, 2);
-    const Section chord = section_end(middle, a, b);
-    if (!even_enough(ratio_of(chord.g))) return std::nullopt;
-    return exact_chord(chord.on_a, chord.on_b, Kind::midpoint, Real(ratio_of(chord.g)));
+  const auto chord_at = [&](const Section& end) {
+    if (end.between_vertices) return chord_between(end.on_a, end.on_b, calls);
+    const Real ratio = ratio_of(end.g);
+    return exact_chord(end.on_a, end.on_b, kind_of_vertex_chord(ratio, calls), ratio);
+  };
+  if (calls.within(abs(one.g - two.g), tau * std::max(one.g, two.g), "parallel pair")) {
+    if (are_one_chord(one, two)) {
+      const ExactChord chord = chord_at(one);
+      return even_enough(chord.ratio) ? std::optional(chord) : std::nullopt;
+    }
+    const Section chord = section_at(middle_of(range, a, b), a, b);
+    const Real ratio = ratio_of(chord.g);
+    if (!even_enough(ratio)) return std::nullopt;
+    return exact_chord(chord.on_a, chord.on_b, Kind::midpoint, ratio);
   }
+  for (const Section& end : {one, two})
+    if (end.even) return chord_at(end);
   if ((one.g - 1) * (two.g - 1) <= 0) {
     const ExactVec r = bisecting_point(a, b);
     return exact_chord(r, -r, Kind::bisecting, Real(1));
   }
   const Section& nearer = ratio_of(one.g) >= ratio_of(two.g) ? one : two;
-  const Real ratio(ratio_of(nearer.g));
-  if (!even_enough(ratio_of(nearer.g))) return std::nullopt;
-  return exact_chord(nearer.on_a, nearer.on_b, kind_of_vertex_chord(ratio, calls), ratio);
+  const ExactChord chord =
+      chord_at(nearer);  // its ratio is another than the section's, if it joins vertices
+  return even_enough(chord.ratio) ? std::optional(chord) : std::nullopt;
 }
 
 /// The chord between two vertices, if they are opposite and it is even enough.
 std::optional<ExactChord> candidate_between(const ExactShape& shape, std::size_t i, std::size_t j,
                                             const Real& least_ratio, Calls& calls) {
   const ExactVec &v = shape.vertices[i], &w = shape.vertices[j];
-  if (dot(v, w) >= 0) return std::nullopt;
-  const RealVec &rv = shape.real_vertices[i], &rw = shape.real_vertices[j];
-  const Real near = tau * shape.size;
-  if (!calls.within(abs(cross(rv, rw)) / length(rv - rw), near, "opposite vertices"))
-    return std::nullopt;
-  for (const RealVec& u : {rv, rw})  // a vertex at C has no direction
-    if (calls.within(length(u), near, "vertex at the centre of mass")) return std::nullopt;
-  const Real ratio = std::min(length(rv), length(rw)) / std::max(length(rv), length(rw));
-  calls.note(1 + static_cast<double>((ratio - least_ratio) / tau), "minimum load ratio");
-  if (ratio < least_ratio) return std::nullopt;
-  ExactChord chord = exact_chord(v, w, kind_of_vertex_chord(ratio, calls), ratio);
-  chord.between_vertices = true;
+  if (!opposite(shape, v, w, calls)) return std::nullopt;
+  const ExactChord chord = chord_between(v, w, calls);
+  calls.note(1 + static_cast<double>((chord.ratio - least_ratio) / tau), "minimum load ratio");
+  if (chord.ratio < least_ratio) return std::nullopt;
   return chord;
 }
 
@@ -151,11 +209,10 @@ bool same_chord(const ExactChord& a, const ExactChord& b, const Real& size, Call
   return calls.within(apart(a, b), tau * size, "duplicate chords");
 }
 
-/// Candidate order. Where "agrees" or "ties" is not transitive, all that are linked by it count as
-/// one.
+/// Candidate order. Where "agrees" is not transitive, all directions that are linked by it count as one.
 class Order {
  public:
-  explicit Order(Calls& calls) : calls_(calls) {}
+  Order(const Real& size, Calls& calls) : size_(size), calls_(calls) {}
 
   void sort(std::vector<ExactChord>& chords) {
     std::stable_sort(chords.begin(), chords.end(), [&](const ExactChord& a, const ExactChord& b) {
@@ -171,6 +228,7 @@ class Order {
 
  private:
   using Iterator = std::vector<ExactChord>::iterator;
+  /// Visits the classes of a sorted list: whoever is linked to the one before is of its class.
   template <class Linked, class Visit>
   static void by_class(Iterator first, Iterator last, Linked linked, Visit visit) {
     while (first != last) {
@@ -180,33 +238,49 @@ class Order {
       first = end;
     }
   }
+  /// Sorts by a key, the largest first, and visits the classes of those that tie with the first of their class.
+  template <class Key, class Ties, class Visit>
+  static void by_ties(Iterator first, Iterator last, Key key, Ties ties, Visit visit) {
+    std::stable_sort(first, last,
+                     [&](const ExactChord& a, const ExactChord& b) { return key(a) > key(b); });
+    while (first != last) {
+      Iterator end = first + 1;
+      while (end != last && ties(key(*first), key(*end))) ++end;
+      visit(first, end);
+      first = end;
+    }
+  }
 
   /// Chords of one line: the longer first, then the one whose right end is farther from C. The two
-  /// chords of a bent line can tie in both; then the coordinates of their ends decide.
+  /// chords of a bent line can tie in both; then the coordinates of their ends decide, where they differ by more than half the
+  /// tolerance.
   void sort_line(Iterator begin, Iterator end) {
     const auto length_of = [](const ExactChord& c) { return c.length; };
     const auto right_arm_of = [&](const ExactChord& c) { return right_arm(c); };
-    by_ties(begin, end, length_of, "lengths in candidate order", [&](Iterator i, Iterator j) {
-      by_ties(i, j, right_arm_of, "arms in candidate order",
-              [&](Iterator first, Iterator last) { sort_by_coordinates(first, last); });
+    const auto ties = [&](const char* what) {
+      return [this, what](const Real& a, const Real& b) {
+        return calls_.within(a - b, tau * a, what);
+      };
+    };
+    by_ties(begin, end, length_of, ties("lengths in candidate order"), [&](Iterator i, Iterator j) {
+      by_ties(i, j, right_arm_of, ties("arms in candidate order"),
+              [&](Iterator first, Iterator last) { sort_by_coordinates(first, last, 0); });
     });
   }
-  /// Sorts by a length, the largest first, and visits each class of those that tie.
-  template <class Key, class Visit>
-  void by_ties(Iterator begin, Iterator end, Key key, const char* what, Visit visit) {
-    std::stable_sort(begin, end,
-                     [&](const ExactChord& a, const ExactChord& b) { return key(a) > key(b); });
-    by_class(
-        begin, end,
-        [&](const ExactChord& a, const ExactChord& b) {
-          return calls_.within(key(a) - key(b), tau * key(a), what);
+  void sort_by_coordinates(Iterator begin, Iterator end, std::size_t which) {
+    if (end - begin == 1) return;
+    if (which == 4) {
+      std::stable_sort(begin, end, [&](const ExactChord& a, const ExactChord& b) {
+        return coordinates(a) < coordinates(b);
+      });
+      return;
+    }
+    by_ties(
+        begin, end, [&](const ExactChord& c) { return Real(-coordinates(c)[which]); },
+        [&](const Real& a, const Real& b) {
+          return calls_.within(a - b, tau * size_ / 2, "coordinates in candidate order");
         },
-        visit);
-  }
-  void sort_by_coordinates(Iterator begin, Iterator end) {
-    std::stable_sort(begin, end, [&](const ExactChord& a, const ExactChord& b) {
-      return coordinates(a) < coordinates(b);
-    });
+        [&](Iterator first, Iterator last) { sort_by_coordinates(first, last, which + 1); });
   }
   bool vertical(const RealVec& u) {
     return calls_.within(abs(u.x) / length(u), tau, "vertical direction");
@@ -229,13 +303,14 @@ class Order {
     const ExactVec &p = c.ends[1 - right], &q = c.ends[right];
     return {p.x, p.y, q.x, q.y};
   }
+  Real size_;
   Calls& calls_;
 };
 
 /// One of a set of chords that are one candidate: one between opposite vertices, else the largest
 /// ratio, then first in order; its kind by precedence, but between vertices its own.
-ExactChord standing_one(std::vector<ExactChord> same, Calls& calls) {
-  Order(calls).sort(same);
+ExactChord standing_one(std::vector<ExactChord> same, const Real& size, Calls& calls) {
+  Order(size, calls).sort(same);
   ExactChord best = same.front();
   for (const ExactChord& c : same)
     if (c.between_vertices != best.between_vertices ? c.between_vertices : c.ratio > best.ratio)
@@ -269,7 +344,7 @@ std::vector<ExactChord> merged(const std::vector<ExactChord>& chords, const Real
         if (!same_chord(chords[k], chords[j], size, calls))
           calls.intransitive("chain of duplicate chords");
     }
-    result.push_back(standing_one(same, calls));
+    result.push_back(standing_one(same, size, calls));
   }
   return result;
 }
@@ -304,20 +379,8 @@ CandidateList find_candidates(const Problem& problem) {
   Calls calls;
   list.shape = exact_shape(problem);
   const std::size_t n = list.shape->vertices.size();
-  // In the order of the input, so that "a" of a nearly parallel pair is the edge given first.
   std::vector<Edge> edges;
-  std::vector<std::size_t> order(n);
-  for (std::size_t i = 0; i < n; ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    const auto given =
-        [&](std::size_t k) {  // the index of the edge's first vertex, in the input's direction
-          const std::size_t p = list.shape->given_index[k],
-                            q = list.shape->given_index[(k + 1) % n];
-          return (p + 1) % n == q ? p : q;
-        };
-    return given(i) < given(j);
-  });
-  for (std::size_t i : order)
+  for (std::size_t i = 0; i < n; ++i)
     if (const std::optional<Edge> e = seen_edge(*list.shape, i, calls)) edges.push_back(*e);
 
   const Real least_ratio = Real(problem.min_ratio) - tau;
@@ -331,7 +394,8 @@ CandidateList find_candidates(const Problem& problem) {
       list.thinnest_range =
           std::min(list.thinnest_range,
                    static_cast<double>(cross(first, last) / (length(first) * length(last))));
-      if (const auto c = candidate_of(edges[i], edges[j], *range, least_ratio, list, calls))
+      if (const auto c =
+              candidate_of(*list.shape, edges[i], edges[j], *range, least_ratio, list, calls))
         chords.push_back(*c);
     }
   }
@@ -340,7 +404,7 @@ CandidateList find_candidates(const Problem& problem) {
       if (const auto c = candidate_between(*list.shape, i, j, least_ratio, calls))
         chords.push_back(*c);
   chords = merged(chords, list.shape->size, calls);
-  Order(calls).sort(chords);
+  Order(list.shape->size, calls).sort(chords);
   list.closest_call = calls.closest();
   return packed(std::move(list), std::move(chords));
 }

@@ -104,17 +104,19 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
   return contacts;
 }
 
-/// Some direction makes no obtuse angle with any normal, within the tolerance. The free directions
-/// form a closed cone; unless it is everything, it has a side perpendicular to a normal, which is
-/// along that contact's edge.
+/// Some direction makes no obtuse angle with any normal: the normals leave a gap of at least 180 degrees. The free directions
+/// form a closed cone; unless it is everything, it has a side perpendicular to a normal on one side of the gap, which is
+/// along that contact's edge. The tolerance is for the normal on the other side, nearly opposite to it.
 bool translation_is_free(const std::vector<Contact>& contacts, Calls& calls) {
   if (contacts.empty()) return true;
   for (const Contact& c : contacts) {
     for (const ExactVec& way : {c.edge, -c.edge}) {
       const auto allowed = [&](const Contact& o) {
         const Exact side = cross(o.edge, way);  // has the sign of normal . way
-        return side >= 0 || calls.within(-Real(side) / (length(real(o.edge)) * length(real(way))),
-                                         tau, "free translation");
+        if (side >= 0) return true;
+        return dot(o.edge, c.edge) < 0 &&
+               calls.within(-Real(side) / (length(real(o.edge)) * length(real(way))), tau,
+                            "free translation");
       };
       if (std::all_of(contacts.begin(), contacts.end(), allowed)) return true;
     }

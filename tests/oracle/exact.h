@@ -78,12 +78,11 @@ class Calls {
 
 /// All in the frame whose origin is C, so that nothing far away is subtracted later on.
 struct ExactShape {
-  std::vector<ExactVec> vertices;        // counter-clockwise, relative to C
-  std::vector<RealVec> real_vertices;    // the same
-  std::vector<std::size_t> given_index;  // of each vertex in the input
-  ExactVec centre;                       // C itself
-  Real size;                             // L
-  Real area;                             // of P, positive
+  std::vector<ExactVec> vertices;      // counter-clockwise, relative to C
+  std::vector<RealVec> real_vertices;  // the same
+  ExactVec centre;                     // C itself
+  Real size;                           // L, the diameter
+  Real area;                           // of P, positive
 };
 
 struct ExactChord {

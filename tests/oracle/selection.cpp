@@ -173,10 +173,9 @@ class Selector {
     for (std::size_t i : left_)
       scores[i] = gain(base, chords_[i].real_ends[0]) + gain(base, chords_[i].real_ends[1]);
 
-    Real radius = 0;  // R
-    for (const RealVec& v : shape_.real_vertices) radius = std::max(radius, length(v));
-    const Real size = 2 * radius;
-    const Real absolute = (problem_.metric == Metric::distance ? size : size * size) / Real("1e12");
+    const Real& size = shape_.size;
+    const Real absolute =
+        (problem_.metric == Metric::distance ? size : Real(size * size)) / Real("1e12");
     std::vector<std::size_t> remaining = left_;
     keep_best(
         remaining, [&](std::size_t i) { return scores[i]; },

@@ -158,19 +158,16 @@ std::shared_ptr<const ExactShape> exact_shape(const Problem& problem) {
   shape->centre =
       exact(problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem.vertices));
   shape->vertices = exact_points(problem.vertices);
-  for (std::size_t i = 0; i < shape->vertices.size(); ++i) shape->given_index.push_back(i);
-  if (doubled_area(shape->vertices) < 0) {
+  if (doubled_area(shape->vertices) < 0)
     std::reverse(shape->vertices.begin(), shape->vertices.end());
-    std::reverse(shape->given_index.begin(), shape->given_index.end());
-  }
-  ExactVec low = shape->vertices[0], high = low;
   for (ExactVec& v : shape->vertices) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
     v = v - shape->centre;
     shape->real_vertices.push_back(real(v));
   }
-  shape->size = length(real(high - low));
+  Real squared = 0;
+  for (const RealVec& v : shape->real_vertices)
+    for (const RealVec& w : shape->real_vertices) squared = std::max(squared, dot(v - w, v - w));
+  shape->size = sqrt(squared);
   shape->area = Real(doubled_area(shape->vertices)) / 2;
   return shape;
 }

@@ -49,7 +49,7 @@ HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::u
   for (const double bound : {0.001, 0.4 * min_margin, min_margin})
     if (closure.margin && *closure.margin >= bound) ++keys.level;
   keys.coverage = coverage(placement.polygon,
-                           convex_hull(positions, near_distance(placement.polygon.diagonal())));
+                           convex_hull(positions, near_distance(placement.polygon.diameter())));
   return keys;
 }
 

@@ -54,7 +54,7 @@ double distance_to_edge(const Placement& placement, const LiftingPoint& point) {
 
 // What a team of two must be wherever it stands, by its points alone.
 void check_team(const Placement& placement, const Team& team) {
-  const double near = near_distance(placement.polygon.diagonal());
+  const double near = near_distance(placement.polygon.diameter());
   const Vec2& centre = placement.centre_of_mass;
   const Vec2 a = team.robots[0].point.position - centre, b = team.robots[1].point.position - centre;
   for (const Robot& robot : team.robots) CHECK(distance_to_edge(placement, robot.point) <= near);

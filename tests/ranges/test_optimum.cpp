@@ -27,7 +27,7 @@ double coverage_of(const Placement& placement, const std::vector<std::uint32_t>&
          {placement.candidates[i].chord.r1, placement.candidates[i].chord.r2})
       ends.push_back(end.position);
   return coverage(placement.polygon,
-                  convex_hull(ends, near_distance(placement.polygon.diagonal())));
+                  convex_hull(ends, near_distance(placement.polygon.diameter())));
 }
 
 // Every choice of so many candidates.

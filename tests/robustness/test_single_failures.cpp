@@ -29,7 +29,7 @@ void check_rest(const Placement& placement, std::size_t robot,
                 const std::optional<RestOfRobots>& rest) {
   const Polygon polygon = testing::polygon(placement.vertices());
   const Vec2& centre = placement.centre_of_mass;
-  const double size = polygon.diagonal(), weight = placement.settings.weight;
+  const double size = polygon.diameter(), weight = placement.settings.weight;
   std::vector<LiftingPoint> points = lifting_points(placement.teams);
   points.erase(points.begin() + static_cast<std::ptrdiff_t>(robot));
   Points robots;

@@ -328,7 +328,7 @@ TEST_CASE("even chords of robots with a size are their even candidates", "[stand
         REQUIRE(found.size() == expected->candidates.size());
         for (std::size_t i = 0; i < found.size(); ++i)
           CHECK(length(found[i].chord.r1.position - expected->candidates[i].chord.r1.position) <=
-                2 * near_distance(polygon->diagonal()));
+                2 * near_distance(polygon->diameter()));
       }
     }
   }

@@ -152,7 +152,7 @@ TEST_CASE("each range of robots with a size offers two candidates a sixteenth fr
   constexpr double min_ratio = 0.6;
   for (const Prepared& object : prepared_objects()) {
     const Vec2 centre = object.polygon.centroid();
-    const double near = near_distance(object.polygon.diagonal());
+    const double near = near_distance(object.polygon.diameter());
     const auto offered =
         standing_candidates(object.polygon, centre, min_ratio, object.stands, Positions::range);
     const auto best = standing_candidates(object.polygon, centre, min_ratio, object.stands);
@@ -275,7 +275,7 @@ TEST_CASE("a marked edge leaves the range candidates of all others as they are",
     document.settings.positions = Positions::range;
     const auto free = place(document);
     REQUIRE(free.ok());
-    const double near = near_distance(free->polygon.diagonal());
+    const double near = near_distance(free->polygon.diameter());
     document.settings.no_go = {{2, 0, 1}};
     const auto marked = place(document);
     REQUIRE(marked.ok());

@@ -39,7 +39,7 @@ std::vector<Stretch> stretches(const Stands& stands, std::uint32_t edge) {
 
 // What may go wrong with the stretches themselves.
 void check_order(const Polygon& polygon, const Stands& stands) {
-  const double near = near_distance(polygon.diagonal());
+  const double near = near_distance(polygon.diameter());
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
     double before = -1;
     const double size = length(polygon.edge_end(edge) - polygon.edge_start(edge));

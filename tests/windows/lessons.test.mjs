@@ -19,6 +19,11 @@ async function begin(page, name) {
 
 const end = (page) => page.locator("#lesson-end");
 
+async function goToEnd(page) {
+  await page.keyboard.press("End");
+  await idle(page);
+}
+
 test("lessons have their order, minutes, and a mark once they were played to the end, also after a reload", async () => {
   const page = await browser.open();
   let window = await openWindow(page, "lessons");
@@ -30,8 +35,7 @@ test("lessons have their order, minutes, and a mark once they were played to the
   await page.keyboard.press("ArrowRight");
   await idle(page);
   assert.equal(await end(page).count(), 0, "the end has not come");
-  await page.keyboard.press("End");
-  await idle(page);
+  await goToEnd(page);
   assert.match(await end(page).textContent(), new RegExp(`The end of lesson 1 of ${order.length}`));
   assert.deepEqual(await violations(page), []);
   await reload(page);
@@ -45,13 +49,11 @@ test("lessons have their order, minutes, and a mark once they were played to the
 test("from the end, one key leads to the next lesson; going back takes the card away", async () => {
   const page = await browser.open();
   await begin(page, order[0]);
-  await page.keyboard.press("End");
-  await idle(page);
+  await goToEnd(page);
   await page.keyboard.press("ArrowLeft");
   await idle(page);
   assert.equal(await end(page).count(), 0);
-  await page.keyboard.press("End");
-  await idle(page);
+  await goToEnd(page);
   await end(page).getByRole("button", { name: /^Next: / }).click();
   await idle(page);
   assert.equal(await end(page).count(), 0);
@@ -59,11 +61,27 @@ test("from the end, one key leads to the next lesson; going back takes the card 
   await page.done();
 });
 
+test("at the end, Escape closes the card, and only the next one leaves the lesson", async () => {
+  const page = await browser.open();
+  const lesson = () => page.evaluate(() => new URLSearchParams(location.search).get("lesson"));
+  await begin(page, order[0]);
+  await goToEnd(page);
+  await end(page).waitFor();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.equal(await end(page).count(), 0);
+  assert.equal(await lesson(), order[0]);
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.equal(await lesson(), null);
+  await page.done();
+});
+
 test("at the end a question waits, its answer comes when it is asked for, and is there when the end comes again", async () => {
   const page = await browser.open();
   await begin(page, "moved");
-  await page.keyboard.press("End");
-  await idle(page);
+  await goToEnd(page);
   assert.match(await end(page).textContent(), /How far must it go until there is room for six teams again\?/);
   assert.doesNotMatch(await end(page).textContent(), /About a third/);
   await end(page).getByRole("button", { name: "Answer" }).press("Enter");
@@ -79,8 +97,7 @@ test("at the end a question waits, its answer comes when it is asked for, and is
   await idle(page);
   assert.match(await end(page).textContent(), /About a third of the way/);
   await begin(page, "opposite");
-  await page.keyboard.press("End");
-  await idle(page);
+  await goToEnd(page);
   assert.doesNotMatch(await end(page).textContent(), /No\. The centre of mass/, "another lesson's answer is not shown");
   await page.done();
 });
@@ -88,8 +105,7 @@ test("at the end a question waits, its answer comes when it is asked for, and is
 test("while the question is tried on the shape, it stays", async () => {
   const page = await browser.open();
   await begin(page, "moved");
-  await page.keyboard.press("End");
-  await idle(page);
+  await goToEnd(page);
   for (const [from, to] of [[[440, 330], [478, 354]], [[1000, 300], [960, 320]]]) {  // C, then a vertex
     await drag(page, await toScreen(page, from), await toScreen(page, to));
     await idle(page);
@@ -105,8 +121,7 @@ test("a lesson from a file ends with its question, too, with paragraphs and with
   const text = "title: Mine\npolygon: square\n\n[centre]\nHere.\n\n[team 1]\nThere.\n\n[question]\nIs <b>1 < 2</b>?\n\nOr not?\n\n[answer]\nIt is.\n";
   await window.locator("input[type=file]").setInputFiles({ name: "mine.txt", mimeType: "text/plain", buffer: Buffer.from(text) });
   await allClosed(page);
-  await page.keyboard.press("End");
-  await idle(page);
+  await goToEnd(page);
   assert.deepEqual(await end(page).locator("p.question").allTextContents(), ["Is <b>1 < 2</b>?", "Or not?"]);
   await end(page).getByRole("button", { name: "Answer" }).click();
   await idle(page);
@@ -121,8 +136,7 @@ test("the card at the end covers no control of the player, wide and on a phone",
   for (const options of [{}, { viewport: phone, hasTouch: true, isMobile: true }, { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true }]) {
     const page = await browser.open(options);
     await begin(page, order[0]);
-    await page.keyboard.press("End");
-    await idle(page);
+    await goToEnd(page);
     const card = await end(page).boundingBox();
     // A low screen has the tools of the view in the toolbar's menu.
     const tools = options.viewport?.height < 480 ? [] : ["Show all of the object"];
@@ -133,6 +147,18 @@ test("the card at the end covers no control of the player, wide and on a phone",
     }
     await page.done();
   }
+});
+
+test("before a room the card at the end covers none of the words", async () => {
+  const page = await browser.open();
+  await begin(page, order[0]);
+  await goToEnd(page);
+  await end(page).waitFor();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Shift+P");
+  // The words stand in the lowest third of the window.
+  await page.waitForFunction(() => document.querySelector(".seat-card").getBoundingClientRect().bottom < innerHeight * 0.65);
+  await page.done();
 });
 
 test("guesses are counted, the first one at each step, and summed up at the end", async () => {
@@ -188,8 +214,7 @@ test("lesson after lesson, the settings from before the first come back", async 
   const page = await browser.open();
   await set(page, { teams: 5, weight: 77 });
   await begin(page, order[0]);
-  await page.keyboard.press("End");
-  await idle(page);
+  await goToEnd(page);
   await end(page).getByRole("button", { name: /^Next: / }).click();
   await idle(page);
   await page.locator("#canvas").focus();

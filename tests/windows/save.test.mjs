@@ -94,6 +94,15 @@ test("every file holds what it should, under a name that says what it is", async
   await page.done();
 });
 
+test("the name of a file says how many balanced robots there are", async () => {
+  const page = await browser.open({ acceptDownloads: true });
+  await load(page, "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n");
+  await set(page, { metric: "balanced", robots: 5 });
+  const window = await openWindow(page, "save");
+  assert.equal((await saved(page, window.getByRole("button", { name: /^Text\b/ }))).name, "polygon-5-robots.txt");
+  await page.done();
+});
+
 test("poses are the program's, byte for byte", async () => {
   const page = await browser.open({ acceptDownloads: true });
   await load(page, asset("violin"));

@@ -25,6 +25,7 @@ namespace {
 struct Compared {
   Placement greedy, best;
   Optimum optimum;
+  double seconds = 0;    // the time that it could take
   bool stopped = false;  // the time was over
 };
 std::optional<Compared>& last() {
@@ -56,7 +57,7 @@ Compared compare(const Placement& greedy, double seconds) {
       widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
                     greedy.requested_teams, greedy.team_candidates, stop, greedy.stands.get());
   Placement best = with_choice(greedy, optimum.taken);
-  return {greedy, std::move(best), std::move(optimum), stopped};
+  return {greedy, std::move(best), std::move(optimum), seconds, stopped};
 }
 
 std::string row(const std::string& name, const Placement& placement) {
@@ -73,12 +74,13 @@ std::string how_sure(const Compared& compared) {
   const std::string many = "With " + count_of(candidates, "candidate", "candidates");
   if (optimum.proved) return "It is proved: no choice of so many teams covers more.";
   if (compared.stopped)
-    return "It takes longer than a second to be sure here, so this is the best choice that was "
-           "found by then: no choice covers more than " +
+    return "It takes longer than " + plain(compared.seconds) +
+           " seconds to be sure here, so this is the best choice that was found by then: no choice "
+           "covers more than " +
            bound + ". The program takes the time that you give it: evenlift optimum FILE --teams " +
            std::to_string(compared.greedy.requested_teams) + " --time-limit 600.";
   if (candidates > most_candidates_bounded)
-    return many + " the optimum takes longer than a second. All of them together cover " + bound +
+    return many + " the optimum would take too long. All of them together cover " + bound +
            ", and no choice covers more.";
   return many + " it is not proved to be the best: no choice covers more than " + bound + ".";
 }

@@ -248,20 +248,25 @@ EMSCRIPTEN_KEEPALIVE void page_cover(double left, double below) {
   browser::request_frame();
 }
 
-// Makes room for a card of this height at the foot of the drawing; 0 ends that. Returns where the card
-// may stand, as `left right bottom` in CSS pixels.
-EMSCRIPTEN_KEEPALIVE const char* page_seat(double height) {
-  AppState& state = app().state;
-  const Rect seat = card_seat(state);
-  state.screen.foot = 0;
-  if (height > 0)
-    state.screen.foot = std::max(0.0, layout(state).free.bottom - seat.bottom + height);
-  frame_view(state);
-  browser::request_frame();
+// Where a card may stand at the foot of the drawing, as `left right bottom` in CSS pixels. It does not depend on whether there
+// is one.
+EMSCRIPTEN_KEEPALIVE const char* page_card_seat() {
+  const Rect seat = card_seat(app().state);
   std::string text;
   for (const double value : {seat.left, seat.right, seat.bottom})
     text += std::to_string(static_cast<int>(value)) + ' ';
   return hand_over(std::move(text));
+}
+
+// Makes room for a card of this height there; 0 ends that.
+EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
+  AppState& state = app().state;
+  const double before = std::exchange(state.screen.foot, 0);
+  if (height > 0)
+    state.screen.foot = std::max(0.0, layout(state).free.bottom - card_seat(state).bottom + height);
+  if (state.screen.foot == before) return;
+  frame_view(state);
+  browser::request_frame();
 }
 
 // A picture lies behind the canvas, at these polygon coordinates; without width there is none.

@@ -21,7 +21,8 @@ export function closingButton(name, attributes, act) {
 }
 
 // Shows a card of these elements, in place of one that is open. `title` is its name for those who do not see it. `closed(byPerson)` is called when it goes.
-// Returns { root, close, seat }; seat() is for a card that has become higher or lower.
+// Returns { root, close, seat }; seat() is for a card that has become higher or lower. Where the program moves the seat, as when
+// a panel is folded or the page is shown before a room, the card follows by itself.
 export async function openCard(page, { name, title, body, closed, focus = false }) {
   await ensureStyles();
   open?.close();
@@ -36,29 +37,28 @@ export async function openCard(page, { name, title, body, closed, focus = false 
     queueMicrotask(() => open || later.shift()?.());  // not if another card takes its place
     const within = root.contains(document.activeElement);
     root.remove();
-    page.program.text("page_seat", 0);
+    page.program.call("page_make_room", 0);
     if (within) canvas.focus({ preventScroll: true });
     closed?.(byPerson);
   }
+  const place = () => page.program.text("page_card_seat");
+  let placed;
   const seat = () => {
     if (leave.signal.aborted) return;
-    const asked = (height) => page.program.text("page_seat", height).trim().split(" ").map(Number);
-    const [left, right, bottom] = asked(0);
+    placed = place();
+    const [left, right, bottom] = placed.trim().split(" ").map(Number);
     root.style.left = `${left}px`;
     root.style.width = `${right - left}px`;
     root.style.maxHeight = `${bottom - 8}px`;
     root.classList.toggle("in-a-row", right - left >= 620);
     const { height } = root.getBoundingClientRect();
     root.style.top = `${bottom - height}px`;
-    asked(height);
+    page.program.call("page_make_room", height);
   };
   document.body.append(root);
   seat();
   const { signal } = leave;
-  // Panels may be folded and windows resized; a frame later the program knows.
-  const seatSoon = () => requestAnimationFrame(() => requestAnimationFrame(seat));
-  addEventListener("resize", seatSoon, { signal });
-  canvas.addEventListener("pointerup", seatSoon, { signal });
+  page.pictures.addEventListener("drawn", () => place() !== placed && seat(), { signal });
   root.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
     event.preventDefault();

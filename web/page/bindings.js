@@ -24,6 +24,7 @@ export class Bindings {
   #program;
   #screen;
   #page;  // what windows are given
+  #pictures = new EventTarget();
   #alarm = 0;
 
   // `field.awaited` is set to the name of a field that a key asks for. Calls `onFrame` after each picture.
@@ -51,6 +52,7 @@ export class Bindings {
       aboutLink: (url) => this.#aboutLink(url),
       windows: () => this.#windows(),
       notice: (text, problem) => this.#publisher.notice(text, problem),
+      pictures: this.#pictures,  // gets an event "drawn" after each of the program's pictures
       nameLesson: (name) => this.#publisher.nameLesson(name),
     };
     if (!embed) connectDropAndPaste(this.#page);
@@ -84,6 +86,7 @@ export class Bindings {
         return;  // the program has stopped, and the page knows
       }
       this.#onFrame();
+      this.#pictures.dispatchEvent(new Event("drawn"));
       end();
     });
   }

@@ -47,6 +47,12 @@ function connectKeys(program, canvas) {
     event.stopImmediatePropagation();
     if (event.altKey || event.isComposing) return;
     const command = event.ctrlKey || event.metaKey;
+    const endOfLesson = event.key === "Escape" && document.querySelector("#lesson-end .away");
+    if (endOfLesson) {
+      event.preventDefault();
+      endOfLesson.click();  // the next Escape leaves the lesson
+      return;
+    }
     if (command && event.key.toLowerCase() === "c" && String(getSelection())) return;
     if (program.number("page_key", event.key, command ? 1 : 0, event.shiftKey ? 1 : 0)) event.preventDefault();
     else if (event.key === "Escape") document.querySelector("dialog[open]")?.close();  // the window beside the canvas

@@ -13,5 +13,7 @@ export async function documentName(program) {
   const samples = await fetchJson("polygons.json").catch(() => ({}));
   const outline = ownOutline(program);
   const sample = Object.keys(samples).find((name) => isSame(program, samples[name], outline));
-  return sample ?? `polygon-${2 * JSON.parse(program.text("page_state")).teams.length}-robots`;
+  if (sample) return sample;
+  const robots = JSON.parse(program.text("page_state")).teams.flatMap(({ loads }) => loads);
+  return `polygon-${robots.length}-robots`;
 }

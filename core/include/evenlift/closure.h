@@ -39,7 +39,7 @@ std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingP
 struct FreeRegion {
   bool exists = false;    // some centre is free, wherever it lies
   bool has_area = false;  // false: the region is a point or a line, up to tolerance
-  Points clipped;         // the region within the square about C with half side 100 L,
+  Points clipped;         // the region within the square about C with half side 100 diagonal(),
                           // counter-clockwise; no, one or two points if it has no area there
 };
 

@@ -22,13 +22,13 @@ namespace evenlift {
 // picturing of data, 1975). -1 if not even all robots together carry it. Teams of two: t teams
 // carry any t - 1 failures, since each side of a line through C has one robot of each team.
 // `robots` are the positions of the robots, in any order, some perhaps at the same place;
-// `diagonal` > 0 is L, the diagonal of the object's bounding box. O(m log m).
-int failures_carried(const Points& robots, const Vec2& centre, double diagonal);
+// `diameter` > 0 is L, the object's diameter. O(m log m).
+int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 
 // The same for robots that keep the object steady: robots within tolerance of the line do not
 // count. Never more than failures_carried. -1 if the object is not steady even with all robots, as
 // with a single team of two. O(m log m).
-int failures_steady(const Points& robots, const Vec2& centre, double diagonal);
+int failures_steady(const Points& robots, const Vec2& centre, double diameter);
 
 // What holds of the robots that are left if they still carry the object.
 struct RestOfRobots {

@@ -22,7 +22,7 @@
 // all others bear nothing.
 //
 // In all functions `robots` are the positions of the robots in any order, some perhaps at the same
-// place, `diagonal` is L of the object, and loads are in the unit of the weight, in the order of the
+// place, `diameter` is L of the object, and loads are in the unit of the weight, in the order of the
 // robots, and at least 0.
 #pragma once
 
@@ -57,7 +57,7 @@ struct SpringLoads {
 // The loads of equally stiff robots; nothing if the robots do not carry the object. Found by
 // Newton's method on the dual problem, in whose steps robots let go and take hold again: seldom
 // more than ten steps of O(m), besides O(m log m) for H.
-std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diagonal,
+std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diameter,
                                         double weight);
 
 // The least possible value of the greatest load; nothing if the robots do not carry the object. It is the
@@ -65,12 +65,12 @@ std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre
 // functions g that measure the distance to the left of a line through two robots. O(m^3) for up to
 // 64 robots. For more it is found to 13 digits by cutting planes through the centre of gravity (A. Yu.
 // Levin and D. J. Newman, both 1965), in some hundred steps of O(m).
-std::optional<double> best_load(const Points& robots, const Vec2& centre, double diagonal,
+std::optional<double> best_load(const Points& robots, const Vec2& centre, double diameter,
                                 double weight);
 
 // The greatest load that each robot at p can come to bear: weight |C q| / |p q|, where the ray from
 // p through C leaves H at q; nothing if the robots do not carry the object. O(m log m).
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
-                                               double diagonal, double weight);
+                                               double diameter, double weight);
 
 }  // namespace evenlift

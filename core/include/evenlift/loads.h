@@ -48,7 +48,7 @@ struct LoadSummary {
 };
 
 // The teams with their loads; `weight` > 0. Each team bears an equal part of the weight, and by the
-// law of the lever r1 bears the fraction |C r2| / |r1 r2| of its team's part. O(teams).
+// law of the lever r1 bears the fraction |C r2| / (|C r1| + |C r2|) of its team's part. O(teams).
 std::vector<Team> distribute_weight(const std::vector<Chord>& chords, double weight);
 
 // One team of robots whose centroid is C, which bear the same. O(robots).

@@ -33,7 +33,10 @@ class Polygon {
 
   bool counter_clockwise() const { return counter_clockwise_; }  // orientation as given; exact
   bool convex() const { return convex_; }  // whether no interior angle exceeds 180 degrees; exact
-  // L, the diagonal of the bounding box; at least min_diagonal.
+  // L, the greatest distance between two of its points, and so between two corners of its hull. It
+  // stays the same when the object is turned, as that of the bounding box does not.
+  double diameter() const { return diameter_; }
+  // The diagonal of the bounding box; at least min_diagonal, at most sqrt(2) L.
   double diagonal() const { return diagonal_; }
   // The area, rounded to the nearest double, but above 0 however thin the polygon is.
   double area() const { return area_; }
@@ -55,6 +58,7 @@ class Polygon {
   Points vertices_;
   Points hull_;
   Vec2 centroid_ = Vec2::Zero();
+  double diameter_ = 0;
   double diagonal_ = 0;
   double area_ = 0;
   bool counter_clockwise_ = true;
@@ -69,8 +73,7 @@ bool is_counter_clockwise(const Points& vertices);
 // inside the polygon's convex hull, which is decided exactly. O(h) for h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
-// R, the largest distance of a vertex from C. It stays the same when the object is turned, which L
-// does not. O(n).
+// R, the largest distance of a vertex from C. O(n).
 double farthest_vertex(const Polygon& polygon, const Vec2& centre);
 
 }  // namespace evenlift

@@ -9,9 +9,8 @@ namespace evenlift {
 
 inline constexpr double tau = 1e-9;
 
-// The largest distance that counts as "within tau L", for a polygon whose bounding box has the
-// diagonal L.
-inline double near_distance(double diagonal) { return tau * diagonal; }
+// The largest distance that counts as "within tau L", for a polygon of the diameter L.
+inline double near_distance(double diameter) { return tau * diameter; }
 
 // Whether two ratios or shares differ by at most tau.
 bool ratios_tie(double a, double b);
@@ -20,8 +19,8 @@ bool ratios_tie(double a, double b);
 bool lengths_tie(double a, double b);
 
 // A score ties with the best if it is at most this much lower: tau times the best, but at least
-// `floor`, since differences of sums cancel. The floor is score_floor times (2 R)^2, or times 2 R for
-// the metric distance; R is the largest distance of a vertex from C.
+// `floor`, since differences of sums cancel. The floor is score_floor times L^2, or times L for the
+// metric distance.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 

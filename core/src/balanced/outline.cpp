@@ -14,7 +14,7 @@ constexpr std::uint32_t usual_stands = 64, stands_of_many_vertices = 16;
 // v*: of the vertices farthest from C within tolerance the leftmost, then the lowest.
 std::uint32_t first_vertex(const Polygon& polygon, const Vec2& centre) {
   const double farthest = farthest_vertex(polygon, centre);
-  const double near = near_distance(polygon.diagonal());
+  const double near = near_distance(polygon.diameter());
   std::optional<std::uint32_t> first;
   for (std::uint32_t v = 0; v < polygon.size(); ++v) {
     if (length(polygon.vertex(v) - centre) < farthest - near) continue;

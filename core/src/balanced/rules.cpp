@@ -60,7 +60,7 @@ Rules::Rules(Polygon polygon, const Vec2& centre, const Settings& settings)
       cover_(polygon_, centre),
       margins_(polygon_, centre) {
   const double apart = settings.apart.value_or(usual_apart * farthest_vertex(polygon_, centre));
-  const double near = std::max(0.0, apart - near_distance(polygon_.diagonal()));
+  const double near = std::max(0.0, apart - near_distance(polygon_.diameter()));
   near_square_ = near * near;
 }
 
@@ -90,7 +90,7 @@ std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots) const {
 int Rules::steady(RatedSet& set) const {
   if (!set.steady)
     set.steady =
-        std::min(survive_, failures_steady(positions(set.robots), centre_, polygon_.diagonal()));
+        std::min(survive_, failures_steady(positions(set.robots), centre_, polygon_.diameter()));
   return *set.steady;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <span>
 
@@ -21,7 +22,7 @@ static_assert(max_edge_pairs <= SlopeKey{1} << number_bits && number_bits + slop
 // See settle_order.
 class Settler {
  public:
-  explicit Settler(std::vector<Candidate>& candidates) : candidates_(candidates) {}
+  Settler(std::vector<Candidate>& candidates, double near) : candidates_(candidates), near_(near) {}
 
   void run() {
     const std::size_t m = candidates_.size();
@@ -79,14 +80,35 @@ class Settler {
     using Class = std::span<std::uint32_t>;
     for_each_tie_class(members_, length_of, lengths_tie, [&](Class equally_long) {
       if (equally_long.size() == 1) return;
-      for_each_tie_class(equally_long, right_arm, lengths_tie, [&](Class alike) {
-        if (alike.size() == 1) return;
-        sort_indices(alike, [&](std::uint32_t i, std::uint32_t j) { return comes_first(i, j); });
-      });
+      for_each_tie_class(equally_long, right_arm, lengths_tie,
+                         [&](Class alike) { sort_by_coordinates(alike, 0); });
     });
     rearrange(begin);
   }
 
+  // By the first coordinate in which they differ by more than rounding can tip. Of two chords that are not one, some coordinate
+  // differs by more than near / sqrt(2).
+  void sort_by_coordinates(std::span<std::uint32_t> alike, std::size_t which) {
+    const auto coordinate = [&](std::uint32_t i) { return coordinates(candidates_[i])[which]; };
+    const auto tie = [&](double a, double b) { return std::fabs(a - b) <= near_ / 2; };
+    const auto all_tie = [&] {
+      const auto less = [&](std::uint32_t i, std::uint32_t j) {
+        return coordinate(i) < coordinate(j);
+      };
+      const auto [low, high] = std::minmax_element(alike.begin(), alike.end(), less);
+      return tie(coordinate(*low), coordinate(*high));
+    };
+    while (alike.size() > 1 && which < 4 && all_tie()) ++which;
+    if (alike.size() == 1) return;
+    if (which == 4)
+      return sort_indices(alike,
+                          [&](std::uint32_t i, std::uint32_t j) { return comes_first(i, j); });
+    for_each_tie_class(
+        alike, [&](std::uint32_t i) { return -coordinate(i); }, tie,
+        [&](std::span<std::uint32_t> level) { sort_by_coordinates(level, which + 1); });
+  }
+
+  // For chords that are one but for rounding.
   bool comes_first(std::uint32_t i, std::uint32_t j) const {
     const Candidate &a = candidates_[i], &b = candidates_[j];
     const auto p = coordinates(a), q = coordinates(b);
@@ -94,6 +116,7 @@ class Settler {
     return a.kind != b.kind ? a.kind < b.kind : i < j;
   }
 
+  // Of the left end, then of the right one.
   static std::array<double, 4> coordinates(const Candidate& c) {
     const Vec2 &p = c.chord.r1.position, &q = c.chord.r2.position;
     return {p.x(), p.y(), q.x(), q.y()};
@@ -117,6 +140,7 @@ class Settler {
   }
 
   std::vector<Candidate>& candidates_;
+  double near_;  // tau L
   std::size_t vertical_from_ = 0;
   SortedIndices members_;  // of the run under way
   std::vector<Candidate> moved_;
@@ -163,9 +187,11 @@ void sort_keys(std::vector<SlopeKey>& keys) {
   }
 }
 
-void settle_order(std::vector<Candidate>& candidates) { Settler(candidates).run(); }
+void settle_order(std::vector<Candidate>& candidates, double near) {
+  Settler(candidates, near).run();
+}
 
-std::vector<Candidate> in_candidate_order(const std::vector<Candidate>& found) {
+std::vector<Candidate> in_candidate_order(const std::vector<Candidate>& found, double near) {
   std::vector<SlopeKey> keys;
   keys.reserve(found.size());
   for (std::uint32_t i = 0; i < found.size(); ++i) keys.push_back(slope_key(found[i].direction, i));
@@ -173,7 +199,7 @@ std::vector<Candidate> in_candidate_order(const std::vector<Candidate>& found) {
   std::vector<Candidate> ordered;
   ordered.reserve(found.size());
   for (const SlopeKey key : keys) ordered.push_back(found[number_of(key)]);
-  settle_order(ordered);
+  settle_order(ordered, near);
   return ordered;
 }
 

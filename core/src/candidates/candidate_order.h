@@ -25,13 +25,14 @@ std::uint32_t number_of(SlopeKey key);
 void sort_keys(std::vector<SlopeKey>& keys);
 
 // Puts candidates that are in the order of their keys into candidate order: by exact slope; on one
-// line the longer first, then the one whose right end is farther from C, then by coordinates, so
-// that the order of the vertex list never matters. O(m), and O(l log l) for each line with l of
-// them.
-void settle_order(std::vector<Candidate>& candidates);
+// line the longer first, then the one whose right end is farther from C, then by coordinates of the
+// left and the right end, where they differ by more than `near` / 2, so that the order of the
+// vertex list never matters, and rounding hardly. `near` is tau L. O(m), and O(l log l) for each
+// line with l of them.
+void settle_order(std::vector<Candidate>& candidates, double near);
 
 // Candidates found in any order, fewer than max_edge_pairs of them, in candidate order. O(m), and
 // what settle_order() takes.
-std::vector<Candidate> in_candidate_order(const std::vector<Candidate>& found);
+std::vector<Candidate> in_candidate_order(const std::vector<Candidate>& found, double near);
 
 }  // namespace evenlift

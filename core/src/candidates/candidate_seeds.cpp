@@ -7,9 +7,32 @@
 
 namespace evenlift {
 
+CandidateSeeds::CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
+                               const std::vector<OppositeVertices>& opposite, double min_ratio,
+                               Positions positions, bool traced)
+    : polygon_(polygon),
+      centre_(centre),
+      view_(view),
+      min_ratio_(min_ratio),
+      positions_(positions),
+      traced_(traced),
+      has_opposite_(polygon.size()) {
+  for (const OppositeVertices& two : opposite) has_opposite_[two.v] = has_opposite_[two.w] = true;
+}
+
+bool CandidateSeeds::ends_at_opposite_vertices(const EdgePair& pair) const {
+  const auto at = [&](std::uint32_t vertex_a, std::uint32_t vertex_b) {
+    return has_opposite_[vertex_a != inside_edge ? vertex_a : vertex_b];
+  };
+  return at(pair.begin_a, pair.begin_b) || at(pair.end_a, pair.end_b);
+}
+
 void CandidateSeeds::examine_and_add(const EdgePair& pair) {
   const SeenEdge a = see(polygon_, view_, pair.a), b = see(polygon_, view_, pair.b);
-  switch (examine_quickly(polygon_, centre_, a, b, pair, min_ratio_)) {
+  const QuickVerdict quick = ends_at_opposite_vertices(pair)
+                                 ? QuickVerdict::unsure
+                                 : examine_quickly(polygon_, centre_, a, b, pair, min_ratio_);
+  switch (quick) {
     case QuickVerdict::none:
       return;
     case QuickVerdict::at_begin:
@@ -36,7 +59,7 @@ void CandidateSeeds::examine_and_add(const OppositeVertices& opposite) {
 void CandidateSeeds::add_range(const EdgePair& pair) {
   const SeenEdge a = see(polygon_, view_, pair.a), b = see(polygon_, view_, pair.b);
   const auto range = find_range(polygon_, centre_, a, b, pair, min_ratio_);
-  if (!range || is_one_place(*range, near_distance(polygon_.diagonal()))) return;
+  if (!range || is_one_place(*range, near_distance(polygon_.diameter()))) return;
   for (const double s : range_places)
     add_finished(range_candidate(centre_, *range, place_at(*range, s)));
 }
@@ -80,7 +103,7 @@ std::vector<Candidate> CandidateSeeds::grow() {
     candidates.push_back(std::visit([&](const auto& each) { return grow(each); }, seeds_[seed]));
     if (traced_) candidates.back().source = source_of_seed_[seed];
   }
-  settle_order(candidates);
+  settle_order(candidates, near_distance(polygon_.diameter()));
   return candidates;
 }
 

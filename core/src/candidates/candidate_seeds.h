@@ -17,15 +17,10 @@ namespace evenlift {
 class CandidateSeeds {
  public:
   // If `traced`, grow() sets the source of each candidate: the number of the call of add() from
-  // which it came.
+  // which it came. O(n).
   CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
-                 double min_ratio, Positions positions, bool traced)
-      : polygon_(polygon),
-        centre_(centre),
-        view_(view),
-        min_ratio_(min_ratio),
-        positions_(positions),
-        traced_(traced) {}
+                 const std::vector<OppositeVertices>& opposite, double min_ratio,
+                 Positions positions, bool traced);
 
   // Examines an edge-pair or two opposite vertices and adds at most one seed, and two more of an
   // edge-pair with positions anywhere in the range. Amortized O(1).
@@ -61,6 +56,7 @@ class CandidateSeeds {
   };
   using Seed = std::variant<VertexChordSeed, BisectingSeed, FinishedSeed>;
 
+  bool ends_at_opposite_vertices(const EdgePair& pair) const;
   void examine_and_add(const EdgePair& pair);
   void examine_and_add(const OppositeVertices& opposite);
   void add_range(const EdgePair& pair);
@@ -77,6 +73,7 @@ class CandidateSeeds {
   double min_ratio_;
   Positions positions_;
   bool traced_;
+  std::vector<bool> has_opposite_;  // by vertex
   std::uint32_t sources_ = 0;
   std::vector<Seed> seeds_;
   std::vector<std::uint32_t> source_of_seed_;  // if traced

@@ -45,7 +45,7 @@ Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,
 
   if (positions == Positions::range)
     if (auto error = check_number_in_ranges(pairs + opposite->size())) return *error;
-  CandidateSeeds seeds(polygon, centre, view, min_ratio, positions, traced);
+  CandidateSeeds seeds(polygon, centre, view, *opposite, min_ratio, positions, traced);
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) { seeds.add(pair); });
   for (const OppositeVertices& two : *opposite) seeds.add(two);
   Found found;
@@ -56,7 +56,7 @@ Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,
       found.source_of_chord.push_back(c.source);
       found.in_range.push_back(c.kind == CandidateKind::range ? 1 : 0);
     }
-  MergedCandidates merged = merge_duplicates(std::move(chords), near_distance(polygon.diagonal()));
+  MergedCandidates merged = merge_duplicates(std::move(chords), near_distance(polygon.diameter()));
   found.candidates = std::move(merged.candidates);
   found.became = std::move(merged.became);
   return found;
@@ -96,7 +96,7 @@ std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, co
 
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const Chord& chord,
                                   double min_ratio) {
-  const double near = near_distance(polygon.diagonal());
+  const double near = near_distance(polygon.diameter());
   const auto pair = pair_of_edges(polygon, centre, chord.r1.edge, chord.r2.edge, near);
   return pair ? range_of(polygon, centre, *pair, min_ratio) : std::nullopt;
 }

@@ -56,7 +56,7 @@ class EvenChords::Search {
         most_(most) {
     // Even chords within tolerance reach as far as 3 tau L from the mirror image; the rest is for
     // the rounding of coordinates.
-    near_ = near_distance(polygon_.diagonal());
+    near_ = near_distance(polygon_.diameter());
     constexpr double rounding = 0x1p-48;
     slack_ = 4 * near_ + rounding * (chords.size_ + centre.cwiseAbs().maxCoeff());
   }
@@ -172,8 +172,8 @@ EvenChords::EvenChords(const Polygon& polygon, const Stands* stands)
 
 std::vector<Candidate> EvenChords::about(const Vec2& centre) const {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-  return merge_duplicates(in_candidate_order(Search(*this, centre, all).run()),
-                          near_distance(polygon_.diagonal()))
+  const double near = near_distance(polygon_.diameter());
+  return merge_duplicates(in_candidate_order(Search(*this, centre, all).run(), near), near)
       .candidates;
 }
 

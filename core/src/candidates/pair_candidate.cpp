@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "chords/opposite_vertices.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
 #include "exact/double_double.h"
@@ -20,26 +22,33 @@ Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& dir
   return {chord, kind, false, 0, rightward(direction), chord.arm1 + chord.arm2};
 }
 
+// Edges that count as parallel are rarely so to the last bit. Then the middle of one section does not quite face the middle of the
+// other, and the chord where g is the geometric mean of its values at the two ends stands between the two middles, whichever edge
+// is called a.
 Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const SectionEnd& begin, const SectionEnd& end) {
-  const Vec2 offset =
-      0.5 * (offset_on_a(polygon, centre, begin) + offset_on_a(polygon, centre, end));
-  // 1 / g is linear along a.
-  const double g = 2.0 / (1.0 / begin.g + 1.0 / end.g);
+  const double root0 = std::sqrt(begin.g), root1 = std::sqrt(end.g), sum = root0 + root1;
+  const Vec2 offset = (root0 / sum) * offset_on_a(polygon, centre, begin) +
+                      (root1 / sum) * offset_on_a(polygon, centre, end);
+  const double g = std::sqrt(begin.g * end.g);
   const double arm = length(offset);
   Chord chord =
       order_ends({centre + offset, a.edge}, arm, {centre - g * offset, b.edge}, g * arm, offset);
-  chord.ratio = g < 1.0 ? g : 1.0 / g;
+  chord.ratio = load_ratio(1.0, g);
   return make_candidate(chord, CandidateKind::midpoint, offset);
 }
+
+bool joins_opposite_vertices(const SectionEnd& end) { return end.opposite != inside_edge; }
 
 Candidate end_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                         const SeenEdge& b, const SectionEnd& end) {
   const Chord chord = chord_from_vertex(polygon, centre, end.vertex, end.on_a ? a.edge : b.edge,
                                         end.across, end.on_a ? b.edge : a.edge, end.opposite);
+  const bool between_vertices = joins_opposite_vertices(end);
+  const Vec2& target = between_vertices ? polygon.vertex(end.opposite) : centre;
   Candidate candidate =
-      make_candidate(chord, kind_of_vertex_chord(chord), centre - polygon.vertex(end.vertex));
-  candidate.between_vertices = end.opposite != inside_edge;
+      make_candidate(chord, kind_of_vertex_chord(chord), target - polygon.vertex(end.vertex));
+  candidate.between_vertices = between_vertices;
   return candidate;
 }
 
@@ -53,6 +62,46 @@ std::optional<double> estimate_g(const Polygon& polygon, const Vec2& centre, con
       estimate_across(centre, polygon.vertex(vertex_b), a.first, a.last, a.doubled_area);
   if (factor) return 1.0 / *factor;
   return std::nullopt;
+}
+
+// The vertex of the edge `other` that is opposite to the end's vertex and near where the chord meets the edge, or inside_edge. Near
+// is within sqrt(tau) L: far more than rounding moves that place where C sees the edge at a flat angle, and too little to see.
+std::uint32_t missed_vertex(const Polygon& polygon, const Vec2& centre, const SectionEnd& end,
+                            std::uint32_t other) {
+  const double diameter = polygon.diameter(), near = near_distance(diameter);
+  const Vec2 w = polygon.vertex(end.vertex) - centre, hit = -end.across.factor * w;
+  std::uint32_t missed = inside_edge;
+  double least = std::sqrt(tau) * diameter;
+  for (const std::size_t index : {std::size_t{other}, polygon.next(other)}) {
+    const Vec2 v = polygon.vertex(index) - centre;
+    const double gap = length(v - hit);
+    if (gap > least || !are_opposite(v, w, near)) continue;
+    least = gap;
+    missed = static_cast<std::uint32_t>(index);
+  }
+  return missed;
+}
+
+// A section end as decisions take it. If the chord there joins opposite vertices, or misses the second one by rounding, it is the
+// chord between the two; if that is even, C bisects it. `g` stays what it is along the section.
+SectionEnd settled(const Polygon& polygon, const Vec2& centre, const SeenEdge& a, const SeenEdge& b,
+                   SectionEnd end) {
+  if (!joins_opposite_vertices(end))
+    end.opposite = missed_vertex(polygon, centre, end, end.on_a ? b.edge : a.edge);
+  if (!joins_opposite_vertices(end)) return end;
+  const double arm = length(polygon.vertex(end.vertex) - centre),
+               other_arm = length(polygon.vertex(end.opposite) - centre);
+  const int longer = (other_arm > arm) - (other_arm < arm);
+  end.across = {other_arm / arm, longer};
+  if (load_ratio(arm, other_arm) >= 1.0 - tau) end.compare_to_one = 0;
+  return end;
+}
+
+// Whether both ends of a section are the chord between the same two opposite vertices. Such a pair of edges is one by rounding
+// alone.
+bool are_one_chord(const SectionEnd& begin, const SectionEnd& end) {
+  return joins_opposite_vertices(begin) && joins_opposite_vertices(end) &&
+         std::minmax(begin.vertex, begin.opposite) == std::minmax(end.vertex, end.opposite);
 }
 
 }  // namespace
@@ -163,15 +212,20 @@ SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdg
 
 PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                     const SeenEdge& b, const EdgePair& pair, double min_ratio) {
-  const SectionEnd begin = section_end(polygon, centre, a, b, pair.begin_a, pair.begin_b);
-  const SectionEnd end = section_end(polygon, centre, a, b, pair.end_a, pair.end_b);
+  const SectionEnd begin_as_seen = section_end(polygon, centre, a, b, pair.begin_a, pair.begin_b);
+  const SectionEnd end_as_seen = section_end(polygon, centre, a, b, pair.end_a, pair.end_b);
+  const SectionEnd begin = settled(polygon, centre, a, b, begin_as_seen);
+  const SectionEnd end = settled(polygon, centre, a, b, end_as_seen);
 
   PairVerdict verdict;
   verdict.g0 = begin.g;
   verdict.g1 = end.g;
   verdict.parallel = are_parallel(begin.g, end.g);
   if (verdict.parallel) {
-    const Candidate candidate = midpoint_candidate(polygon, centre, a, b, begin, end);
+    const Candidate candidate =
+        are_one_chord(begin, end)
+            ? end_candidate(polygon, centre, a, b, begin)
+            : midpoint_candidate(polygon, centre, a, b, begin_as_seen, end_as_seen);
     if (reaches(candidate.chord, min_ratio)) verdict.candidate = candidate;
     return verdict;
   }

@@ -55,7 +55,8 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
                     const SeenEdge& b, const EdgePair& pair, double min_ratio);
 
 // The decision as far as estimates alone make it certain. Most pairs have no candidate or one of
-// the two frequent kinds, and need no more. O(1).
+// the two frequent kinds, and need no more. The pair's range must not
+// end at a vertex that has an opposite one. O(1).
 enum class QuickVerdict : std::uint8_t { unsure, none, bisecting, at_begin, at_end };
 QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const EdgePair& pair, double min_ratio);

@@ -175,7 +175,7 @@ std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& sta
   const auto b = stand_line(polygon, centre, stands, pair.b);
   std::vector<Candidate> found;
   if (a && b)
-    found = standing_chords(stands, centre, *a, *b, min_ratio, near_distance(polygon.diagonal()));
+    found = standing_chords(stands, centre, *a, *b, min_ratio, near_distance(polygon.diameter()));
   if (!stays) return found;
   if (found.empty()) found.emplace_back();
   found.front() = *verdict.candidate;

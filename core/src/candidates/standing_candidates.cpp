@@ -160,14 +160,14 @@ void note_sources(const Found& found, const std::vector<std::uint32_t>& became_o
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,
                                              Positions positions) {
-  const double near = near_distance(polygon.diagonal());
+  const double near = near_distance(polygon.diameter());
   const Wanted wanted{polygon, centre, min_ratio, stands, positions, near};
   Found found;
   const bool on_outline = stands.robot().depth == 0;
   if (auto error = on_outline ? find_on_outline(wanted, found) : find_on_moved_edges(wanted, found))
     return *error;
   if (auto error = check_number(found.candidates.size(), "candidates")) return *error;
-  std::vector<Candidate> ordered = in_candidate_order(found.candidates);
+  std::vector<Candidate> ordered = in_candidate_order(found.candidates, near);
   std::vector<std::uint32_t> number;  // in `found`
   for (const Candidate& candidate : ordered) number.push_back(candidate.source);
   MergedCandidates merged = merge_duplicates(std::move(ordered), near);

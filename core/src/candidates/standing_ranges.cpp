@@ -43,7 +43,7 @@ std::vector<PairRange> standing_ranges(const Polygon& polygon, const Vec2& centr
   const auto line_a = stand_line(polygon, centre, stands, a);
   const auto line_b = stand_line(polygon, centre, stands, b);
   if (!line_a || !line_b) return {};
-  return standing_ranges(*line_a, *line_b, min_ratio, near_distance(polygon.diagonal()));
+  return standing_ranges(*line_a, *line_b, min_ratio, near_distance(polygon.diameter()));
 }
 
 std::size_t longest_range(const std::vector<PairRange>& ranges, double near) {

@@ -19,7 +19,7 @@ struct Seen {
 class Finder {
  public:
   Finder(const Polygon& polygon, const Vec2& centre, const RadialView& view, std::uint64_t most)
-      : near_(near_distance(polygon.diagonal())), most_(most) {
+      : near_(near_distance(polygon.diameter())), most_(most) {
     for (const std::uint32_t vertex : view.order()) {
       const Vec2 position = polygon.vertex(vertex) - centre;
       const double arm = length(position);

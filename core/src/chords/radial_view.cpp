@@ -104,7 +104,7 @@ bool is_forward(const Vec2& centre, const Vec2& v) {
 
 RadialView::RadialView(const Polygon& polygon, const Vec2& centre) {
   sort_vertices(polygon, centre);
-  const double near = near_distance(polygon.diagonal());
+  const double near = near_distance(polygon.diameter());
   arms_.resize(polygon.size());
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
     const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);

@@ -9,7 +9,7 @@
 namespace evenlift {
 
 RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centre) {
-  const double near = near_distance(polygon.diagonal());
+  const double near = near_distance(polygon.diameter());
   edges_.reserve(polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &p = polygon.edge_start(i), &q = polygon.edge_end(i);

@@ -43,7 +43,7 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
 // may be on edges that were drawn parallel. Rounding turns these by some 1e-14, so whether their
 // normal lines meet farther away than L / sqrt(tau), about 3e4 L, is not a property of the shape.
 double farthest_centre(const Grasp& grasp, bool translation_free) {
-  return grasp.diagonal / (translation_free ? std::sqrt(tau) : tau);
+  return grasp.diameter / (translation_free ? std::sqrt(tau) : tau);
 }
 
 constexpr int axes = 4;

@@ -38,7 +38,7 @@ Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise) {
 }
 
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
-  return find_contacts(polygon, VertexFinder(polygon, near_distance(polygon.diagonal())), points);
+  return find_contacts(polygon, VertexFinder(polygon, near_distance(polygon.diameter())), points);
 }
 
 std::vector<Contact> find_contacts(const Polygon& polygon, const VertexFinder& finder,

@@ -40,7 +40,9 @@ double along(const Grasp& grasp, const Grasp::Touch& touch) {
 
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
                  const std::vector<Contact>& contacts) {
-  Grasp grasp{centre, polygon.diagonal(), near_distance(polygon.diagonal()), radius, {}};
+  Grasp grasp{
+      centre, polygon.diagonal(), polygon.diameter(), near_distance(polygon.diameter()), radius,
+      {}};
   for (const Contact& contact : contacts) {
     Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
     if (!polygon.counter_clockwise()) std::swap(from, to);

@@ -20,7 +20,8 @@ struct Grasp {
     Vec2 inward() const { return left_normal(to - from) / length(to - from); }
   };
   Vec2 centre;
-  double diagonal = 0;
+  double diagonal = 0;  // of the bounding box
+  double diameter = 0;  // L
   double near = 0;
   double radius = 0;  // R: the largest distance of a vertex from C
   std::vector<Touch> touches;

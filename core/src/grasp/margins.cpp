@@ -9,7 +9,7 @@ Margins::Margins(const Polygon& polygon, const Vec2& centre)
     : polygon_(polygon),
       centre_(centre),
       radius_(farthest_vertex(polygon, centre)),
-      finder_(polygon, near_distance(polygon.diagonal())) {}
+      finder_(polygon, near_distance(polygon.diameter())) {}
 
 std::vector<Wrench> Margins::wrenches_of(const std::vector<LiftingPoint>& points) const {
   return wrenches(make_grasp(polygon_, centre_, radius_, find_contacts(polygon_, finder_, points)));

@@ -49,7 +49,7 @@ double share_of(double area, const Points& part) {
 }  // namespace
 
 Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
-  return convex_hull(positions(points), near_distance(polygon.diagonal()));
+  return convex_hull(positions(points), near_distance(polygon.diameter()));
 }
 
 double coverage(const Polygon& polygon, const Points& hull) {

@@ -51,7 +51,7 @@ std::optional<InputError> check_balanced(const Placement& placement,
   Vec2 sum = Vec2::Zero();
   for (const LiftingPoint& robot : robots) sum += robot.position - placement.centre_of_mass;
   if (length(sum) >
-      near_distance(placement.polygon.diagonal()) * static_cast<double>(robots.size()))
+      near_distance(placement.polygon.diameter()) * static_cast<double>(robots.size()))
     return refused("the centroid of the robots is not the centre of mass");
   const Stands* stands = placement.stands.get();
   if (!stands) return std::nullopt;
@@ -119,7 +119,7 @@ struct EdgesAt {
 };
 
 EdgesAt edges_at(const Polygon& polygon, std::uint32_t edge, const Vec2& at) {
-  const double near = near_distance(polygon.diagonal());
+  const double near = near_distance(polygon.diameter());
   const auto n = static_cast<std::uint32_t>(polygon.vertices().size());
   EdgesAt found{{edge, edge}, 1};
   if (length(at - polygon.edge_start(edge)) <= near)
@@ -168,7 +168,7 @@ std::optional<InputError> move_team(const Placement& placement, const MovedTeam&
   std::optional<Turned> turned;
   if (length(direction) > 0 && moved.end.edge != moved.opposite)
     turned = towards(placement, moved.end.edge, moved.opposite, direction);
-  if (!turned || length(turned->on_a - at) > near_distance(placement.polygon.diagonal()))
+  if (!turned || length(turned->on_a - at) > near_distance(placement.polygon.diameter()))
     return refused(numbered("team", moved.team) + " is not within its range there");
   chords[moved.team] = turned->chord;
   return std::nullopt;

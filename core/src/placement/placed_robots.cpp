@@ -11,15 +11,13 @@ Points positions_of_all(const Placement& placement) {
   return positions(lifting_points(placement.teams));
 }
 
-double diagonal(const Placement& placement) { return placement.polygon.diagonal(); }
+double diameter(const Placement& placement) { return placement.polygon.diameter(); }
 
 // The object's boundary, for the directions in which robots face.
 class Outline {
  public:
-  explicit Outline(const Points& vertices)
-      : vertices_(vertices),
-        counter_clockwise_(is_counter_clockwise(vertices)),
-        near_(near_distance(bounding_box(vertices).diagonal())) {}
+  Outline(const Points& vertices, double near)
+      : vertices_(vertices), counter_clockwise_(is_counter_clockwise(vertices)), near_(near) {}
 
   // Towards the object; of any length. Only a robot without a body can be at a vertex.
   Vec2 inward_at(const LiftingPoint& point, bool has_body) const {
@@ -74,7 +72,7 @@ double degrees_of(const Vec2& direction) {
 }  // namespace
 
 std::vector<PlacedRobot> placed_robots(const Placement& placement) {
-  const Outline outline(placement.vertices());
+  const Outline outline(placement.vertices(), near_distance(diameter(placement)));
   std::vector<PlacedRobot> robots;
   robots.reserve(count_robots(placement.teams));
   const Stands* stands = placement.stands.get();
@@ -95,7 +93,7 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
 std::optional<ModelLoads> model_loads(const Placement& placement) {
   const Points robots = positions_of_all(placement);
   const Vec2& centre = placement.centre_of_mass;
-  const double size = diagonal(placement), weight = placement.settings.weight;
+  const double size = diameter(placement), weight = placement.settings.weight;
   const auto springs = spring_loads(robots, centre, size, weight);
   const auto best = best_load(robots, centre, size, weight);
   const auto worst = worst_loads(robots, centre, size, weight);
@@ -118,7 +116,7 @@ std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
 Robustness robustness(const Placement& placement) {
   const Points robots = positions_of_all(placement);
   const Vec2& centre = placement.centre_of_mass;
-  const double size = diagonal(placement);
+  const double size = diameter(placement);
   return {failures_carried(robots, centre, size), failures_steady(robots, centre, size),
           tipping_distance(placement.lifting_base, centre, size)};
 }
@@ -137,7 +135,7 @@ std::optional<SpringLoads> springs_without(const Placement& placement, std::size
   Points others = positions_of_all(placement);
   const auto place = static_cast<std::ptrdiff_t>(robot);
   others.erase(others.begin() + place);
-  auto springs = spring_loads(others, placement.centre_of_mass, diagonal(placement),
+  auto springs = spring_loads(others, placement.centre_of_mass, diameter(placement),
                               placement.settings.weight);
   if (!springs) return std::nullopt;
   springs->loads.insert(springs->loads.begin() + place, 0.0);

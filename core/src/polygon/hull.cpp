@@ -137,6 +137,24 @@ Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat)
   return hull_of_sorted(std::move(points), flat);
 }
 
+double diameter(const Points& hull) {
+  const std::size_t n = hull.size();
+  const auto corner = [&](std::size_t i) -> const Vec2& { return hull[i % n]; };
+  double greatest = 0;
+  // For each side the corner that is farthest from its line. The two corners that are farthest apart are such a corner and an end
+  // of such a side. Of two sides that are parallel but for rounding, either corner of the other may seem farther.
+  std::size_t far = 1;
+  for (std::size_t side = 0; side < n; ++side) {
+    const Vec2 &a = corner(side), &b = corner(side + 1);
+    const auto distance = [&](std::size_t i) { return cross(b - a, corner(i) - a); };
+    while (distance(far + 1) > distance(far)) ++far;
+    for (const Vec2& end : {a, b})
+      for (const std::size_t i : {far, far + 1})
+        greatest = std::max(greatest, squared_distance(end, corner(i)));
+  }
+  return std::sqrt(greatest);
+}
+
 double signed_area(const Points& points) {
   double twice = 0;
   for (std::size_t i = 2; i < points.size(); ++i) {

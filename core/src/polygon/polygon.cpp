@@ -218,6 +218,7 @@ Result<Polygon> Polygon::create(Points vertices) {
   polygon.centroid_ = m.centroid;
   polygon.counter_clockwise_ = is_counter_clockwise(vertices);
   polygon.hull_ = convex_hull(vertices);
+  polygon.diameter_ = evenlift::diameter(polygon.hull_);
   polygon.vertices_ = std::move(vertices);
   polygon.convex_ = true;
   for (std::size_t i = 0; i < polygon.size() && polygon.convex_; ++i) {

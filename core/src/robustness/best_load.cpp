@@ -119,9 +119,9 @@ double best_share_on_line(const Points& robots) {
   return std::min(1.0, std::max({even, best_ahead(std::move(along)), best_ahead(std::move(back))}));
 }
 
-std::optional<double> best_load(const Points& robots, const Vec2& centre, double diagonal,
+std::optional<double> best_load(const Points& robots, const Vec2& centre, double diameter,
                                 double weight) {
-  const std::optional<Support> support = find_support(robots, centre, diagonal);
+  const std::optional<Support> support = find_support(robots, centre, diameter);
   if (!support) return std::nullopt;
   if (support->on_a_line) return weight * best_share_on_line(support->at);
   if (support->at.size() <= most_robots_by_pairs) return weight * best_share_by_pairs(support->at);

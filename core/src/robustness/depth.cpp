@@ -58,8 +58,8 @@ int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
 //
 // C and each robot lie at most L apart, so an arc differs from half a turn by at least tau on either
 // side, and the rounding of directions, some 1e-16, decides only what is at the tolerance's own edge.
-int depth(const Points& robots, const Vec2& centre, double diagonal, OnTheLine on_the_line) {
-  const double near = near_distance(known_size(robots, centre, diagonal));
+int depth(const Points& robots, const Vec2& centre, double diameter, OnTheLine on_the_line) {
+  const double near = near_distance(known_size(robots, centre, diameter));
   std::vector<Arc> arcs;
   arcs.reserve(robots.size());
   int at_centre = 0;
@@ -77,12 +77,12 @@ int depth(const Points& robots, const Vec2& centre, double diagonal, OnTheLine o
 
 }  // namespace
 
-int failures_carried(const Points& robots, const Vec2& centre, double diagonal) {
-  return depth(robots, centre, diagonal, OnTheLine::counts) - 1;
+int failures_carried(const Points& robots, const Vec2& centre, double diameter) {
+  return depth(robots, centre, diameter, OnTheLine::counts) - 1;
 }
 
-int failures_steady(const Points& robots, const Vec2& centre, double diagonal) {
-  return depth(robots, centre, diagonal, OnTheLine::does_not) - 1;
+int failures_steady(const Points& robots, const Vec2& centre, double diameter) {
+  return depth(robots, centre, diameter, OnTheLine::does_not) - 1;
 }
 
 }  // namespace evenlift

@@ -15,14 +15,14 @@ double change(double per_length, double radius) { return std::min(radius * per_l
 
 }  // namespace
 
-double tipping_distance(const Points& hull, const Vec2& centre, double diagonal) {
+double tipping_distance(const Points& hull, const Vec2& centre, double diameter) {
   if (hull.size() < 3) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
     least = std::min(least, orient(a, b, centre) / length(b - a));
   }
-  return least > near_distance(known_size(hull, centre, diagonal)) ? least : 0;
+  return least > near_distance(known_size(hull, centre, diameter)) ? least : 0;
 }
 
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const SpringLoads& springs,

@@ -30,7 +30,7 @@ class Crew {
 
  private:
   double near() const {
-    return near_distance(known_size(positions_, centre_, polygon_.diagonal()));
+    return near_distance(known_size(positions_, centre_, polygon_.diameter()));
   }
 
   Points positions_without(std::size_t robot) const {
@@ -72,14 +72,14 @@ class Crew {
 
 std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
   const Points others = positions_without(robot);
-  const double diagonal = polygon_.diagonal();
-  const auto springs = spring_loads(others, centre_, diagonal, weight_);
-  const auto best = best_load(others, centre_, diagonal, weight_);
+  const double diameter = polygon_.diameter();
+  const auto springs = spring_loads(others, centre_, diameter, weight_);
+  const auto best = best_load(others, centre_, diameter, weight_);
   if (!springs || !best) return std::nullopt;
   const Points hull = convex_hull(others, near());
   const Hold hold = analyse_hold(polygon_, centre_, contacts_without(robot));
   RestOfRobots rest;
-  rest.tipping_distance = tipping_distance(hull, centre_, diagonal);
+  rest.tipping_distance = tipping_distance(hull, centre_, diameter);
   rest.steady = rest.tipping_distance > 0;
   rest.coverage = coverage_ ? coverage_->of(hull) : 0;
   rest.form_closure = hold.form_closure;

@@ -170,9 +170,9 @@ double finite(double value) { return std::min(value, std::numeric_limits<double>
 
 }  // namespace
 
-std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diagonal,
+std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diameter,
                                         double weight) {
-  const std::optional<Support> support = find_support(robots, centre, diagonal);
+  const std::optional<Support> support = find_support(robots, centre, diameter);
   if (!support) return std::nullopt;
   const Springs springs(support->at);
   const std::size_t m = support->at.size();

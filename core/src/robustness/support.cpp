@@ -85,8 +85,8 @@ bool is_inside(const Points& hull, const Vec2& centre, double near) {
 
 }  // namespace
 
-std::optional<Support> find_support(const Points& robots, const Vec2& centre, double diagonal) {
-  const double unit = known_size(robots, centre, diagonal);
+std::optional<Support> find_support(const Points& robots, const Vec2& centre, double diameter) {
+  const double unit = known_size(robots, centre, diameter);
   const double near = near_distance(unit);
   const Points hull = convex_hull(robots, near);
   if (hull.empty()) return std::nullopt;

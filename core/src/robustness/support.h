@@ -23,7 +23,7 @@ struct Support {
 // Nothing if C is outside the convex hull H of the robots by more than tolerance. Otherwise all
 // robots if C is inside by more than the tolerance or all robots are on one line, else those on the
 // edge of H nearest to C. O(m log m).
-std::optional<Support> find_support(const Points& robots, const Vec2& centre, double diagonal);
+std::optional<Support> find_support(const Points& robots, const Vec2& centre, double diameter);
 
 // A list of m loads: those of the robots of the support, and 0 for all others. O(m).
 std::vector<double> spread_out(const Support& support, const std::vector<double>& loads,

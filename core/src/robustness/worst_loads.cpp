@@ -70,8 +70,8 @@ std::vector<double> shares_on_area(const Support& support) {
 }  // namespace
 
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
-                                               double diagonal, double weight) {
-  const std::optional<Support> support = find_support(robots, centre, diagonal);
+                                               double diameter, double weight) {
+  const std::optional<Support> support = find_support(robots, centre, diameter);
   if (!support) return std::nullopt;
   std::vector<double> loads =
       support->on_a_line ? shares_on_line(support->at) : shares_on_area(*support);

@@ -42,7 +42,7 @@ double inscribed_circle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
 }  // namespace
 
 Surroundings::Surroundings(const Polygon& polygon, const Vec2& centre)
-    : convex(polygon.convex()), diagonal(polygon.diagonal()) {
+    : convex(polygon.convex()), diameter(polygon.diameter()) {
   boundary.reserve(polygon.size());
   vertices.reserve(polygon.size());
   for (const Vec2& v : polygon.vertices()) {
@@ -68,12 +68,27 @@ Wedge::Wedge(const Surroundings& surroundings, Method metric, const Vec2& h1, co
   if (metric == Method::distance) collect_outer_vertices();
 }
 
+// Only what lies in the triangle h1 h2 p counts in the end. What C does not see between h1 and h2 is
+// left out to save time, but for a rim twice as wide as a p in the direction of a corner may stand off.
 void Wedge::collect_area() {
-  const Vec2 centre = Vec2::Zero();
   outside_ = clip_left(surroundings_->boundary, h2_, h1_);
-  outside_ = clip_left(outside_, centre, h1_);
-  outside_ = clip_left(outside_, h2_, centre);
+  if (is_convex()) {
+    const auto clip = [&](const Vec2& direction) {
+      const Vec2 outward = -left_normal(direction) / length(direction);
+      const double rim = 2 * near_distance(surroundings_->diameter);
+      outside_ = clip_left_of_ray(outside_, rim * outward, direction);
+    };
+    clip(h1_);
+    clip(-h2_);
+  }
   outside_area_ = signed_area(outside_);
+}
+
+// Where C lies on the edge, rounding decides on which side, and the answer is still yes.
+bool Wedge::is_convex() const {
+  const double past_180 = -cross(h1_, h2_) / std::min(length(h1_), length(h2_));
+  constexpr double rounding = 0x1p-44;
+  return past_180 <= rounding * surroundings_->diameter;
 }
 
 void Wedge::collect_outer_vertices() {
@@ -112,7 +127,7 @@ Gain Wedge::estimate(const Vec2& p) const {
   const double triangle = triangle_area(h1_, h2_, p);
   if (surroundings_->convex) return {triangle, Certainty::exact};
   const double error_bound =
-      1e-13 * surroundings_->diagonal * surroundings_->diagonal;  // of clipping
+      1e-13 * surroundings_->diameter * surroundings_->diameter;  // of clipping
   return {std::min(triangle, outside_area_) * (1 + 1e-9) + error_bound, Certainty::bound};
 }
 
@@ -193,7 +208,7 @@ double Wedge::distance_bound(const Vec2& p) const {
 
 // Bounds the rounding errors of the sums.
 double Wedge::distance_error_bound() const {
-  return 1e-12 * surroundings_->diagonal * static_cast<double>(outer_.size() + 1);
+  return 1e-12 * surroundings_->diameter * static_cast<double>(outer_.size() + 1);
 }
 
 Gain Wedge::sharpen(const Vec2& p, const Gain& known) {
@@ -213,8 +228,9 @@ bool Wedge::prepare_close_bounds() {
     return false;
   switch (metric_) {
     case Method::area:
-      if (pseudo_angle_from(pseudo_angle1_, pseudo_angle(h2_)) < narrow) return false;
-      area_bins_.emplace(outside_, h1_, h2_, surroundings_->diagonal);
+      if (!is_convex() || pseudo_angle_from(pseudo_angle1_, pseudo_angle(h2_)) < narrow)
+        return false;
+      area_bins_.emplace(outside_, h1_, h2_, surroundings_->diameter);
       return true;
     case Method::distance: {
       Points positions;

@@ -22,7 +22,7 @@ struct Surroundings {
   Points boundary;             // P relative to C, counter-clockwise
   std::vector<Seen> vertices;  // other than C, by pseudo-angle
   bool convex = false;
-  double diagonal = 0;  // L
+  double diameter = 0;  // L
 };
 
 // The gain of one end of a chord: the exact value, or an upper bound that costs less.
@@ -68,6 +68,9 @@ class Wedge {
 
  private:
   void collect_area();
+  // Whether C sees the edge under at most 180 degrees. It sees more where the first team's chord
+  // leaves C on the outer side: by less than tau L, between opposite vertices.
+  bool is_convex() const;
   void collect_outer_vertices();
   double area_gain(const Vec2& p) const;
   double distance_gain(const Vec2& p) const;
@@ -89,7 +92,7 @@ class Wedge {
   Vec2 h1_, h2_;
   double pseudo_angle1_ = 0;  // of h1
 
-  Points outside_;  // area: P in the wedge beyond the edge
+  Points outside_;  // area: P beyond the edge; if the wedge is convex, not far outside the wedge
   double outside_area_ = 0;
 
   struct Outer {

@@ -43,7 +43,7 @@ struct AreaBins::Piece {
   double level_from, level_to;
 };
 
-AreaBins::AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diagonal)
+AreaBins::AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diameter)
     : h1_(h1),
       h2_(h2),
       pseudo_angle1_(pseudo_angle(h1)),
@@ -52,7 +52,7 @@ AreaBins::AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double 
   const std::vector<Piece> pieces = split(region);
   measure_levels(pieces);
   error_bound_ =
-      1e-14 * diagonal * diagonal * static_cast<double>(pieces.size() + bins_.size() + 100);
+      1e-14 * diameter * diameter * static_cast<double>(pieces.size() + bins_.size() + 100);
 }
 
 void AreaBins::make_bins(std::size_t number) {

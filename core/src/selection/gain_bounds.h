@@ -10,13 +10,14 @@
 
 namespace evenlift {
 
-// Bounds the area of a region that lies in the wedge from h1 to h2 beyond the line h1 h2.
+// Bounds the area of a region that lies beyond the line h1 h2, and in the wedge from h1 to h2 or
+// hardly outside it.
 class AreaBins {
  public:
   // `region` is a counter-clockwise ring, which may touch itself. Everything is relative to C, and
   // h2 is at most 180 degrees to the left of h1. O((m + c) levels), where the m edges of the region
   // cross the rims of bins c times.
-  AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diagonal);
+  AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diameter);
 
   // An upper bound of the area of the region within the triangle h1 h2 p, for p in the wedge.
   // O(bins).

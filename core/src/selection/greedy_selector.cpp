@@ -10,7 +10,7 @@
 #include "evenlift/plane.h"
 #include "evenlift/tolerance.h"
 #include "exact/pseudo_angle.h"
-#include "exact/tie_classes.h"
+#include "selection/tie_order.h"
 
 namespace evenlift {
 namespace {
@@ -23,22 +23,9 @@ void keep_best(std::vector<std::uint32_t>& indices, Key key, Ties ties) {
   std::erase_if(indices, [&](std::uint32_t i) { return !ties(best, key(i)); });
 }
 
-// Keeps the `count` indices with the largest keys and those that tie with one of them, in order of
-// index. `least(key)` is the least key that ties with the given one.
-template <class Key, class Least>
-void keep_first(std::vector<std::uint32_t>& indices, std::size_t count, Key key, Least least) {
-  if (indices.size() <= count) return;
-  const auto last = indices.begin() + static_cast<std::ptrdiff_t>(count) - 1;
-  std::nth_element(indices.begin(), last, indices.end(),
-                   [&](std::uint32_t i, std::uint32_t j) { return key(i) > key(j); });
-  const double kept = least(key(*last));
-  std::erase_if(indices, [&](std::uint32_t i) { return key(i) < kept; });
-  std::sort(indices.begin(), indices.end());
-}
-
-// The floor for score_slack. With L it would be another one when the object is turned.
-double floor_of(const Polygon& polygon, const Vec2& centre, Method metric) {
-  const double size = 2 * farthest_vertex(polygon, centre);
+// The floor for score_slack.
+double floor_of(const Polygon& polygon, Method metric) {
+  const double size = polygon.diameter();
   return score_floor * (metric == Method::distance ? size : size * size);
 }
 
@@ -52,8 +39,8 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
       metric_(metric),
       most_teams_(most_teams),
       first_(first),
-      near_(near_distance(polygon.diagonal())),
-      floor_(floor_of(polygon, centre, metric)),
+      near_(near_distance(polygon.diameter())),
+      floor_(floor_of(polygon, metric)),
       stands_(stands),
       states_(candidates.size(), State::open) {
   ends_.reserve(2 * candidates.size());
@@ -215,22 +202,8 @@ void Selector::line_up(Indices leaders) {
   best_in_line_ = static_cast<std::size_t>(std::count_if(
       leaders.begin(), leaders.end(), [&](Index i) { return bound(i) == best_score_; }));
   if (best_in_line_ == 0) return;
-  const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
-  const auto length_of = [&](Index i) { return candidates_[i].length; };
-  // Thousands may tie. Only those that may still be taken are put in order.
   const std::size_t needed = std::max<std::size_t>(most_teams_ - taken_.size(), 1);
-  keep_first(leaders, needed, ratio, [](double r) { return r - 2 * tau; });
-  line_.clear();
-  for_each_tie_class(leaders, ratio, ratios_tie, [&](std::span<Index> even) {
-    if (line_.size() >= needed) return;
-    Indices first(even.begin(), even.end());
-    std::sort(first.begin(), first.end());
-    keep_first(first, needed - line_.size(), length_of, [](double l) { return l * (1 - 2 * tau); });
-    for_each_tie_class(first, length_of, lengths_tie, [&](std::span<Index> alike) {
-      sort_indices(alike, [](Index i, Index j) { return i < j; });
-      line_.insert(line_.end(), alike.begin(), alike.end());
-    });
-  });
+  line_ = order_of_taking(candidates_, std::move(leaders), needed);
   std::reverse(line_.begin(), line_.end());
 }
 

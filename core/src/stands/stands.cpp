@@ -29,7 +29,7 @@ std::string_view name(WhyUnusable why) {
 }
 
 Stands::Stands(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go)
-    : robot_(robot), near_(near_distance(polygon.diagonal())) {
+    : robot_(robot), near_(near_distance(polygon.diameter())) {
   const Surveyor surveyor(polygon, robot, no_go);
   const std::vector<char> forbidden = forbidden_vertices(polygon, no_go, near_);
   // What is left free at a vertex where nobody stands.

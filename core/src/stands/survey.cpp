@@ -25,7 +25,7 @@ Surveyor::Surveyor(const Polygon& polygon, const RobotSize& robot,
                    const std::vector<EdgePart>& no_go)
     : polygon_(polygon),
       robot_(robot),
-      near_(near_distance(polygon.diagonal())),
+      near_(near_distance(polygon.diameter())),
       edges_(polygon),
       no_go_(no_go) {
   std::sort(no_go_.begin(), no_go_.end(), [](const EdgePart& a, const EdgePart& b) {

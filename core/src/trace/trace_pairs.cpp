@@ -23,7 +23,7 @@ Outcome outcome_of(const PairVerdict& verdict) {
 
 // What robots with a size leave of a pair's candidate.
 void find_standing(const Trace& trace, PairDetail& detail) {
-  const double near = near_distance(trace.polygon.diagonal());
+  const double near = near_distance(trace.polygon.diameter());
   if (!detail.candidate) {
     detail.standing = Standing::nowhere;
     return;
@@ -83,7 +83,7 @@ RangeDetail look_at_range(const Trace& trace, std::uint32_t index) {
   if (const Stands* stands = trace.placement.stands.get()) {
     const auto ranges = standing_ranges(trace.polygon, trace.centre, detail.pair.a, detail.pair.b,
                                         min_ratio, *stands);
-    detail.range = ranges[longest_range(ranges, near_distance(trace.polygon.diagonal()))];
+    detail.range = ranges[longest_range(ranges, near_distance(trace.polygon.diameter()))];
   } else {
     detail.range = *range_of(trace.polygon, trace.centre, detail.pair, min_ratio);
   }

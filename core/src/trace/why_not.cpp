@@ -21,7 +21,7 @@ std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
 // Whether a lifting point is on an edge: its own, or the one that meets it at a vertex.
 bool lies_on(const Trace& trace, const LiftingPoint& point, std::uint32_t edge) {
   if (point.edge == edge) return true;
-  const double near = near_distance(trace.polygon.diagonal());
+  const double near = near_distance(trace.polygon.diameter());
   return length(point.position - trace.polygon.edge_start(edge)) <= near ||
          length(point.position - trace.polygon.edge_end(edge)) <= near;
 }
@@ -34,7 +34,7 @@ bool lies_on(const Trace& trace, const Chord& chord, const EdgePair& pair) {
 }
 
 bool is_same(const Trace& trace, const Chord& a, const Chord& b) {
-  return same_chord(a, b, near_distance(trace.polygon.diagonal()));
+  return same_chord(a, b, near_distance(trace.polygon.diameter()));
 }
 
 // The candidate that a chord is.
@@ -137,7 +137,7 @@ std::optional<Chord> chord_at(const Trace& trace, const Vec2& point) {
   for (const Chord& chord : chords_through(trace, direction)) {
     // The arm of the end on the point's side.
     const double arm = points_right(direction) ? chord.arm2 : chord.arm1;
-    const bool reaches_it = arm >= wanted - near_distance(trace.polygon.diagonal());
+    const bool reaches_it = arm >= wanted - near_distance(trace.polygon.diameter());
     const double size = chord.arm1 + chord.arm2, best_size = best ? best->arm1 + best->arm2 : 0;
     if (!best || (reaches_it && !reaches) ||
         (reaches_it == reaches && (reaches ? size < best_size : size > best_size))) {

@@ -19,7 +19,7 @@ namespace {
 class Growing {
  public:
   Growing(const Subject& subject, double weight)
-      : subject_(subject), weight_(weight), near_(near_distance(subject.polygon.diagonal())) {}
+      : subject_(subject), weight_(weight), near_(near_distance(subject.polygon.diameter())) {}
 
   void add(const Chord& chord) {
     for (const LiftingPoint& end : {chord.r1, chord.r2}) points_.push_back(end);
