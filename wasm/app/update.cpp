@@ -18,6 +18,7 @@
 #include "state/browser.h"
 #include "state/layout.h"
 #include "state/notice.h"
+#include "state/screen.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/explain.h"
 #include "walkthrough/playing.h"
@@ -152,8 +153,7 @@ struct Applier {
   void operator()(const SetPresenting& c) const {
     if (c.on && !walkthrough_is_open(state)) put_teams_back(state);
     if (c.on) open_walkthrough(state);
-    state.presenting = c.on && walkthrough_is_open(state);
-    browser::show_full_screen(state.presenting);
+    set_presenting(state, c.on && walkthrough_is_open(state));
   }
   void operator()(const SetDrawCursor& c) const { set_draw_cursor(state, c); }
   void operator()(const TypeEdge& c) const { type_edge(state, c); }

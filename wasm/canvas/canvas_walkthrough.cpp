@@ -1,6 +1,7 @@
 #include "canvas/canvas_walkthrough.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,13 +51,28 @@ void draw_candidates(const Painter& painter, const CanvasView& view) {
   }
 }
 
-// Writes a text beside a chord.
+// Writes a text on a chord, at the first place along it where it covers none of the texts written `before`, if there is one.
 void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure,
-                const std::string& text) {
-  const Vec2 middle = figure.points[0] + (figure.points[1] - figure.points[0]) * 0.75;
-  const ImVec2 size = text_size(Face::strong_label, text), at = painter.at(middle);
-  const ImVec2 low(at.x - size.x / 2 - 5, at.y - size.y / 2 - 2);
-  painter.list().AddRectFilled(low, ImVec2(low.x + size.x + 10, low.y + size.y + 4),
+                const std::string& text, std::vector<Rect>& before) {
+  const ImVec2 size = text_size(Face::strong_label, text);
+  const auto box = [&](double along) {
+    const Vec2 world = figure.points[0] + (figure.points[1] - figure.points[0]) * along;
+    const Vec2 at = view.camera.to_screen(world), half(size.x / 2 + 5, size.y / 2 + 2);
+    return Rect{at.x() - half.x(), at.y() - half.y(), at.x() + half.x(), at.y() + half.y()};
+  };
+  const auto is_clear = [&](const Rect& place) {
+    return std::none_of(before.begin(), before.end(), [&](const Rect& other) {
+      return place.left < other.right && other.left < place.right && place.top < other.bottom &&
+             other.top < place.bottom;
+    });
+  };
+  constexpr double places[] = {0.75, 0.25, 0.87, 0.13, 0.63, 0.37};
+  const auto found = std::find_if(std::begin(places), std::end(places),
+                                  [&](double along) { return is_clear(box(along)); });
+  const Rect place = box(found == std::end(places) ? places[0] : *found);
+  before.push_back(place);
+  const ImVec2 low = vec(place.left, place.top);
+  painter.list().AddRectFilled(low, vec(place.right, place.bottom),
                                view.theme.panel.at(0.9f).packed(), 5);
   draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 5, low.y + 2), view.theme.text,
             text);
@@ -75,11 +91,19 @@ void draw_values(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
   if (walk.ask && walk.trace->balanced()) return;  // the choices have numbers of their own
   std::vector<std::pair<const Figure*, std::string>> valued;
+  const auto has_value = [&](const Figure& figure) {  // the end that is chosen is drawn twice
+    return std::any_of(valued.begin(), valued.end(), [&](const auto& before) {
+      const Points& p = before.first->points;
+      return p == figure.points || p == Points{figure.points[1], figure.points[0]};
+    });
+  };
   for (const Figure& figure : walk.figures)
-    if (std::string text = value_of(figure, walk.trace->balanced()); !text.empty())
+    if (std::string text = value_of(figure, walk.trace->balanced());
+        !text.empty() && !has_value(figure))
       valued.emplace_back(&figure, std::move(text));
   if (valued.size() > most_valued) return;
-  for (const auto& [figure, text] : valued) draw_value(painter, view, *figure, text);
+  std::vector<Rect> before;
+  for (const auto& [figure, text] : valued) draw_value(painter, view, *figure, text, before);
 }
 
 // What a question about even chords is about: the place where one robot comes, and M.

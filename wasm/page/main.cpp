@@ -24,6 +24,7 @@
 #include "page/sdl_input.h"
 #include "page/webgl_renderer.h"
 #include "state/browser.h"
+#include "state/screen.h"
 #include "tools/cursor.h"
 #include "ui/controls.h"
 #include "ui/fonts.h"
@@ -49,7 +50,6 @@ struct Page {
   bool passing = false;  // a pass is under way: calls that it makes to the page may call back
   int passes_due = 0;    // until the panels stand as they will be: no press is dealt with before
   double fonts_for_ratio = 0;
-  bool large_letters = false;
   double last_frame_at = 0;  // seconds
   double frames = 0;
   double press_time = 0;  // of the press that the browser is telling of: page_press()
@@ -82,10 +82,8 @@ int SDLCALL on_event(void*, SDL_Event* event) {
 }
 
 void load_fonts_for(double ratio) {
-  const bool large = app().state.presenting;
-  if (page.fonts_for_ratio == ratio && page.large_letters == large) return;
-  load_fonts(ratio, large);
-  page.large_letters = large;
+  if (page.fonts_for_ratio == ratio) return;
+  load_fonts(ratio);
   page.renderer.upload_fonts();
   page.fonts_for_ratio = ratio;
 }
@@ -126,7 +124,7 @@ void begin_pass(const Screen& screen) {
   io.DisplaySize = ImVec2(width, height);
   io.DisplayFramebufferScale = ImVec2(static_cast<float>(page.canvas_width) / width,
                                       static_cast<float>(page.canvas_height) / height);
-  page.input.feed(page.passes_due == 0);
+  page.input.feed(page.passes_due == 0, screen.zoom);
   page.passes_due = std::max(0, page.passes_due - 1);
   ImGui::NewFrame();
 }
@@ -158,7 +156,7 @@ bool pass(bool may_draw) {
   page.passing = true;
   begin_pass(a.state.screen);
   const bool draws = may_draw && !page.input.waiting();
-  const Pointer pointer = page.input.pointer();
+  const Pointer pointer = page.input.pointer(a.state.screen.zoom);
   if (pointer.pressed || pointer.released) panels_change();
   advance(a, pointer, ImGui::GetTime());
   draw_frame(a, draws);
@@ -183,7 +181,7 @@ void draw() {
       !a.state.placement)
     return;
   // Not every browser reports at once that the window was moved to another screen.
-  if (emscripten_get_device_pixel_ratio() != a.state.screen.ratio) browser::measure_screen();
+  if (emscripten_get_device_pixel_ratio() != a.state.screen.css_ratio) browser::measure_screen();
   take_input();
   fit_canvas();
   load_fonts_for(a.state.screen.ratio);
@@ -247,10 +245,7 @@ extern "C" {
 // Sets the size of the canvas in CSS pixels and in device pixels.
 EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio, int device_width,
                                       int device_height) {
-  Screen& screen = app().state.screen;
-  screen.width = width;
-  screen.height = height;
-  screen.ratio = ratio;
+  set_canvas(app().state, width, height, ratio);
   page.canvas_width = device_width;
   page.canvas_height = device_height;
   SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)),
@@ -312,7 +307,7 @@ static void lay_out_panels() {
 }
 
 // All controls of the panels, as controls_text() writes them.
-EMSCRIPTEN_KEEPALIVE const char* page_controls() { return hand_over(controls_text()); }
+EMSCRIPTEN_KEEPALIVE const char* page_controls() { return hand_over(controls_text(app().state.screen.zoom)); }
 
 // Takes over the larger fonts (letters.h), each as its bytes and their number.
 EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular_size,
@@ -323,7 +318,7 @@ EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular
 }
 
 // The place of a control of the panels, as `left top width height`; nothing if no control of that
-// name is shown.
+// name is shown. In CSS pixels.
 EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
   lay_out_panels();
   const std::vector<Control>& all = controls();
@@ -332,8 +327,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
   std::string place;
   if (found != all.end()) {
     const Rect& at = found->place;
+    const double zoom = app().state.screen.zoom;
     for (const double value : {at.left, at.top, at.width(), at.height()})
-      place += evenlift::shortest(value) + " ";
+      place += evenlift::shortest(value * zoom) + " ";
   }
   return hand_over(place);
 }

@@ -148,16 +148,16 @@ EMSCRIPTEN_KEEPALIVE const char* page_text() {
 }
 
 EMSCRIPTEN_KEEPALIVE double page_screen_x(double x, double y) {
-  return app().state.camera.to_screen({x, y}).x();
+  return app().state.camera.to_screen({x, y}).x() * app().state.screen.zoom;
 }
 EMSCRIPTEN_KEEPALIVE double page_screen_y(double x, double y) {
-  return app().state.camera.to_screen({x, y}).y();
+  return app().state.camera.to_screen({x, y}).y() * app().state.screen.zoom;
 }
 EMSCRIPTEN_KEEPALIVE double page_world_x(double x, double y) {
-  return app().state.camera.to_world({x, y}).x();
+  return app().state.camera.to_world(evenlift::Vec2(x, y) / app().state.screen.zoom).x();
 }
 EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
-  return app().state.camera.to_world({x, y}).y();
+  return app().state.camera.to_world(evenlift::Vec2(x, y) / app().state.screen.zoom).y();
 }
 
 // --- The page around the canvas
@@ -240,6 +240,8 @@ EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const ch
 // A window of the page covers the canvas left of and below these coordinates, in CSS pixels; 0 ends either.
 EMSCRIPTEN_KEEPALIVE void page_cover(double left, double below) {
   AppState& state = app().state;
+  left /= state.screen.zoom;
+  below /= state.screen.zoom;
   state.screen.side = left;
   state.screen.window_at_foot = below > 0;
   state.screen.foot = 0;
@@ -254,13 +256,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_card_seat() {
   const Rect seat = card_seat(app().state);
   std::string text;
   for (const double value : {seat.left, seat.right, seat.bottom})
-    text += std::to_string(static_cast<int>(value)) + ' ';
+    text += std::to_string(static_cast<int>(value * app().state.screen.zoom)) + ' ';
   return hand_over(std::move(text));
 }
 
 // Makes room for a card of this height there; 0 ends that.
 EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
   AppState& state = app().state;
+  height /= state.screen.zoom;
   const double before = std::exchange(state.screen.foot, 0);
   if (height > 0)
     state.screen.foot = std::max(0.0, layout(state).free.bottom - card_seat(state).bottom + height);

@@ -48,8 +48,8 @@ void SdlInput::take_mouse(const SDL_Event& event) {
 
 void SdlInput::take_finger(const SDL_Event& event, const Screen& screen) {
   const SDL_TouchFingerEvent& touched = event.tfinger;
-  const Vec2 at(static_cast<double>(touched.x) * screen.width,
-                static_cast<double>(touched.y) * screen.height);
+  const Vec2 at(static_cast<double>(touched.x) * screen.css_width,
+                static_cast<double>(touched.y) * screen.css_height);
   const auto finger = std::find_if(fingers_.begin(), fingers_.end(),
                                    [&](const Finger& f) { return f.id == touched.fingerId; });
   if (event.type == SDL_FINGERDOWN) {
@@ -153,7 +153,7 @@ void SdlInput::deal_with(const Event& event) {
   }
 }
 
-void SdlInput::feed(bool laid_out) {
+void SdlInput::feed(bool laid_out, double zoom) {
   dragged_ = ended_ = second_press_ = false;
   wheel_.reset();
   pinch_.reset();
@@ -163,8 +163,8 @@ void SdlInput::feed(bool laid_out) {
   queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(dealt_with));
   ImGuiIO& io = ImGui::GetIO();
   const bool gone = at_.x() < -1e5;
-  const ImVec2 at(gone ? -FLT_MAX : static_cast<float>(at_.x()),
-                  gone ? -FLT_MAX : static_cast<float>(at_.y()));
+  const ImVec2 at(gone ? -FLT_MAX : static_cast<float>(at_.x() / zoom),
+                  gone ? -FLT_MAX : static_cast<float>(at_.y() / zoom));
   const float wheel = wheel_ ? wheel_->wheel : 0;
 #if IMGUI_VERSION_NUM >= 18700
   io.ConfigInputTrickleEventQueue = false;  // feed() itself parts what does not go together
@@ -178,10 +178,10 @@ void SdlInput::feed(bool laid_out) {
 #endif
 }
 
-Pointer SdlInput::pointer() {
+Pointer SdlInput::pointer(double zoom) {
   const ImGuiIO& io = ImGui::GetIO();
   Pointer p;
-  p.at = at_;
+  p.at = at_ / zoom;
   p.present = at_.x() > -1e5;
   p.touch = touch_;
   p.over_panel = io.WantCaptureMouse;
@@ -194,8 +194,8 @@ Pointer SdlInput::pointer() {
   if (wheel_) p.wheel = static_cast<double>(wheel_->wheel);
   if (pinch_) {
     p.pinching = true;
-    p.pinch_at = pinch_->at;
-    p.pinch_moved = pinch_->moved;
+    p.pinch_at = pinch_->at / zoom;
+    p.pinch_moved = pinch_->moved / zoom;
     p.pinch_factor = pinch_->factor;
   }
   return p;

@@ -18,14 +18,15 @@ class SdlInput {
 
   // Passes the pointer's next events to Dear ImGui in the order in which they came, up to the next
   // press, release or turn of the wheel, as it would lose a second one in the same pass. A press
-  // waits until the panels are `laid_out`. Call before ImGui::NewFrame().
-  void feed(bool laid_out);
+  // waits until the panels are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call before
+  // ImGui::NewFrame().
+  void feed(bool laid_out, double zoom);
 
   // Two fingers on a trackpad, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
-  // The pointer in this pass. Call after ImGui::NewFrame().
-  Pointer pointer();
+  // The pointer in this pass, in the same pixels. Call after ImGui::NewFrame().
+  Pointer pointer(double zoom);
 
   bool waiting() const { return !queue_.empty(); }
   bool touch() const { return touch_; }
@@ -56,6 +57,7 @@ class SdlInput {
 
   std::vector<Event> queue_;  // short: what came since the last frame
   std::vector<Finger> fingers_;
+  // Here all places are in CSS pixels.
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false;
   Vec2 pressed_at_ = Vec2::Zero();

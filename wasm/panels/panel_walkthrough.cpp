@@ -41,13 +41,13 @@ void draw_box(Colour ground, Colour colour, Face face, const std::string& text) 
   ImGui::Dummy(ImVec2(width, high.y - at.y));
 }
 
-// The faces in which a step is told: larger before a room.
+// The faces in which a step is told.
 struct Faces {
   Face words, second, strong, formula, label;
 };
 constexpr Faces in_panel{Face::text, Face::text, Face::strong, Face::text, Face::label};
 constexpr Faces in_a_row{Face::text, Face::label, Face::strong, Face::label, Face::label};
-constexpr Faces for_a_room{Face::large, Face::verdict, Face::large, Face::verdict, Face::text};
+constexpr Faces for_a_room{Face::large, Face::text, Face::verdict, Face::text, Face::label};
 
 std::string choice_name(const Ask& ask, std::uint32_t choice) {
   switch (ask.question.kind) {
@@ -119,8 +119,9 @@ void draw_words(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.walkthrough;
   if (const std::string words = words_of_stop(ui.state); !words.empty())
     text_block(faces.words, ui.theme.text, words);
-  text_block(walk.script ? faces.second : faces.words,
-             walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
+  if (!walk.caption.empty())
+    text_block(walk.script ? faces.second : faces.words,
+               walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
 }
 
 // The formula, and what its letters stand for.
@@ -175,7 +176,7 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
   begin_scrolling_box(ui, "told", height);
   if (moment_moved(walk)) ImGui::SetScrollY(0);
-  text_line(ui.state.presenting ? Face::strong : Face::strong_label, ui.theme.second_text,
+  text_line(Face::strong_label, ui.theme.second_text,
             std::string(title(walk.detail.step.chapter)) + " · step " + place_in_words(ui.state));
   if (walk.ask) {
     draw_question(ui, faces, true);

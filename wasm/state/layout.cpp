@@ -64,15 +64,22 @@ Layout embedded(const AppState& state) {
   return l;
 }
 
-// Before a room: the drawing, and below it the words in large letters.
+// Before a room: the drawing, and the words beside it, or below it on an upright screen.
 Layout presenting(const AppState& state) {
   const Screen& screen = state.screen;
   Layout l;
   l.control = 44;
+  l.wide = screen.width > screen.height;
+  if (!l.wide) l.margin = 8;
   l.free = screen.area();
-  seat_player(l, screen.width - l.margin,
-              std::clamp(screen.height * 0.36, std::min(240.0, screen.height * 0.5), 400.0));
-  split(l, screen.foot, false, 88, 56, 84);
+  if (l.wide) {
+    const double left = screen.width - l.margin - std::clamp(screen.width * 0.38, 240.0, 420.0);
+    l.player = {left, l.margin, screen.width - l.margin, screen.height - l.margin};
+    l.free.right = left;
+  } else {
+    seat_player(l, screen.width - l.margin, screen.height * 0.42);
+  }
+  split(l, screen.foot, false, 64, 44, 56);
   return l;
 }
 

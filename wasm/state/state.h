@@ -44,14 +44,18 @@ struct Pick {
 
 // What the page tells the view about the screen.
 struct Screen {
-  double width = 1280, height = 800;  // of the canvas in CSS pixels
-  double ratio = 1;                   // device pixels per CSS pixel
+  // Of the canvas, as the browser tells: in CSS pixels, and device pixels per CSS pixel.
+  double css_width = 1280, css_height = 800, css_ratio = 1;
+  // Before a room everything is enlarged: everything else here and in the view is in pixels that are `zoom` CSS pixels large.
+  double zoom = 1;
+  double width = 1280, height = 800;
+  double ratio = 1;  // device pixels per pixel
   bool dark = false;
   bool reduced_motion = false;
   bool embed = false;           // the page is in an <iframe>, and shows no panels for editing
   bool finger = false;          // the main pointer is a finger, so controls are larger
   bool touch = false;           // the last pointer was a finger, which hovers over nothing
-  double foot = 0;              // covered by the page at the foot of the drawing, in CSS pixels
+  double foot = 0;              // covered by the page at the foot of the drawing, in pixels
   double side = 0;              // and at its left
   bool window_at_foot = false;  // what covers the foot is as wide as the screen
   Rect area() const { return {0, 0, width, height}; }

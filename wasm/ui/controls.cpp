@@ -44,9 +44,9 @@ void append_field(std::string& text, std::string_view field) {
   for (const char c : field) text += c == '\t' || c == '\n' ? ' ' : c;
 }
 
-void append_rectangle(std::string& text, const Rect& r) {
+void append_rectangle(std::string& text, const Rect& r, double zoom) {
   for (const double value : {r.left, r.top, r.width(), r.height()})
-    append_field(text, shortest(value));
+    append_field(text, shortest(value * zoom));
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ Asked list_control(Control control) {
 
 const std::vector<Control>& controls() { return listed.of_pass; }
 
-std::string controls_text() {
+std::string controls_text(double zoom) {
   constexpr std::string_view kinds[] = {"button", "toggle", "number", "slider", "choice"};
   std::string text;
   for (const Control& c : listed.of_pass) {
@@ -97,8 +97,8 @@ std::string controls_text() {
       append_field(text, *field);
     append_field(text, c.enabled ? "1" : "0");
     append_field(text, c.on ? "1" : "0");
-    append_rectangle(text, c.place);
-    append_rectangle(text, c.window);
+    append_rectangle(text, c.place, zoom);
+    append_rectangle(text, c.window, zoom);
     for (const double value : {c.low, c.high, c.step, c.at}) append_field(text, shortest(value));
     append_field(text, c.current ? std::to_string(*c.current) : std::string());
     for (const std::string& choice : c.choices) append_field(text, choice);

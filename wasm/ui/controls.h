@@ -27,7 +27,7 @@ struct Control {
   std::vector<std::string> choices;    // of a choice
   std::optional<std::size_t> current;  // which of them is chosen
   std::string card;                    // the card that it is on
-  Rect place;                          // in CSS pixels of the canvas
+  Rect place;                          // in pixels
   Rect window;  // the part of the card that is seen; empty below an open list
 };
 
@@ -51,8 +51,9 @@ Asked list_control(Control control);
 // The controls of the last pass, in the order in which they were laid out.
 const std::vector<Control>& controls();
 
-// All of them as text: a line for each, its fields parted by tabs. web/mirror/mirror.js reads it.
-std::string controls_text();
+// All of them as text: a line for each, its fields parted by tabs. web/mirror/mirror.js reads it. Their
+// places are multiplied by `zoom`: into CSS pixels of the canvas.
+std::string controls_text(double zoom);
 
 // Asks something of the control with this name on this card, to be done in the next pass: to press it; to choose one of its
 // choices or to move it, by `value`; to scroll its card until it is seen; or to move it and press it: a number that is typed

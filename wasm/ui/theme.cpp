@@ -1,5 +1,6 @@
 #include "ui/theme.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -86,7 +87,7 @@ struct FaceSpec {
   float size;
 };
 constexpr FaceSpec faces[face_count] = {{true, 12}, {false, 13}, {true, 13}, {false, 15},
-                                        {true, 15}, {true, 20},  {false, 28}};
+                                        {true, 15}, {true, 20},  {false, 20}};
 
 ImFont* loaded[face_count];
 
@@ -114,26 +115,20 @@ Colour heat_colour(const Theme& theme, double share) {
 
 const Theme& theme(const AppState& state) { return state.screen.dark ? dark : light; }
 
-void load_fonts(double ratio, bool with_large) {
+void load_fonts(double ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
 #if IMGUI_VERSION_NUM >= 19200
   // Since this version Dear ImGui itself rasterises characters, for the scale of the framebuffer.
   static_cast<void>(ratio);
-  static_cast<void>(with_large);
   if (!atlas.Fonts.empty()) return;
   const float density = 1;
 #else
-  const float density = static_cast<float>(ratio);
+  // Finer ones cannot be told apart, and could be too many for one texture.
+  const float density = static_cast<float>(std::min(ratio, 4.0));
 #endif
   atlas.Clear();
   const ImWchar* ranges = letter_ranges();
   for (int i = 0; i < face_count; ++i) {
-#if IMGUI_VERSION_NUM < 19200
-    if (i == static_cast<int>(Face::large) && !with_large) {
-      loaded[i] = loaded[static_cast<int>(Face::verdict)];
-      continue;
-    }
-#endif
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = density > 1.5f ? 1 : 2;

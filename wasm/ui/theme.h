@@ -41,13 +41,13 @@ const Theme& theme(const AppState& state);
 // none does.
 Colour heat_colour(const Theme& theme, double share);
 
-// Sizes in CSS pixels: label 13, text 15, verdict 20, large 28; strong ones are semibold.
+// Sizes in pixels: tiny 12, label 13, text 15, verdict and large 20; all but label, text and large are semibold.
 enum class Face { tiny, label, strong_label, text, strong, verdict, large };
 inline constexpr int face_count = 7;
 
 // Rasterises the faces for a device-pixel ratio; call before a frame, and upload the font texture
-// afterwards (Dear ImGui from 1.92 on does both by itself). The large face is there only if it is asked for.
-void load_fonts(double ratio, bool with_large);
+// afterwards (Dear ImGui from 1.92 on does both by itself).
+void load_fonts(double ratio);
 
 // For widgets: everything until pop_face() is written in this face.
 void push_face(Face face);

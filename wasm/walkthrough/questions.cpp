@@ -61,13 +61,14 @@ void ask(Walkthrough& walk, std::uint32_t step) {
   asked.pointed = first_offered(asked);
   walk.ask = std::move(asked);
   walk.playing = false;
+  if (!walk.trace->balanced()) look_before_choice(walk);
   browser::announce(walk.ask->text);
 }
 
 void set_predict(AppState& state, bool on) {
   if (on && !state.walkthrough.predict) state.walkthrough.guesses = {};
   state.walkthrough.predict = on;
-  if (!on) state.walkthrough.ask.reset();
+  if (!on) withdraw_question(state);
 }
 
 void guess(AppState& state, std::uint32_t answer) {

@@ -62,7 +62,7 @@ bool script_is_true(const AppState& state) {
 
 std::string words_of_stop(const AppState& state) {
   const Walkthrough& walk = state.walkthrough;
-  if (!walk.script) return {};
+  if (!walk.script || walk.ask) return {};
   const Stop& stop = walk.script->stops[walk.script->position];
   return stop.step == walk.at ? stop.words : std::string();
 }

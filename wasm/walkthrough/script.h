@@ -27,7 +27,7 @@ std::optional<Settings> settings_before_script(const AppState& state);
 // Whether a script is open, and the polygon is still the one that it was written for.
 bool script_is_true(const AppState& state);
 
-// The teacher's words for this step; empty if there are none.
+// The teacher's words for this step; empty if there are none, or while a question is asked.
 std::string words_of_stop(const AppState& state);
 
 }  // namespace evenlift::view

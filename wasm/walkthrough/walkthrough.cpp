@@ -10,6 +10,7 @@
 #include "state/browser.h"
 #include "state/notice.h"
 #include "state/opened.h"
+#include "state/screen.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
 
@@ -39,10 +40,10 @@ void show_gain(Walkthrough& walk, std::uint32_t candidate) {
   if (scores.rule == Rule::score) walk.gained = gain_figures(*walk.trace, scores, candidate);
 }
 
-void look(Walkthrough& walk) {
+void look(Walkthrough& walk, std::uint32_t step) {
   const Trace& trace = *walk.trace;
-  walk.detail = look_at(trace, walk.at);
-  walk.known = progress_at(trace, walk.at);
+  walk.detail = look_at(trace, step);
+  walk.known = progress_at(trace, step);
   walk.figures = figures(trace, walk.detail);
   walk.base = trace.balanced() ? walk.detail.base : lifting_base(trace, walk.known);
   walk.caption = caption(trace, walk.detail);
@@ -84,7 +85,7 @@ void enter(AppState& state, std::uint32_t step) {
   walk.at = std::min(step, walk.trace->size() - 1);
   settle_position(walk);
   if (!walk.script && !is_main(walk, walk.at)) walk.all_steps = true;
-  look(walk);
+  look(walk, walk.at);
   remember(walk);
   publish(state, walk.at);
 }
@@ -171,7 +172,7 @@ void close_walkthrough(AppState& state) {
   walk.figures.clear();
   walk.visited.clear();
   publish(state, std::nullopt);
-  if (std::exchange(state.presenting, false)) browser::show_full_screen(false);
+  set_presenting(state, false);
   ++state.revision;
 }
 
@@ -189,6 +190,25 @@ void measure(AppState& state, std::uint32_t candidate) {
   if (walkthrough_is_open(state) && walk.detail.scores &&
       candidate < walk.detail.scores->of_candidate.size())
     show_gain(walk, candidate);
+}
+
+void look_before_choice(Walkthrough& walk) {
+  const Ask& asked = *walk.ask;
+  look(walk, asked.step - 1);
+  walk.measured.reset();
+  walk.gained.clear();
+  walk.caption.clear();
+  walk.formula.clear();
+  const bool pair = asked.question.kind == QuestionKind::nearer_end;
+  std::erase_if(walk.figures, [&](const Figure& figure) {
+    return !pair || (figure.kind != FigureKind::edge && figure.kind != FigureKind::section);
+  });
+}
+
+void withdraw_question(AppState& state) {
+  if (!state.walkthrough.ask) return;
+  forget_step(state.walkthrough);
+  if (walkthrough_is_open(state)) look(state.walkthrough, state.walkthrough.at);
 }
 
 void leave_script(AppState& state) {

@@ -16,7 +16,7 @@ std::string place_in_words(const AppState& state) {
 
 std::string left_out_in_words(const AppState& state) {
   const Walkthrough& walk = state.walkthrough;
-  if (!walk.trace || walk.script || walk.all_steps) return {};
+  if (!walk.trace || walk.script || walk.all_steps || walk.ask) return {};
   const Step& step = walk.detail.step;
   const std::uint32_t more = further_like(*walk.trace, step);
   if (more == 0) return {};
