@@ -450,6 +450,32 @@ TEST_CASE("why not this one has an answer for every candidate and chord", "[trac
   }
 }
 
+TEST_CASE("why a team stands here is said without the algorithm's own words", "[trace][words]") {
+  const auto why = [](const char* name, Method method, std::uint32_t team, LengthUnit unit) {
+    Document document = corpus::polygon(name);
+    document.settings.method = method;
+    document.settings.units.length = unit;
+    const Trace trace = traced(*place(document));
+    return why_here_text(trace, look_at_scores(trace, team));
+  };
+  CHECK(why("puzzle-piece", Method::area, 0, LengthUnit::mm) ==
+        "The first team takes the longest chord with two equal halves: the farther apart robots "
+        "stand, the harder the object is to tip. The next one is 122.9\u00A0mm shorter.");
+  CHECK(why("puzzle-piece", Method::area, 1, LengthUnit::mm) ==
+        "Team 2 takes the chord that adds the most area to the lifting base: the wider the base, "
+        "the harder the object is to tip. Area that it adds: 329625\u00A0mm², 1478\u00A0mm² more "
+        "than the next.");
+  CHECK(why("square", Method::circle, 1, LengthUnit::none)
+            .starts_with("Team 2 takes the chord beyond whose ends"));
+  for (const char* name : {"thesis-sample-centroid", "square", "horseshoe", "cross"})
+    for (const Method method : {Method::area, Method::circle, Method::distance}) {
+      INFO(name << ' ' << evenlift::name(method));
+      const Trace trace = traced(placed(corpus::polygon(name), method));
+      for (std::uint32_t team = 0; team < trace.placement.teams.size(); ++team)
+        check_text(why_here_text(trace, look_at_scores(trace, team)), true);
+    }
+}
+
 TEST_CASE("a chord is picked by a point on it", "[trace]") {
   const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
   REQUIRE(trace.rays.chords.size() > 10);

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drawsNothing, idle, load, lShape, phone, press, root, set, sharedBrowser, state, tap } from "./browser.mjs";
+import { asset, control, controlIfShown, drawsNothing, idle, load, lShape, phone, press, root, set, sharedBrowser, state, tap, toScreen } from "./browser.mjs";
+import { noticed, paste } from "./windows.mjs";
 
 const browser = sharedBrowser();
 
@@ -294,10 +295,75 @@ test("a robot that is pressed says why it stands there, and leads into the lesso
   });
   await page.mouse.click(x, y);
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^Robot [34], of team 2\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. .*Team 2 takes candidate \d+/);
+  assert.match(await page.locator("#alert").textContent(), /^Robot [34], of team 2\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* Area that it adds: \d+, \d+ more than the next\.$/);
   await press(page, "show in lesson");
   await idle(page);
   assert.match(await page.locator("#summary").textContent(), /Team 2 takes candidate/);
+  await page.done();
+});
+
+test("on a phone the card that says why stands below the robot, whichever was tapped", async () => {
+  for (const viewport of [phone, { width: 320, height: 568 }]) {
+    const page = await browser.open({ viewport, ...touch });
+    const robots = (await state(page)).teams.flatMap(({ ends }) => ends);
+    const { y: toolbar, height } = await control(page, "Samples");
+    let asked = 0;
+    for (const robot of robots) {
+      const [x, y] = await toScreen(page, robot);
+      if (y < toolbar + height + 30) continue;
+      await page.touchscreen.tap(x, y);
+      await idle(page);
+      const close = await control(page, "close explanation");
+      assert.ok(close.y > y + 12, `${viewport.width}: the card begins at ${close.y}, the robot is at ${y}`);
+      ++asked;
+      await page.keyboard.press("Escape");  // the card
+      await page.keyboard.press("Escape");  // a vertex that was selected
+      await idle(page);
+    }
+    assert.ok(asked >= 4, String(asked));
+    await page.done();
+  }
+});
+
+test("what went well is said for as long as it takes to read it, and what went wrong until it is closed", async () => {
+  const page = await browser.open({ hasty: true });
+  await page.keyboard.press("Control+c");
+  assert.ok(await controlIfShown(page, "close"), "a notice");
+  await page.evaluate(() => evenliftTimersRing());
+  await idle(page);
+  assert.equal(await controlIfShown(page, "close"), null);
+  await paste(page, "no polygon");
+  assert.match(await noticed(page), /cannot be opened/);
+  assert.ok(await controlIfShown(page, "close"), "a problem");
+  await page.evaluate(() => evenliftTimersRing());
+  await idle(page);
+  assert.ok(await controlIfShown(page, "close"), "it stays");
+  await page.done();
+});
+
+test("choosing a unit says that no number changes, and sizes have it, too", async () => {
+  const page = await browser.open();
+  await press(page, "robot size");
+  await press(page, "more settings");
+  await idle(page);
+  await page.locator("#mirror select[aria-label='Unit of lengths']").selectOption("mm");
+  assert.equal(await noticed(page), "Lengths are now in mm. Their numbers stay as they are.");
+  assert.match(await page.locator("#mirror input[aria-label='Radius of a robot']").inputValue(), /^0\smm$/);
+  await page.done();
+});
+
+test("a limit is typed where it is set, and a section that is opened comes into view", async () => {
+  const page = await browser.open();
+  await press(page, "limit");
+  await page.waitForFunction(() => document.activeElement?.getAttribute("aria-label")?.startsWith("What a robot carries"));
+  await page.keyboard.type("25");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.equal((await state(page)).capacity.limit, 25);
+  await press(page, "robot size");
+  await idle(page);
+  const mark = await control(page, "mark edges");
+  assert.ok(mark.y + mark.height < 800 - 16, `the last button is at ${mark.y}`);
   await page.done();
 });
 

@@ -286,6 +286,22 @@ TEST_CASE("labels stand clear of each other, of robots and of what covers the dr
   }
 }
 
+TEST_CASE("a label stands beyond the body of a robot with a size", "[view]") {
+  const Vec2 stand(300, 300);
+  constexpr double radius = 70;
+  const std::vector<LabelRequest> request{{stand, Vec2(0.6, -0.8), Vec2(58, 20), radius + 4}};
+  Occupied occupied(Rect{0, 0, 800, 600});
+  occupied.disc(stand, radius);
+  const auto place = place_labels(request, occupied, 15, 0)[0];
+  REQUIRE(place);
+  const Vec2 nearest(std::clamp(stand.x(), place->left, place->right),
+                     std::clamp(stand.y(), place->top, place->bottom));
+  CHECK(length(nearest - stand) > radius);
+  CHECK_FALSE(occupied.free({stand.x() - 5, stand.y() - radius + 4, stand.x() + 5, stand.y()}));
+  CHECK(occupied.free({stand.x() - radius, stand.y() - radius, stand.x() - radius + 8,
+                       stand.y() - radius + 8}));  // the corner of its box
+}
+
 TEST_CASE("a label avoids lines, and is left out where that is not possible", "[view]") {
   const Rect window{0, 0, 400, 400};
   const std::vector<LabelRequest> request{{Vec2(200, 200), Vec2(0, -1), Vec2(58, 20)}};

@@ -10,6 +10,7 @@
 #include "kit/catch.h"
 #include "panels/summary.h"
 #include "state/layout.h"
+#include "state/screen.h"
 #include "view/view_page.h"
 #include "walkthrough/playing.h"
 #include "walkthrough/questions.h"
@@ -140,12 +141,27 @@ TEST_CASE("presenting shows the drawing and the words alone, and Escape ends it 
   page.press({"b"});
   const double panel = layout(page.app.state).panel.width();
   CHECK(panel > 0);
+  const auto seen = [&] {  // CSS pixels
+    return page.app.state.camera.scale * page.app.state.screen.zoom;
+  };
+  const double scale = seen(), width = page.app.state.screen.width;
   page.press({"P"});
   CHECK(page.app.state.presenting);
   CHECK(layout(page.app.state).panel.width() == 0);
+  CHECK(page.app.state.screen.zoom > 1.4);  // so much larger are letters, discs and buttons
+  page.frame();
+  CHECK(seen() > 0.85 * scale);  // and the drawing is hardly smaller
+  set_canvas(page.app.state, 1920, 1080, 2);
+  CHECK(page.app.state.screen.zoom > 2);
+  CHECK(page.app.state.screen.ratio == 2 * page.app.state.screen.zoom);
+  set_canvas(page.app.state, 390, 844, 3);
+  CHECK(page.app.state.screen.zoom == 1);
+  set_canvas(page.app.state, width, 800, 1);
   page.frame();
   page.press({"Escape"});
   CHECK_FALSE(page.app.state.presenting);
+  CHECK(page.app.state.screen.zoom == 1);
+  CHECK(page.app.state.screen.width == width);
   CHECK(walkthrough_is_open(page.app.state));
   page.press({"P"});
   page.press({"b"});
@@ -238,6 +254,45 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
   CHECK_FALSE(page.app.state.walkthrough.guesses.told.empty());  // the others were shown
   CHECK(right > 0);
   CHECK(right < asked);
+}
+
+TEST_CASE("a question is asked over what is known before it, and about its own pair",
+          "[view][lesson]") {
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/stone-slab.txt"));
+  const std::string text =
+      "title: Two pairs\npolygon: stone-slab\nteams: 3\npredict: yes\n\n"
+      "[pair 1]\nThe first pair.\n\n[pair 7]\nThe seventh.\n\n[scores 3]\nThe third team.\n";
+  REQUIRE_FALSE(
+      open_lesson(page.app.state, text, asset(EVENLIFT_ASSETS_DIR "/polygons/stone-slab.txt")));
+  const Walkthrough& walk = page.app.state.walkthrough;
+  page.press({"ArrowRight"});
+  REQUIRE(walk.ask);
+  CHECK(walk.at != walk.ask->step);  // the answer is not shown yet
+  const EdgePair& asked = walk.trace->pairs[6];
+  CHECK_FALSE(walk.figures.empty());
+  for (const Figure& figure : walk.figures) {
+    CHECK((figure.kind == FigureKind::edge || figure.kind == FigureKind::section));
+    CHECK((figure.item == asked.a || figure.item == asked.b));
+  }
+  CHECK(words_of_stop(page.app.state).empty());
+  CHECK(walk.caption.empty());
+  page.frame();
+
+  page.press({"q"});  // without predictions the step is shown again
+  CHECK_FALSE(walk.ask);
+  CHECK(words_of_stop(page.app.state) == "The first pair.");
+  CHECK_FALSE(walk.caption.empty());
+  page.press({"q"});
+
+  page.press({"ArrowRight"});
+  REQUIRE(walk.ask);
+  page.press({"ArrowRight"});
+  CHECK(words_of_stop(page.app.state) == "The seventh.");
+  page.press({"ArrowRight"});
+  REQUIRE(walk.ask);
+  CHECK(walk.known.teams == 2);  // not those of the step before, at which there were none
+  CHECK(walk.base.size() == 4);
+  CHECK(walk.figures.empty());
 }
 
 TEST_CASE("why not this one: a click on a chord or anywhere is answered", "[view][lesson]") {

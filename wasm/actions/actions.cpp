@@ -174,6 +174,7 @@ void type_value(const AppState& s, Commands& out) {
   if (s.sheet == Sheet::closed) out.push_back(SetSheet{Sheet::half});
   out.push_back(TypeValue{control});
 }
+// Begins with the smallest whole number at which nobody is overloaded.
 void type_capacity(const AppState& s, Commands& out) {
   const double greatest = s.outlook.greatest;
   if (!settings(s).capacity) out.push_back(SetCapacity{greatest > 0 ? std::ceil(greatest) : 20.0});

@@ -197,7 +197,16 @@ struct Applier {
   }
   void operator()(const SetUnits& c) const {
     if (settings(state).units == c.units) return;
+    const bool lengths = settings(state).units.length != c.units.length;
     change_beside(state, false, Edit::settings, [&](Settings& s) { s.units = c.units; });
+    const bool none = c.units.length == LengthUnit::none;
+    show(state,
+         {Notice::Kind::info, lengths ? "Lengths are now " +
+                                            (none ? std::string("without a unit")
+                                                  : "in " + std::string(name(c.units.length))) +
+                                            ". Their numbers stay as they are."
+                                      : "Weights are now in " + std::string(name(c.units.weight)) +
+                                            ". Their numbers stay as they are."});
   }
   void operator()(const SetMotion& c) const {
     state.motion = c.on;

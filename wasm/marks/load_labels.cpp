@@ -6,6 +6,7 @@
 
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
+#include "marks/stands.h"
 #include "tools/pick.h"
 #include "ui/vec.h"
 
@@ -24,6 +25,11 @@ std::optional<Rect> coverage_box(const CanvasView& view) {
 
 Rect about(const Vec2& middle, double reach) {
   return {middle.x() - reach, middle.y() - reach, middle.x() + reach, middle.y() + reach};
+}
+
+// Of a robot with a size, in pixels.
+double body_radius(const CanvasView& view) {
+  return view.placement->stands->robot().radius * view.camera.scale;
 }
 
 // Where the picture is drawn and nothing lies over it.
@@ -67,6 +73,8 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
     for (const Segment& line : joining_lines(team, placement.centre_of_mass))
       occupied.line(view.camera.to_screen(line.from), view.camera.to_screen(line.to));
   }
+  for (const PlacedRobot& robot : drawn_bodies(view))
+    occupied.disc(view.camera.to_screen(robot.stand), body_radius(view));
   occupied.box(about(view.camera.to_screen(centre_of_mass(view.state)), 12));
   const Points& vertices = placement.vertices();
   const std::size_t n = vertices.size();
@@ -87,6 +95,7 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
   const Placement& placement = *view.placement;
   const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
   const bool few = pairs_of(placement.teams) <= 8;
+  const std::vector<PlacedRobot> bodies = drawn_bodies(view);
   std::vector<LabelRequest> requests;
   std::vector<std::string> texts;
   std::vector<bool> over;
@@ -95,13 +104,16 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
     for (const Robot& robot : team.robots) {
       const LoadRange& load = loads[number++];
       const bool failed = view.failure() && view.failure()->robot + 1 == number;
-      const Vec2 at = view.camera.to_screen(robot.point.position);
-      if (failed || !view.window.contains(at)) continue;
+      const Vec2 lifts = view.camera.to_screen(robot.point.position);
+      if (failed || !view.window.contains(lifts)) continue;
+      const bool body = !bodies.empty();
+      const Vec2 at = body ? view.camera.to_screen(bodies[number - 1].stand) : lifts;
       const Vec2 away = at - middle;
       texts.push_back(load_in_words(load.least, load.greatest, greatest, placement.settings.units));
       over.push_back(view.overloads(load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
-      requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6)});
+      requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6),
+                          body ? body_radius(view) + 4 : 0});
     }
   }
   // A label may cross a line where there are few of them; of many only those are shown that fit.

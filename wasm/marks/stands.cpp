@@ -20,8 +20,18 @@ void draw_unusable(const Painter& painter, const Placement& placement, const The
 
 namespace {
 
-// The hand beneath the object, the arm, and the body. A body that is smaller than the robot's mark would only peek out
-// behind it.
+bool has_few_bodies(const Placement& placement) {
+  constexpr std::size_t most = 400;
+  return placement.stands && placement.stands->has_body() && count_robots(placement.teams) <= most;
+}
+
+// A body that is smaller than the robot's mark would only peek out behind it.
+bool is_drawn(const CanvasView& view) {
+  const double radius = view.placement->stands->robot().radius * view.camera.scale;
+  return radius >= static_cast<double>(mark_radius(view.placement->teams));
+}
+
+// The hand beneath the object, the arm, and the body.
 void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot& robot,
                const evenlift::RobotSize& size) {
   const Theme& theme = view.theme;
@@ -35,8 +45,8 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
     painter.fill_convex(hand, theme.robot.at(0.35f));
     painter.outline(hand, theme.robot, 1.5f);
   }
+  if (!is_drawn(view)) return;
   const auto radius = static_cast<float>(size.radius * view.camera.scale);
-  if (radius < mark_radius(view.placement->teams)) return;
   ImDrawList& list = painter.list();
   list.AddCircleFilled(painter.at(robot.stand), radius, theme.robot.at(0.22f).packed(), 64);
   list.AddCircle(painter.at(robot.stand), radius, theme.robot.packed(), 64, 1.5f);
@@ -44,11 +54,15 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
 
 }  // namespace
 
+std::vector<PlacedRobot> drawn_bodies(const CanvasView& view) {
+  if (!has_few_bodies(*view.placement) || !is_drawn(view)) return {};
+  return placed_robots(*view.placement);
+}
+
 void draw_stands(const Painter& painter, const CanvasView& view) {
   if (!view.placement->stands) return;
   draw_unusable(painter, *view.placement, view.theme);
-  constexpr std::size_t most = 400;
-  if (!view.placement->stands->has_body() || count_robots(view.placement->teams) > most) return;
+  if (!has_few_bodies(*view.placement)) return;
   for (const PlacedRobot& robot : placed_robots(*view.placement))
     draw_body(painter, view, robot, view.placement->stands->robot());
 }

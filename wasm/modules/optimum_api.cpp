@@ -90,7 +90,11 @@ std::string gap(const Compared& compared) {
   if (!(behind > 1e-9))
     return compared.optimum.proved ? "The greedy choice is the best one."
                                    : "Nothing better than the greedy choice was found.";
-  return "The greedy choice is " + plain(std::round(1000 * behind) / 10) + " points behind it.";
+  // Of the two percentages as they are shown, so that everybody can subtract them.
+  const auto tenths = [](double share) { return std::round(1000 * share); };
+  const double shown = tenths(compared.optimum.coverage) - tenths(compared.greedy.coverage);
+  return "The greedy choice is " + (shown > 0 ? plain(shown / 10) : std::string("less than 0.1")) +
+         " points behind it.";
 }
 
 std::string in_lines(const Compared& compared, Method asked) {

@@ -35,6 +35,8 @@ EM_JS(void, evenlift_begin_search,
                                           UTF8ToString(robots));
       })
 EM_JS(void, evenlift_end_search, (), { Module["bindings"]["endSearch"](); })
+EM_JS(void, evenlift_end_notice_after, (double seconds),
+      { Module["bindings"]["endNoticeAfter"](seconds); })
 EM_JS(void, evenlift_drop_frame_after, (), { Module["bindings"]["dropFrameAfter"](); })
 
 namespace evenlift::view::browser {
@@ -65,6 +67,9 @@ void fetch_letters() { evenlift_fetch_letters(); }
 void measure_screen() { evenlift_measure_screen(); }
 void request_frame_after(double seconds) { evenlift_frame_after(seconds); }
 void drop_frame_after() { evenlift_drop_frame_after(); }
+void end_notice_after(std::optional<double> seconds) {
+  evenlift_end_notice_after(seconds.value_or(-1));
+}
 void begin_search(std::uint64_t number, std::string_view polygon, std::string_view settings,
                   std::string_view robots) {
   evenlift_begin_search(static_cast<double>(number), std::string(polygon).c_str(),

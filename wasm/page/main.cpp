@@ -307,7 +307,9 @@ static void lay_out_panels() {
 }
 
 // All controls of the panels, as controls_text() writes them.
-EMSCRIPTEN_KEEPALIVE const char* page_controls() { return hand_over(controls_text(app().state.screen.zoom)); }
+EMSCRIPTEN_KEEPALIVE const char* page_controls() {
+  return hand_over(controls_text(app().state.screen.zoom));
+}
 
 // Takes over the larger fonts (letters.h), each as its bytes and their number.
 EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular_size,

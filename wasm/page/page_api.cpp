@@ -28,6 +28,7 @@
 #include "panels/summary.h"
 #include "state/browser.h"
 #include "state/layout.h"
+#include "state/notice.h"
 #include "tools/drawing.h"
 
 namespace evenlift::view {
@@ -284,6 +285,12 @@ EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width
 EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
   Commands commands{ShowNotice{{problem ? Notice::Kind::problem : Notice::Kind::info, text}}};
   apply(app().state, commands);
+  browser::request_frame();
+}
+
+// It was there long enough to be read.
+EMSCRIPTEN_KEEPALIVE void page_end_notice() {
+  end_notice(app().state);
   browser::request_frame();
 }
 

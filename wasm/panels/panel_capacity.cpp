@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actions/actions.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
@@ -54,10 +55,8 @@ void draw_capacity(const Ui& ui) {
   const std::optional<double>& capacity = settings(ui.state).capacity;
   const float width = labelled(ui, "A robot carries", "What one robot can lift at most");
   if (!capacity) {
-    // Begins with the smallest round number at which the present placement is not overloaded.
-    const double greatest = ui.state.outlook.greatest, most = greatest > 0 ? greatest : 20;
     if (flat_button(ui, "limit", "No limit – set one", width))
-      ui.push(SetCapacity{std::ceil(most)});
+      action(ActionId::type_capacity).run(ui.state, ui.commands);
     if (ImGui::IsItemHovered()) tip(ui, "Set what one robot can carry, to see how many are needed");
     return;
   }

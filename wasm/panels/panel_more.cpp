@@ -8,6 +8,7 @@
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "widgets/buttons.h"
+#include "widgets/cards.h"
 #include "widgets/dropdown.h"
 #include "widgets/fields.h"
 #include "widgets/text.h"
@@ -88,7 +89,8 @@ void draw_apart(const Ui& ui) {
   const float width =
                   labelled(ui, "Keep apart", "Robots nearer to each other than this are too near"),
               reset = changed.apart ? ui.control() : 0;
-  const std::string value = changed.apart ? plain(*changed.apart) : "usual";
+  const std::string value =
+      changed.apart ? with_length_unit(plain(*changed.apart), changed.units) : "usual";
   const int by = stepper(ui, "apart", value, width - reset,
                          {.can_lower = changed.apart.value_or(1) > 0,
                           .can_raise = changed.apart.value_or(0) < max_coordinate,
@@ -136,14 +138,7 @@ void draw_positions(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
-}  // namespace
-
-void draw_more(const Ui& ui) {
-  const bool open = ui.state.more_open;
-  if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings",
-                  ImGui::GetContentRegionAvail().x))
-    ui.push(SetMoreOpen{!open});
-  if (!open) return;
+void draw_rows(const Ui& ui) {
   if (selects_candidates(settings(ui.state).method)) {
     draw_positions(ui);
     draw_goal(ui);
@@ -154,6 +149,18 @@ void draw_more(const Ui& ui) {
   if (settings(ui.state).method != Method::balanced) return;
   draw_apart(ui);
   draw_survive(ui);
+}
+
+}  // namespace
+
+void draw_more(const Ui& ui) {
+  const bool open = ui.state.more_open;
+  const float head = ImGui::GetCursorPosY();
+  if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings",
+                  ImGui::GetContentRegionAvail().x))
+    ui.push(SetMoreOpen{!open});
+  if (open) draw_rows(ui);
+  show_opened("more settings are open", open, head);
 }
 
 }  // namespace evenlift::view

@@ -8,6 +8,7 @@
 #include "evenlift/settings_text.h"
 #include "panels/panels.h"
 #include "widgets/buttons.h"
+#include "widgets/cards.h"
 #include "widgets/fields.h"
 #include "widgets/sliders.h"
 #include "widgets/text.h"
@@ -44,12 +45,15 @@ void draw_radius(const Ui& ui) {
   Settings changed = settings(ui.state);
   const double radius = changed.robot.radius, coarse = step_of(ui), step = coarse / 10;
   const double most = std::floor(size_of_object(ui) / 10 / coarse) * coarse;
-  const float width = labelled(ui, "Radius", "Of the robot's round body"), number = 60;
+  const Units& units = changed.units;
+  const float width = labelled(ui, "Radius", "Of the robot's round body"),
+              number = units.length == LengthUnit::none ? 60.0f : 84.0f;
   const SliderResult moved = slider(ui, "radius", "Radius of a robot, as a slider",
                                     std::min(radius, most), 0, most, step, width - number);
   ImGui::SameLine(0, 0);
   number_field(ui, "robot radius", "Radius of a robot", "robot_radius",
-               plain(moved.changed ? moved.value : radius), number, ui.theme.text);
+               with_length_unit(plain(moved.changed ? moved.value : radius), units), number,
+               ui.theme.text);
   if (moved.changed) {
     changed.robot.radius = moved.value;
     ui.push(SetSettings{changed, true});
@@ -61,7 +65,7 @@ void draw_row(const Ui& ui, const SizeRow& row) {
   Settings changed = settings(ui.state);
   double& value = changed.robot.*(row.value);
   const float width = labelled(ui, row.label, row.about);
-  const int by = stepper(ui, row.id, plain(value), width,
+  const int by = stepper(ui, row.id, with_length_unit(plain(value), changed.units), width,
                          {.can_lower = value > 0,
                           .can_raise = value < max_coordinate,
                           .label = row.spoken,
@@ -97,23 +101,28 @@ std::string left_in_words(const Placement& placement) {
          " of the boundary can be used. Point at the rest to see why not.";
 }
 
-}  // namespace
-
-void draw_robot_size(const Ui& ui) {
+void draw_size_rows(const Ui& ui) {
   const AppState& state = ui.state;
-  const Method method = settings(state).method;
-  // The row stays where the method has no use for it, so that what is below does not move.
-  const bool useful = method == Method::balanced || selects_candidates(method);
-  const bool open = useful && state.robot_open;
-  if (flat_button(ui, "robot size", open ? "Hide the robots' size" : "Robots' size and no-go edges",
-                  ImGui::GetContentRegionAvail().x, useful))
-    ui.push(SetRobotOpen{!open});
-  if (!open) return;
   draw_radius(ui);
   for (const SizeRow& row : rows) draw_row(ui, row);
   draw_marks_row(ui);
   if (state.placement && state.placement->stands && !state.refusal)
     text_block(Face::label, ui.theme.second_text, left_in_words(*state.placement));
+}
+
+}  // namespace
+
+void draw_robot_size(const Ui& ui) {
+  const Method method = settings(ui.state).method;
+  // The row stays where the method has no use for it, so that what is below does not move.
+  const bool useful = method == Method::balanced || selects_candidates(method);
+  const bool open = useful && ui.state.robot_open;
+  const float head = ImGui::GetCursorPosY();
+  if (flat_button(ui, "robot size", open ? "Hide the robots' size" : "Robots' size and no-go edges",
+                  ImGui::GetContentRegionAvail().x, useful))
+    ui.push(SetRobotOpen{!open});
+  if (open) draw_size_rows(ui);
+  show_opened("robot size is open", open, head);
 }
 
 }  // namespace evenlift::view

@@ -192,12 +192,13 @@ void draw_notice(const Ui& ui) {
   const Notice& notice = ui.state.notice;
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
-  const double widest = std::min(ui.layout.free.width() - 2 * ui.layout.margin, 560.0);
+  // At the foot, where it covers neither a bar nor what is being drawn; above a card of the page.
+  const Rect seat = card_seat(ui.state);
+  const double widest = std::min(seat.width(), 560.0);
   const float text =
       std::min(text_size(Face::text, notice.text).x, static_cast<float>(widest) - 84);
-  const double width = text + 84, x = ui.layout.free.middle().x() - width / 2;
-  // At the foot, where it covers neither the bar of the tool in hand nor what is being drawn.
-  const double foot = ui.layout.free.bottom - ui.layout.margin;
+  const double width = text + 84, x = seat.middle().x() - width / 2,
+               foot = std::min(seat.bottom, ui.layout.free.bottom - 8);
   begin_card(ui, "notice", {x, ui.layout.toolbar.bottom + 12, x + width, foot},
              {.at_bottom = true, .padding = 10});
   const ImVec2 at = ImGui::GetCursorScreenPos();

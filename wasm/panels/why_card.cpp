@@ -22,8 +22,7 @@ Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
                    ui.layout.second.top - ui.layout.first.top);
 }
 
-// Beside the spot, away from the centre of mass if there is room; on a narrow screen at the end of the drawing that is
-// farther from the spot.
+// Beside the spot, away from the centre of mass if there is room; on a narrow screen over the sheet, below the spot.
 struct CardPlace {
   Rect rect;
   bool at_bottom;  // the card stands on the bottom of the rectangle
@@ -33,7 +32,11 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const double margin = ui.layout.margin, left = free.left + margin, right = free.right - margin,
                top = free.top + margin, bottom = free.bottom - margin;
   const bool low = spot.y() >= free.middle().y();
-  if (!ui.layout.wide) return {{left, top, right, bottom}, !low};
+  if (!ui.layout.wide) {
+    constexpr double least = 180;  // what does not fit scrolls
+    const double foot = ui.state.screen.height - margin;
+    return {{left, std::clamp(spot.y() + away, top, foot - least), right, foot}, true};
+  }
   const double width = std::min(widest, right - left);
   const double before = spot.x() - away - width, behind = spot.x() + away;
   const bool outward_left =

@@ -91,6 +91,14 @@ void Occupied::box(const Rect& taken) {
     for (int x = c.left; x < c.right; ++x) boxes_[index_of(x, y)] = 1;
 }
 
+void Occupied::disc(const Vec2& middle, double radius) {
+  for (double y = -radius; y < radius; y += cell) {
+    const double inner = std::min(std::fabs(y), std::fabs(y + cell)),
+                 half = y < 0 && y + cell > 0 ? radius : std::sqrt(radius * radius - inner * inner);
+    box({middle.x() - half, middle.y() + y, middle.x() + half, middle.y() + y + cell});
+  }
+}
+
 void Occupied::line(const Vec2& a, const Vec2& b) {
   const std::optional<PartOfSegment> part = part_within(window_, a, b);  // only this has cells
   if (!part) return;
@@ -135,9 +143,9 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
     for (const double farther : {0.0, 9.0}) {
       for (const double turn : turns) {
         if (fewest == 0) break;
-        const Rect box = around(
-            beside(request.robot, turned(request.outward, turn), request.size, reach + farther),
-            request.size);
+        const Rect box = around(beside(request.robot, turned(request.outward, turn), request.size,
+                                       std::max(reach, request.reach) + farther),
+                                request.size);
         if (!occupied.free(box)) continue;
         const int crossed = occupied.crossed(box);
         if (crossed >= fewest) continue;

@@ -15,9 +15,10 @@ namespace evenlift::view {
 
 // A label that wants a place.
 struct LabelRequest {
-  Vec2 robot;    // CSS pixels
-  Vec2 outward;  // unit vector towards where there is likely to be room
-  Vec2 size;     // of the text with its padding
+  Vec2 robot;        // pixels
+  Vec2 outward;      // unit vector towards where there is likely to be room
+  Vec2 size;         // of the text with its padding
+  double reach = 0;  // of what stands there, if it is larger than a robot's mark
 };
 
 // What is already on the canvas, in cells of a few pixels: asking for the room of a box costs no more with a thousand lines
@@ -26,6 +27,7 @@ class Occupied {
  public:
   explicit Occupied(const Rect& window);
   void box(const Rect& taken);
+  void disc(const Vec2& middle, double radius);
   void line(const Vec2& a, const Vec2& b);
   bool free(const Rect& wanted) const;    // inside the window, and clear of boxes
   int crossed(const Rect& wanted) const;  // cells with a line in it

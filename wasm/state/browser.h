@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace evenlift::view::browser {
@@ -87,6 +88,9 @@ void end_search();
 void request_frame();
 void request_frame_after(double seconds);
 void drop_frame_after();
+
+// Calls page_end_notice() after so many seconds; none takes that back. Only the last request counts.
+void end_notice_after(std::optional<double> seconds);
 
 // Asks the browser to call page_frame() when it is time for a picture. Only request_frame() uses
 // it.

@@ -19,6 +19,7 @@ void measure_screen() {}
 void request_frame() {}
 void request_frame_after(double) {}
 void drop_frame_after() {}
+void end_notice_after(std::optional<double>) {}
 void begin_search(std::uint64_t, std::string_view, std::string_view, std::string_view) {}
 void end_search() {}
 void schedule_frame() {}

@@ -15,28 +15,12 @@ namespace {
 
 std::string number(std::size_t index) { return std::to_string(index + 1); }
 
-void add_chord(Explanation& explanation, const Chord& chord) {
+void add_chord(Explanation& explanation, const Chord& chord, const Units& units) {
   const double longer = std::max(chord.arm1, chord.arm2);
-  explanation.rows.push_back({"Distances to the centre of mass",
-                              amount(chord.arm1, longer) + " and " + amount(chord.arm2, longer)});
+  explanation.rows.push_back(
+      {"Distances to the centre of mass",
+       amount(chord.arm1, longer) + " and " + with_length_unit(amount(chord.arm2, longer), units)});
   explanation.rows.push_back({"Load ratio", ratio_in_words(chord.ratio)});
-}
-
-// What the method looks for in a further team.
-const char* aim_of(Method method) {
-  switch (method) {
-    case Method::area:
-      return "Of the candidates that were left, it adds the most area to the lifting base.";
-    case Method::circle:
-      return "Of the candidates that were left, it fits the largest circles beyond the lifting base.";
-    case Method::distance:
-      return "Of the candidates that were left, it reduces the leverage of weight at the vertices the most.";
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
-      break;
-  }
-  return "";
 }
 
 // The last exchange that moved the team, if one did.
@@ -59,9 +43,15 @@ void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team
   }
   explanation.step = trace.find(StepKind::team, team);
   if (!explanation.step) return;
-  const std::string aim = team > 0 ? aim_of(trace.placement.settings.method) : "";
-  explanation.reason =
-      (aim.empty() ? aim : aim + " ") + caption(trace, look_at(trace, *explanation.step));
+  const StepDetail detail = look_at(trace, *explanation.step);
+  if (!detail.scores) {
+    explanation.reason = caption(trace, detail);
+    return;
+  }
+  explanation.rows.push_back(
+      {"Its chord", "number " + number(detail.scores->ranking.front()) + " of " +
+                        std::to_string(trace.placement.candidates.size()) + " possible"});
+  explanation.reason = why_here_text(trace, *detail.scores);
 }
 
 // The step at which the candidate was found.
@@ -97,7 +87,7 @@ void explain_team(Explanation& explanation, const Placement& placement, const Pi
         {"Its robots carry",
          words.loads[0] + " and " + with_weight_unit(words.loads[1], units) + of_all});
   }
-  add_chord(explanation, chord_of(team));
+  add_chord(explanation, chord_of(team), units);
   if (trace) add_choice(explanation, *trace, static_cast<std::uint32_t>(pick.index));
 }
 
@@ -123,7 +113,7 @@ void explain_candidate(Explanation& explanation, const Placement& placement, con
                        const Trace* trace) {
   explanation.title =
       "Candidate " + number(pick.index) + " of " + std::to_string(placement.candidates.size());
-  add_chord(explanation, placement.candidates[pick.index].chord);
+  add_chord(explanation, placement.candidates[pick.index].chord, placement.settings.units);
   if (!trace) return;
   const auto candidate = static_cast<std::uint32_t>(pick.index);
   explanation.reason = why_not_text(*trace, why_not(*trace, trace->size() - 1, candidate));

@@ -1,6 +1,8 @@
 #include "widgets/cards.h"
 
 #include <algorithm>
+
+#include "state/browser.h"
 #include "ui/controls.h"
 #include "ui/vec.h"
 
@@ -89,6 +91,20 @@ void begin_scrolling_box(const Ui& ui, const char* id, float height) {
   ImGui::BeginChild(id, ImVec2(width + bar, height));
   ImGui::PopStyleVar();
   scroll_by_finger(ui);
+}
+
+void show_opened(const char* id, bool open, float head) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID key = ImGui::GetID(id);
+  const bool was_open = storage.GetBool(key, open);
+  storage.SetBool(key, open);
+  if (!open || was_open) return;
+  const float pad = ImGui::GetStyle().WindowPadding.y,
+              beyond = ImGui::GetCursorPosY() + pad - ImGui::GetWindowHeight();
+  const float wanted = std::min(beyond, head - pad);
+  if (wanted <= ImGui::GetScrollY()) return;
+  ImGui::SetScrollY(wanted);
+  browser::request_frame();
 }
 
 bool is_dragged() {

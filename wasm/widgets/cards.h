@@ -27,6 +27,10 @@ void take_way_of_finger();
 // of the card, so that the text breaks into the same lines with it and without it.
 void begin_scrolling_box(const Ui& ui, const char* id, float height);
 
+// Call after a section that a button opens, whose head is at `head` (ImGui::GetCursorPosY() before it): once it was opened, the
+// card scrolls until all of it is seen, or as much as there is room for.
+void show_opened(const char* id, bool open, float head);
+
 // Whether the pointer moved so far since it was pressed that it is no press.
 bool is_dragged();
 

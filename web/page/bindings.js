@@ -26,6 +26,7 @@ export class Bindings {
   #page;  // what windows are given
   #pictures = new EventTarget();
   #alarm = 0;
+  #noticeEnd = 0;
 
   // `field.awaited` is set to the name of a field that a key asks for. Calls `onFrame` after each picture.
   constructor(publisher, field, onFrame) {
@@ -98,6 +99,12 @@ export class Bindings {
       this.dropFrameAfter();
       this.#program.call("page_wake");
     }, seconds * 1000 + 1);
+  }
+
+  // Nothing waits for that, so it is no work that is under way. Less than 0: it stays.
+  endNoticeAfter(seconds) {
+    clearTimeout(this.#noticeEnd);
+    if (seconds >= 0) this.#noticeEnd = setTimeout(() => this.#program.call("page_end_notice"), seconds * 1000);
   }
 
   dropFrameAfter() {

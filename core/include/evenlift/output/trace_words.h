@@ -36,6 +36,9 @@ std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);
 // What a learner is asked before the step is shown: question(trace, detail) in words. O(1).
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question);
 
+// Why a team stands where it does, with the numbers, for somebody who does not know the algorithm. O(1).
+std::string why_here_text(const Trace& trace, const TeamScores& scores);
+
 // Why a chord is not a team, or which one it is, with the numbers. O(1).
 std::string why_not_text(const Trace& trace, const WhyNot& answer);
 

@@ -1,0 +1,111 @@
+// Why a team stands where it does, for somebody who does not know the algorithm.
+#include <algorithm>
+#include <string>
+
+#include "evenlift/output/trace_words.h"
+#include "evenlift/output/words.h"
+#include "output/words/trace_text.h"
+
+namespace evenlift {
+namespace {
+
+// What the metric looks for, and why.
+const char* aim_of(Method method) {
+  switch (method) {
+    case Method::circle:
+      return "beyond whose ends there is room for the largest circles";
+    case Method::distance:
+      return "that takes most away from the leverage of weight at the vertices";
+    case Method::area:
+    case Method::distributed:
+    case Method::random:
+    case Method::balanced:
+      break;
+  }
+  return "that adds the most area to the lifting base";
+}
+
+// What its score is of.
+const char* measured(Method method) {
+  switch (method) {
+    case Method::circle:
+      return "Area of these circles";
+    case Method::distance:
+      return "Leverage taken away";
+    case Method::area:
+    case Method::distributed:
+    case Method::random:
+    case Method::balanced:
+      break;
+  }
+  return "Area that it adds";
+}
+
+// A score with its unit, told apart from `other`.
+std::string with_unit(const Trace& trace, const TeamScores& scores, double value, double other) {
+  const Settings& settings = trace.placement.settings;
+  const std::string number = written(score_text(trace, scores.rule, value, other));
+  const bool length = scores.rule != Rule::score || settings.method == Method::distance;
+  const std::string text = with_length_unit(number, settings.units);
+  return length || settings.units.length == LengthUnit::none ? text : text + "²";
+}
+
+std::string first_team_is(const TeamScores& scores) {
+  if (scores.rule == Rule::most_even)
+    return "No chord has two equal halves. The first team takes the one that is nearest to that.";
+  return std::string("The first team takes the longest chord ") +
+         (scores.rule == Rule::longest ? "that is even enough" : "with two equal halves") +
+         ": the farther apart robots stand, the harder the object is to tip.";
+}
+
+std::string further_team_is(const Trace& trace, const TeamScores& scores) {
+  return fill("Team # takes the chord #: the wider the base, the harder the object is to tip.",
+              {counted_from_1(scores.team), aim_of(trace.placement.settings.method)});
+}
+
+// By how much the chord is the best, or what decided between it and another.
+std::string lead(const Trace& trace, const TeamScores& scores) {
+  const std::uint32_t winner = scores.ranking[0], second = scores.ranking[1];
+  const Candidate &a = trace.placement.candidates[winner], &b = trace.placement.candidates[second];
+  const Units& units = trace.placement.settings.units;
+  const double size = trace.polygon.diagonal();
+  switch (scores.decided_by) {
+    case DecidedBy::ratio:
+      return fill(
+          "Another chord does as well; this one is more even, with a load ratio of # to #.",
+          {ratio_text(a.chord.ratio, b.chord.ratio), ratio_text(b.chord.ratio, a.chord.ratio)});
+    case DecidedBy::length:
+      return fill("Another chord does as well; this one is longer, # to #.",
+                  {with_length_unit(written(number_unlike(a.length, b.length, size)), units),
+                   with_length_unit(written(number_unlike(b.length, a.length, size)), units)});
+    case DecidedBy::order:
+      return "Another chord does as well in everything; this one comes first in order of slope.";
+    case DecidedBy::only_one:
+    case DecidedBy::first_key:
+      break;
+  }
+  const Score &best = scores.of_candidate[winner], &next = scores.of_candidate[second];
+  if (!next.eligible) return "It is the only one.";
+  if (scores.rule == Rule::most_even)
+    return fill("Its load ratio is #, the next one's #.",
+                {ratio_text(best.value, next.value), ratio_text(next.value, best.value)});
+  const std::string ahead = with_unit(trace, scores, best.value - next.value, 0);
+  if (scores.rule != Rule::score) return fill("The next one is # shorter.", {ahead});
+  return fill("#: #, ## more than the next.", {measured(trace.placement.settings.method),
+                                               with_unit(trace, scores, best.value, next.value),
+                                               next.exact ? "" : "at least ", ahead});
+}
+
+}  // namespace
+
+std::string why_here_text(const Trace& trace, const TeamScores& scores) {
+  const std::string first =
+      scores.team == 0 ? first_team_is(scores) : further_team_is(trace, scores);
+  if (scores.decided_by == DecidedBy::only_one) return "It is the only chord that was left.";
+  const Score& best = scores.of_candidate[scores.ranking.front()];
+  if (scores.rule == Rule::score && best.value <= 0)
+    return "No chord that was left adds anything to the lifting base. " + lead(trace, scores);
+  return first + " " + lead(trace, scores);
+}
+
+}  // namespace evenlift
