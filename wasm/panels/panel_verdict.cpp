@@ -88,7 +88,8 @@ void draw_verdict(const Ui& ui) {
   ImGui::Dummy(ImVec2(width, 0));
   if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
   ImGui::PopStyleVar();
-  if (!ui.layout.wide) ImGui::Dummy(ImVec2(width, 2));  // the words above may fill their room
+  if (!ui.layout.wide)
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4);  // words may fill their room
   draw_failures(ui);
 }
 

@@ -113,16 +113,17 @@ Layout narrow(const AppState& state) {
   l.control = 44;
   l.margin = 8;
   l.bar_padding = 2;
-  double height = std::min(state.closed_sheet_height, screen.height * 0.45);
+  const double most = screen.height * 0.47;  // of a sheet that leaves the drawing its room
+  double height = std::min(state.closed_sheet_height, most);
   // The same at every step of a lesson, so that the drawing stands still; longer words scroll.
-  if (walkthrough_is_open(state)) height = std::min(296.0, screen.height * 0.45);
-  if (state.sheet == Sheet::half) height = screen.height * 0.45;
+  if (walkthrough_is_open(state)) height = std::min(296.0, most);
+  if (state.sheet == Sheet::half) height = most;
   if (state.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};
   l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + bar_height(l)};
   // A sheet that is pulled up to the top covers the drawing for a moment; the drawing does not
   // move.
-  const double below = std::min(height, screen.height * 0.45);
+  const double below = std::min(height, most);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
   if (state.tool == Tool::transform) l.free.top += l.control + 24;  // the tool's bar
   const double tools_height = 3 * 44 + 2 * 2 + 4;
