@@ -55,6 +55,8 @@ EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out(std::move(commands));
 }
 
+EMSCRIPTEN_KEEPALIVE int page_is_presenting() { return app().state.presenting ? 1 : 0; }
+
 // The reader left full screen.
 EMSCRIPTEN_KEEPALIVE void page_end_presenting() {
   if (app().state.presenting) carry_out({SetPresenting{false}});
