@@ -161,6 +161,60 @@ test("before a room the card at the end covers none of the words", async () => {
   await page.done();
 });
 
+test("before a room the card at the end is larger, as all else is, and no longer when that ends", async () => {
+  const page = await browser.open();
+  const sizes = () => end(page).evaluate((card) => {
+    const of = (element) => parseFloat(getComputedStyle(element).fontSize);
+    return { words: of(card.querySelector(".question")), button: of(card.querySelector(".primary")), height: card.querySelector(".primary").offsetHeight };
+  });
+  await begin(page, "moved");
+  await goToEnd(page);
+  await end(page).waitFor();
+  const before = await sizes();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Shift+P");
+  await idle(page);
+  const large = await sizes();
+  for (const what of ["words", "button", "height"]) assert.ok(large[what] > 1.3 * before[what], `${what}: ${before[what]}, ${large[what]}`);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Shift+P");
+  await idle(page);
+  assert.deepEqual(await sizes(), before);
+  await page.done();
+});
+
+for (const [width, height] of [[390, 844], [844, 390], [320, 568]]) {
+  test(`at ${width} by ${height} no button of the card at the end is cut or lies below another, nor before a room`, async () => {
+    const page = await browser.open({ viewport: { width, height }, hasTouch: true, isMobile: true, reducedMotion: "reduce" });
+    await begin(page, "moved");
+    await goToEnd(page);
+    await end(page).waitFor();
+    const check = async (when) => {
+      await idle(page);
+      const { card, buttons } = await end(page).evaluate((root) => {
+        const box = (e) => {
+          const { left, top, right, bottom } = e.getBoundingClientRect();
+          return { name: e.textContent, left, top, right, bottom, cut: e.scrollWidth > e.clientWidth };
+        };
+        return { card: box(root), buttons: [...root.querySelectorAll("button")].map(box) };
+      });
+      buttons.forEach((a, i) => {
+        assert.ok(!a.cut && a.left >= card.left && a.right <= card.right && a.bottom <= card.bottom, `${when}: ${JSON.stringify(a)}`);
+        for (const b of buttons.slice(i + 1)) {
+          assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${when}: ${JSON.stringify([a, b])}`);
+        }
+      });
+    };
+    await check("at the end");
+    await page.locator("#canvas").focus();
+    await page.keyboard.press("Shift+P");
+    await check("before a room");
+    await end(page).getByRole("button", { name: "Answer" }).click();
+    await check("with its answer");
+    await page.done();
+  });
+}
+
 test("guesses are counted, the first one at each step, and summed up at the end", async () => {
   const page = await browser.open();
   await load(page, asset("trapezium"));

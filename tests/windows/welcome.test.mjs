@@ -250,7 +250,9 @@ test("a card that becomes higher, as when its font has come, keeps its foot wher
   await idle(page);
   await card(page).waitFor();
   const before = await box(page, "#welcome");
-  await page.addStyleTag({ content: "#welcome p { font-size: 30px; }" });
+  await page.locator("#welcome p").evaluate((words) => {
+    words.style.fontSize = "30px";
+  });
   await page.waitForFunction(([top, bottom]) => {
     const now = document.getElementById("welcome").getBoundingClientRect();
     return now.top < top - 20 && Math.abs(now.bottom - bottom) < 1;
