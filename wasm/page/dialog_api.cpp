@@ -116,7 +116,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_origin() {
     if (!step || step->edit == Edit::opened || step->edit == Edit::drawn) break;
     before = step->link;
   }
-  return hand_over(outline_of(before ? evenlift::decode_link(*before) : Result<Document>(state.placed)));
+  return hand_over(
+      outline_of(before ? evenlift::decode_link(*before) : Result<Document>(state.placed)));
 }
 
 // --- Coordinates of the document, also while it is refused
