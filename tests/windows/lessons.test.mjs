@@ -46,6 +46,21 @@ test("lessons have their order, minutes, and a mark once they were played to the
   await page.done();
 });
 
+for (const [how, options] of [["in a low window", { viewport: { width: 1280, height: 640 } }], ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }]]) {
+  test(`the window fades out at its foot as long as there is more below, ${how}`, async () => {
+    const page = await browser.open({ ...options, reducedMotion: "reduce" });
+    const window = await openWindow(page, "lessons");
+    const faded = window.locator(".foot-shade.more");
+    await faded.waitFor({ state: "attached" });
+    assert.equal(await faded.count(), 1);
+    await window.evaluate((root) => {
+      for (const each of [root, root.querySelector(".scroll")]) each.scrollTop = each.scrollHeight;
+    });
+    await faded.waitFor({ state: "detached" });
+    await page.done();
+  });
+}
+
 test("from the end, one key leads to the next lesson; going back takes the card away", async () => {
   const page = await browser.open();
   await begin(page, order[0]);
@@ -346,6 +361,9 @@ test("the editor shows the lesson at the step of the cursor, and its problems wi
 test("a sample is chosen from a list, a lesson begins with a ready-made one, and a file is saved that opens", async () => {
   const page = await browser.open({ acceptDownloads: true });
   const { root: window, text, problem } = await editor(page);
+  const titles = await window.getByLabel("Sample polygon").locator("option").allTextContents();
+  assert.ok(titles.includes("Trapezium") && titles.includes("Trapezium, moved"), titles.join(", "));
+  for (const title of titles) assert.match(title, /^[A-Z\d“][^_]*$/, "a title, not a file's name");
   await window.getByLabel("Sample polygon").selectOption("trapezium");
   await idle(page);
   assert.match(await text.inputValue(), /^polygon: trapezium$/m);

@@ -6,7 +6,7 @@ import { nameOpened, openedName, stemOf } from "./document_name.js";
 import { openLessonText } from "./lesson_source.js";
 import { isLesson } from "../page/lesson_text.js";
 import { isPhoto, layBehind, photoLine } from "./photo.js";
-import { sentences, showShapes } from "./shapes.js";
+import { lengthUnit, sentences, showShapes } from "./shapes.js";
 import { underWay } from "../page/under_way.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
@@ -45,23 +45,24 @@ async function openShapes(page, source) {
   if (found.problem) return found.problem;
   const { unit, notes, shapes } = found;
   const said = [...(unit ? [`lengths are in ${unit}`] : []), ...notes.slice(0, 2)];
-  if (shapes.length === 1) return openShape(page, source, shapes[0], said);
+  if (shapes.length === 1) return openShape(page, source, shapes[0], found, said);
   closeWindows();
   await chooseShape(page, source, found);
 }
 
 function chooseShape(page, source, found, tolerance) {
-  return showShapes({ ...source, found, tolerance, choose: (shape) => openShape(page, source, shape) });
+  return showShapes({ ...source, found, tolerance, choose: (shape, now) => openShape(page, source, shape, now) });
 }
 
 // `said` is what the notice says of the text besides; the window of shapes says it itself.
-function openShape(page, source, shape, said = []) {
+function openShape(page, source, shape, found, said = []) {
   const { what, how, name } = source;
   const problem = page.program.text(how, shape.text(how === "page_load"));
   if (problem) return problem;
   nameOpened(page.program, name);
-  curved = shape.tolerance ? { ...source, tolerance: shape.tolerance } : undefined;
-  const more = [...said, ...(shape.tolerance ? [`curves were flattened to within ${shape.tolerance}, which “Open” can change`] : [])];
+  const within = `${shape.tolerance} ${lengthUnit(found)}`;
+  curved = shape.tolerance ? { ...source, tolerance: shape.tolerance, within } : undefined;
+  const more = [...said, ...(shape.tolerance ? [`curves were flattened to within ${within}, which “Open” can change`] : [])];
   done(page, `${what} is opened. ${sentences(more)} ${undo}`.replace("  ", " "));
 }
 
@@ -139,12 +140,12 @@ export async function show(page, { edited } = {}) {
 // What was opened last had curves: how they were flattened, and a button that changes it.
 function againCurved(page) {
   if (!curved) return [];
-  const { what, tolerance } = curved;
+  const { what, tolerance, within } = curved;
   const change = async () => {
     const source = curved;
     const found = await readShapes(source.text, tolerance);
     closeWindows();
     await chooseShape(page, source, found, tolerance);
   };
-  return [el("p", { class: "row second again" }, `${what} was flattened to within ${tolerance}.`, button("Change …", { onclick: () => underWay(change()) }))];
+  return [el("p", { class: "row second again" }, `The curves of ${what} were flattened to within ${within}.`, button("Change …", { onclick: () => underWay(change()) }))];
 }
