@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { asset, idle, link, load, reload, set, sharedBrowser, state, thrown, toScreen } from "../page/browser.mjs";
-import { allClosed, violations } from "../page/windows.mjs";
+import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
 
@@ -214,6 +214,19 @@ test("the tour says of each placement what is free to move, and speaks of hatchi
   await goToStop(page, "Can it still move?");
   await load(page, asset("puzzle-piece"));
   assert.match((await stop(page)).words, /^Here it cannot/);
+  await page.done();
+});
+
+test("during a lesson the tour points at nothing that the lesson has not drawn", async () => {
+  const page = await browser.open();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("b");
+  await page.keyboard.press("Home");
+  const about = await openWindow(page, "about");
+  await about.getByRole("button", { name: "Take the tour" }).click();
+  await tour(page).waitFor();
+  const first = await stop(page);
+  assert.equal(first.title, "Settings");
   await page.done();
 });
 

@@ -80,7 +80,8 @@ export function reveal({ program }, { controls: names = [] }) {
 export function look({ program }) {
   const screen = ([x, y]) => [program.number("page_screen_x", x, y), program.number("page_screen_y", x, y)];
   const state = JSON.parse(program.text("page_state"));
-  const teams = state.teams.map(({ ends }) => ends.map(screen));
+  // A lesson draws what its step has, which may be less than the placement.
+  const teams = program.number("page_walkthrough_is_open") ? [] : state.teams.map(({ ends }) => ends.map(screen));
   const robots = teams.flat();
   const ring = ringOf(robots.length);
   return {
