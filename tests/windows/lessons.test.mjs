@@ -46,6 +46,21 @@ test("lessons have their order, minutes, and a mark once they were played to the
   await page.done();
 });
 
+for (const [how, options] of [["in a low window", { viewport: { width: 1280, height: 640 } }], ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }]]) {
+  test(`the window fades out at its foot as long as there is more below, ${how}`, async () => {
+    const page = await browser.open({ ...options, reducedMotion: "reduce" });
+    const window = await openWindow(page, "lessons");
+    const faded = window.locator(".foot-shade.more");
+    await faded.waitFor({ state: "attached" });
+    assert.equal(await faded.count(), 1);
+    await window.evaluate((root) => {
+      for (const each of [root, root.querySelector(".scroll")]) each.scrollTop = each.scrollHeight;
+    });
+    await faded.waitFor({ state: "detached" });
+    await page.done();
+  });
+}
+
 test("from the end, one key leads to the next lesson; going back takes the card away", async () => {
   const page = await browser.open();
   await begin(page, order[0]);
@@ -156,10 +171,68 @@ test("before a room the card at the end covers none of the words", async () => {
   await end(page).waitFor();
   await page.locator("#canvas").focus();
   await page.keyboard.press("Shift+P");
-  // The words stand in the lowest third of the window.
-  await page.waitForFunction(() => document.querySelector(".seat-card").getBoundingClientRect().bottom < innerHeight * 0.65);
+  // The words stand above the timeline, on one card.
+  await page.waitForFunction(() => {
+    const words = evenlift.view.control("Previous step");
+    return words && document.querySelector(".seat-card").getBoundingClientRect().right < words.x;
+  });
   await page.done();
 });
+
+test("before a room the card at the end is larger, as all else is, and no longer when that ends", async () => {
+  const page = await browser.open();
+  const sizes = () => end(page).evaluate((card) => {
+    const height = (selector) => card.querySelector(selector).getBoundingClientRect().height;
+    return { cross: height(".away"), button: height(".primary") };
+  });
+  await begin(page, "moved");
+  await goToEnd(page);
+  await end(page).waitFor();
+  const before = await sizes();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Shift+P");
+  await idle(page);
+  const large = await sizes();
+  for (const what of ["cross", "button"]) assert.ok(large[what] > 1.3 * before[what], `${what}: ${before[what]}, ${large[what]}`);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Shift+P");
+  await idle(page);
+  assert.deepEqual(await sizes(), before);
+  await page.done();
+});
+
+for (const [width, height] of [[390, 844], [844, 390], [320, 568], [1280, 800], [1920, 1080]]) {
+  test(`at ${width} by ${height} no button of the card at the end is cut or lies below another, nor before a room`, async () => {
+    const page = await browser.open({ viewport: { width, height }, hasTouch: true, isMobile: true, reducedMotion: "reduce" });
+    await begin(page, "moved");
+    await goToEnd(page);
+    await end(page).waitFor();
+    const check = async (when) => {
+      await idle(page);
+      const { inWindow, card, buttons } = await end(page).evaluate((root) => {
+        const box = (e) => {
+          const { left, top, right, bottom } = e.getBoundingClientRect();
+          return { name: e.textContent, left, top, right, bottom, cut: e.scrollWidth > e.clientWidth };
+        };
+        return { inWindow: box(root).bottom <= innerHeight, card: box(root), buttons: [...root.querySelectorAll("button")].map(box) };
+      });
+      assert.ok(inWindow, `${when}: ${JSON.stringify(card)}`);
+      buttons.forEach((a, i) => {
+        assert.ok(!a.cut && a.left >= card.left && a.right <= card.right && a.bottom <= card.bottom, `${when}: ${JSON.stringify(a)}`);
+        for (const b of buttons.slice(i + 1)) {
+          assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${when}: ${JSON.stringify([a, b])}`);
+        }
+      });
+    };
+    await check("at the end");
+    await page.locator("#canvas").focus();
+    await page.keyboard.press("Shift+P");
+    await check("before a room");
+    await end(page).getByRole("button", { name: "Answer" }).click();
+    await check("with its answer");
+    await page.done();
+  });
+}
 
 test("guesses are counted, the first one at each step, and summed up at the end", async () => {
   const page = await browser.open();
@@ -292,6 +365,9 @@ test("the editor shows the lesson at the step of the cursor, and its problems wi
 test("a sample is chosen from a list, a lesson begins with a ready-made one, and a file is saved that opens", async () => {
   const page = await browser.open({ acceptDownloads: true });
   const { root: window, text, problem } = await editor(page);
+  const titles = await window.getByLabel("Sample polygon").locator("option").allTextContents();
+  assert.ok(titles.includes("Trapezium") && titles.includes("Trapezium, moved"), titles.join(", "));
+  for (const title of titles) assert.match(title, /^[A-Z\d“][^_]*$/, "a title, not a file's name");
   await window.getByLabel("Sample polygon").selectOption("trapezium");
   await idle(page);
   assert.match(await text.inputValue(), /^polygon: trapezium$/m);

@@ -195,13 +195,14 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
     "Layer 1, part 1 path 57 vertices, 130.8 × 122", "Layer 1, part 2 path 3 vertices, 5 × 5"]);
   assert.match(await page.locator("#shapes .second").first().textContent(), /^Outlines inside another .* not supported\. 1 text, 1 copy \(<use>\) and 1 hidden element were left out\.$/);
   assert.equal((await polygon()).length, 12, "nothing is opened yet");
+  assert.match(await page.locator("#shapes").textContent(), /“layers\.svg” has 4 shapes\. Choose the one to open\..*Keep edges within of the curves, in units of the drawing/s);
   assert.equal(await focused(page), "0");
   for (const [key, at] of [["ArrowRight", "1"], ["End", "3"], ["Home", "0"], ["ArrowLeft", "0"], ["ArrowRight", "1"]]) {
     await page.keyboard.press(key);
     assert.equal(await focused(page), at, key);
   }
   await page.keyboard.press("Enter");
-  assert.match(await noticed(page), /^“layers\.svg” is opened\. Curves were flattened to within 0\.05, which “Open” can change\. Undo/);
+  assert.match(await noticed(page), /^“layers\.svg” is opened\. Curves were flattened to within 0\.05 units of the drawing, which “Open” can change\. Undo/);
   assert.equal((await polygon()).length, 64);
   await allClosed(page);
   await page.keyboard.press("Control+z");
@@ -233,10 +234,10 @@ test("how near the edges are to curves can be set, before and after", async () =
   assert.equal((await polygon()).length, 512);
 
   await drop(page, { files: [["wheel.svg", svg('<circle r="40"/>')]] });
-  assert.match(await noticed(page), /^“wheel\.svg” is opened\. Curves were flattened to within 0\.05/);
+  assert.match(await noticed(page), /^“wheel\.svg” is opened\. Curves were flattened to within 0\.05 units of the drawing/);
   assert.equal((await polygon()).length, 64);
   const open = await openWindow(page, "open");
-  assert.match(await open.textContent(), /“wheel\.svg” was flattened to within 0\.05\./);
+  assert.match(await open.textContent(), /The curves of “wheel\.svg” were flattened to within 0\.05 units of the drawing\./);
   await open.getByRole("button", { name: "Change" }).click();
   await shapes(page).first().waitFor();
   assert.equal(await field.inputValue(), "0.05");
@@ -270,8 +271,9 @@ test("a drawing of a CAD program, chosen as a file", async () => {
   await (await chooser).setFiles(path.join(root, "tests/data/import/plate.dxf"));
   await shapes(page).first().waitFor();
   assert.match(await page.locator("#shapes .second").first().textContent(), /^Lengths are in millimetres\. 1 line or arc does not close/);
+  assert.match(await page.locator("#shapes .curves").textContent(), /of the curves, in millimetres/);
   await shapes(page).nth(3).click();
-  assert.match(await noticed(page), /^“plate\.dxf” is opened\. Curves were flattened to within 0\.01/);
+  assert.match(await noticed(page), /^“plate\.dxf” is opened\. Curves were flattened to within 0\.01 millimetres/);
   assert.equal((await state(page)).unit, "mm");
 });
 

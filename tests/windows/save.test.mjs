@@ -4,8 +4,8 @@ import { mkdtempSync, readFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, evenlift, idle, jsQR, link, load, root, set, sharedBrowser, state } from "../page/browser.mjs";
-import { allClosed, noticed, openWindow } from "../page/windows.mjs";
+import { asset, drag, evenlift, idle, jsQR, link, load, reload, root, set, sharedBrowser, state, toScreen, undo } from "../page/browser.mjs";
+import { allClosed, closeAll, drop, noticed, openWindow, paste } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
 
@@ -100,6 +100,87 @@ test("the name of a file says how many balanced robots there are", async () => {
   await set(page, { metric: "balanced", robots: 5 });
   const window = await openWindow(page, "save");
   assert.equal((await saved(page, window.getByRole("button", { name: /^Text\b/ }))).name, "polygon-5-robots.txt");
+  await page.done();
+});
+
+// The name under which the open polygon would be saved as text.
+async function savedName(page) {
+  const window = await openWindow(page, "save");
+  const { name } = await saved(page, window.getByRole("button", { name: /^Text\b/ }));
+  await page.keyboard.press("Escape");
+  await allClosed(page);
+  return name;
+}
+
+const bracket = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
+
+test("files are named after the one that was opened, as long as its polygon is open", async () => {
+  const page = await browser.open({ acceptDownloads: true });
+  const open = async (name, text) => {
+    await drop(page, { files: [[name, text]] });
+    await idle(page);
+  };
+  await open("bracket.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H400V-150H150V-300H0z"/></svg>');
+  assert.equal(await savedName(page), "bracket-6-robots.txt");
+
+  // Settings, edits and a lesson step do not change what it is; a reload does not, either.
+  await set(page, { teams: 2 });
+  await drag(page, await toScreen(page, [400, 0]), await toScreen(page, [500, 0]));
+  await page.keyboard.press("b");
+  await page.keyboard.press("ArrowRight");
+  await idle(page);
+  assert.equal(await savedName(page), "bracket-4-robots.txt");
+  await page.keyboard.press("b");
+  await set(page, { teams: 3 });
+  await reload(page);
+  assert.equal(await savedName(page), "bracket-6-robots.txt");
+
+  // Another sample, or a text, is something else; undo brings the bracket back with its name.
+  await openWindow(page, "samples");
+  await page.locator("#samples .sample").filter({ hasText: "Violin" }).click();
+  await allClosed(page);
+  assert.equal(await savedName(page), "violin.txt");
+  await page.locator("#canvas").focus();
+  await undo(page);
+  assert.equal(await savedName(page), "bracket-6-robots.txt");
+  await paste(page, bracket.replaceAll("400", "444"));
+  await idle(page);
+  assert.equal(await savedName(page), "polygon-6-robots.txt");
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("d");
+  for (const at of [[300, 300], [500, 300], [400, 500]]) await page.mouse.click(...at);
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.match(await savedName(page), /^polygon-\d-robots\.txt$/);
+  await page.done();
+});
+
+test("the name of an opened file is written so that any system takes it, and does not grow when files are opened again", async () => {
+  const page = await browser.open({ acceptDownloads: true });
+  for (const [name, expected] of [["Side plate v1.2.txt", "Side-plate-v1.2-6-robots.txt"], ["bracket-8-robots-result.json", "bracket-6-robots.txt"],
+    ["polygon-4-robots.txt", "polygon-6-robots.txt"], ["Träger.csv", "Träger-6-robots.txt"], [".txt", "polygon-6-robots.txt"]]) {
+    await load(page, asset("square"));
+    await drop(page, { files: [[name, bracket]] });
+    await idle(page);
+    assert.equal(await savedName(page), expected);
+  }
+  await drop(page, { files: [["mounting plate.dxf", readFileSync(path.join(root, "tests/data/import/plate.dxf"), "utf8")]] });
+  await page.locator("#shapes .sample").nth(3).click();
+  await allClosed(page);
+  assert.match(await savedName(page), /^mounting-plate-\d-robots\.txt$/, "one of several shapes");
+  // As text it is the same polygon, edited; a sample that is opened from its file keeps its name.
+  await drop(page, { files: [["bracket.v2.txt", bracket]] });
+  await idle(page);
+  await openWindow(page, "table");
+  await page.locator("#table").getByRole("button", { name: "Edit as text" }).click();
+  await page.locator("#open textarea").fill(bracket.replaceAll("150", "160"));
+  await page.locator("#open").getByRole("button", { name: "Apply" }).click();
+  await idle(page);
+  await closeAll(page);
+  assert.equal(await savedName(page), "bracket.v2-6-robots.txt");
+  await drop(page, { files: [["violin-6-robots.txt", asset("violin")]] });
+  await idle(page);
+  assert.equal(await savedName(page), "violin.txt");
   await page.done();
 });
 

@@ -1,8 +1,8 @@
 // The first visit: the card that says what this is, and the tour.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, idle, link, load, phone, reload, set, sharedBrowser, thrown } from "../page/browser.mjs";
-import { allClosed, violations } from "../page/windows.mjs";
+import { asset, idle, link, load, reload, set, sharedBrowser, state, thrown, toScreen } from "../page/browser.mjs";
+import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
 
@@ -105,44 +105,173 @@ test("the ways to begin: drawing, the gallery, the tour", async () => {
   await page.done();
 });
 
-for (const [how, options] of [["wide", {}], ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }]]) {
-  test(`the tour, ${how}: each stop is on the screen, keys lead through it, and the document stays as it is`, async () => {
-    const page = await browser.open(options);
+const tour = (page) => page.locator("#tour");
+const ringed = (page) => page.locator(".tour-rings > *").evaluateAll((all) => all.map((e) => {
+  const { left, top, right, bottom } = e.getBoundingClientRect();
+  return { kind: e.localName, left, top, right, bottom };
+}));
+
+async function takeTour(page) {
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("W");
+  await card(page).getByRole("button", { name: "Take the tour" }).click();
+  await tour(page).waitFor();
+  await idle(page);
+  return Number(/of (\d+)/.exec(await tour(page).textContent())[1]);
+}
+
+// The stop that is shown, with what it says.
+async function stop(page) {
+  await idle(page);
+  return { title: await page.locator("#tour-title").textContent(), words: await page.locator("#tour-words").textContent() };
+}
+
+async function goToStop(page, title) {
+  while ((await stop(page)).title !== title) await tour(page).getByRole("button", { name: "Next" }).click();
+}
+
+for (const [width, height] of [[1280, 800], [390, 844], [844, 390], [320, 568], [1920, 1080]]) {
+  test(`the tour at ${width} by ${height}: it covers nothing that it speaks of, its button stays, and keys lead through it`, async () => {
+    const touch = width < 900;
+    const page = await browser.open({ viewport: { width, height }, hasTouch: touch, isMobile: touch, reducedMotion: "reduce" });
     await load(page, asset("horseshoe"));
     await idle(page);
     const before = await link(page);
-    const frames = [];
-    await page.keyboard.press("W");
-    await card(page).getByRole("button", { name: "Take the tour" }).click();
-    const tour = page.locator("#tour");
-    await tour.waitFor();
-    const count = Number(/of (\d+)/.exec(await tour.textContent())[1]);
+    const count = await takeTour(page);
     assert.ok(count >= 6 && count <= 9, String(count));
+    const seats = new Set(), drawings = new Set(), titles = [];
     for (let i = 0; i < count; ++i) {
-      await idle(page);
-      const { left, top, right, bottom } = await box(page, "#tour");
-      const [width, height] = await page.evaluate(() => [innerWidth, innerHeight]);
-      assert.ok(left >= 0 && top >= 0 && right <= width && bottom <= height, `stop ${i + 1}: ${[left, top, right, bottom]}`);
-      if (await page.locator(".tour-ring").isVisible()) {
-        assert.ok(apart(await box(page, "#tour"), await box(page, ".tour-ring")) || i === 2, `stop ${i + 1} covers what it points at`);
+      titles.push((await stop(page)).title);
+      const place = await box(page, "#tour");
+      assert.ok(place.left >= 0 && place.top >= 0 && place.right <= width && place.bottom <= height, `stop ${i + 1}: ${JSON.stringify(place)}`);
+      seats.add(JSON.stringify([place, await box(page, "#tour .primary")]));
+      drawings.add(JSON.stringify(await toScreen(page, [0, 0])));
+      const robots = await page.evaluate(() => evenlift.state().teams.flatMap(({ ends }) => ends).map((at) => [...evenlift.view.to_screen(...at)]));
+      for (const [x, y] of robots) assert.ok(apart(place, { left: x - 10, right: x + 10, top: y - 10, bottom: y + 10 }), `stop ${i + 1} covers a robot at ${[x, y]}`);
+      for (const ring of await ringed(page)) {
+        assert.ok(apart(place, ring), `stop ${i + 1} covers what it points at: ${JSON.stringify(ring)}`);
+        assert.ok(ring.left >= 0 && ring.top >= 0 && ring.right <= width && ring.bottom <= height, `stop ${i + 1} points out of the window: ${JSON.stringify(ring)}`);
       }
-      frames.push(await tour.locator("h2").textContent());
-      assert.match(await tour.textContent(), new RegExp(`${i + 1} of ${count}`));
+      assert.match(await tour(page).textContent(), new RegExp(`${i + 1} of ${count}`));
       if (i === 1) {
         await page.keyboard.press("ArrowLeft");
-        assert.equal(await tour.locator("h2").textContent(), frames[0]);
+        assert.equal((await stop(page)).title, titles[0]);
         await page.keyboard.press("ArrowRight");
       }
       await page.keyboard.press("Enter");  // Next has the focus
     }
     await idle(page);
-    assert.equal(await tour.count(), 0);
-    assert.equal(new Set(frames).size, count);
+    assert.equal(await tour(page).count(), 0);
+    assert.deepEqual(await ringed(page), []);
+    assert.equal(seats.size, 1, [...seats].join(" "));
+    assert.equal(drawings.size, 1, "the drawing stands still");
+    assert.equal(new Set(titles).size, count);
     assert.equal(await page.evaluate(() => document.activeElement.id), "canvas");
     assert.equal(await link(page), before);
     await page.done();
   });
 }
+
+test("the two discs of a team have a ring each; the vertex that is ringed is clear of robots, and so is C", async () => {
+  const page = await browser.open();
+  for (const name of ["puzzle-piece", "horseshoe", "thesis-sample", "violin"]) {
+    await load(page, asset(name));
+    await takeTour(page);
+    const middle = ({ left, right, top, bottom }) => [(left + right) / 2, (top + bottom) / 2];
+    const far = ([x, y], [u, v]) => Math.hypot(x - u, y - v);
+    const { teams, polygon, centre_of_mass: centre } = await state(page);
+    const robots = await Promise.all(teams.flatMap(({ ends }) => ends).map((at) => toScreen(page, at)));
+    const rings = await ringed(page);
+    assert.equal(rings.length, 2);
+    rings.forEach((ring, i) => assert.ok(far(middle(ring), [...robots[i]]) < 1, name));
+    await goToStop(page, "The shape");
+    const now = await Promise.all(teams.flatMap(({ ends }) => ends).map((at) => toScreen(page, at)));
+    const corners = await Promise.all(polygon.map((at) => toScreen(page, at)));
+    const [vertex, c] = await ringed(page);
+    assert.ok(far(middle(c), await toScreen(page, centre)) < 1);
+    assert.ok(Math.min(...corners.map((at) => far(middle(vertex), at))) < 1, "it is a vertex");
+    for (const robot of now) assert.ok(far(middle(vertex), robot) > 30, `${name}: ${JSON.stringify(robot)}`);
+    await page.keyboard.press("Escape");
+    await idle(page);
+  }
+  await page.done();
+});
+
+test("the tour says of each placement what is free to move, and speaks of hatching only where there is some", async () => {
+  const page = await browser.open();
+  for (const [name, words] of [["puzzle-piece", /^Here it cannot/], ["horseshoe", /^Hatching shows .* clockwise in red, counter-clockwise in blue\. The arrow/]]) {
+    await load(page, asset(name));
+    await takeTour(page);
+    await goToStop(page, "Can it still move?");
+    assert.match((await stop(page)).words, words, name);
+    const { free } = await page.evaluate(() => evenlift.state().closure);
+    assert.equal(free.length > 0, name === "horseshoe");
+    await page.keyboard.press("Escape");
+    await idle(page);
+  }
+  // It goes with the placement, also while the stop is shown.
+  await takeTour(page);
+  await goToStop(page, "Can it still move?");
+  await load(page, asset("puzzle-piece"));
+  assert.match((await stop(page)).words, /^Here it cannot/);
+  await page.done();
+});
+
+test("during a lesson the tour points at nothing that the lesson has not drawn", async () => {
+  const page = await browser.open();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("b");
+  await page.keyboard.press("Home");
+  const about = await openWindow(page, "about");
+  await about.getByRole("button", { name: "Take the tour" }).click();
+  await tour(page).waitFor();
+  const first = await stop(page);
+  assert.equal(first.title, "Settings");
+  await page.done();
+});
+
+test("with balanced robots the tour speaks of them", async () => {
+  const page = await browser.open();
+  await set(page, { metric: "balanced", robots: 5 });
+  await takeTour(page);
+  assert.match((await stop(page)).words, /^Each disc is a robot\./);
+  assert.equal((await ringed(page)).length, 5);
+  await goToStop(page, "Settings");
+  assert.match((await stop(page)).words, /how many robots/);
+  await page.done();
+});
+
+test("a control that the panel has scrolled away is brought back by the stop that points at it", async () => {
+  const page = await browser.open({ viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true });
+  const seen = async (name) => {
+    const { y, height } = await page.evaluate((n) => evenlift.view.control(n), name);
+    return y >= 0 && y + height <= 390;
+  };
+  await idle(page);
+  assert.equal(await seen("Clockwise"), false);
+  await takeTour(page);
+  await goToStop(page, "Can it still move?");
+  assert.equal(await seen("Clockwise"), true);
+  assert.equal((await ringed(page)).length, 1);
+  await goToStop(page, "Settings");
+  assert.equal(await seen("teams +"), true);
+  await page.done();
+});
+
+test("a card that becomes higher, as when its font has come, keeps its foot where it is", async () => {
+  const page = await browser.open({ first: true, reducedMotion: "reduce" });
+  await idle(page);
+  await card(page).waitFor();
+  const before = await box(page, "#welcome");
+  await page.locator("#welcome p").evaluate((words) => {
+    words.style.fontSize = "30px";
+  });
+  await page.waitForFunction(([top, bottom]) => {
+    const now = document.getElementById("welcome").getBoundingClientRect();
+    return now.top < top - 20 && Math.abs(now.bottom - bottom) < 1;
+  }, [before.top, before.bottom]);
+  await page.done();
+});
 
 test("card and tour have no fault that axe finds, light and dark", async () => {
   for (const colorScheme of ["light", "dark"]) {
@@ -164,7 +293,7 @@ test("Escape leaves the tour, and nothing moves for those who asked for less mot
   assert.equal(await card(page).evaluate((root) => root.getAnimations({ subtree: true }).length), 0);
   await card(page).getByRole("button", { name: "Take the tour" }).click();
   await page.locator("#tour").getByRole("button", { name: "Next" }).click();
-  assert.equal(await page.evaluate(() => document.getAnimations().filter((a) => a.effect.target.closest("#tour, .tour-ring")).length), 0);
+  assert.equal(await page.evaluate(() => document.getAnimations().filter((a) => a.effect.target.closest("#tour, .tour-rings")).length), 0);
   await page.keyboard.press("Escape");
   assert.equal(await page.locator("#tour").count(), 0);
   assert.equal(await thrown(page, "set", { teams: 2 }), undefined);

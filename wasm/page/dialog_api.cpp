@@ -21,6 +21,7 @@
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/browser.h"
+#include "state/history.h"
 
 namespace evenlift::view {
 namespace {
@@ -66,6 +67,17 @@ void append_point(std::string& text, const Vec2& p) {
   text += shortest(p.x()) + ' ' + shortest(p.y()) + '\n';
 }
 
+// As page_outline() gives it.
+std::string outline_of(const Result<Document>& document) {
+  if (!document) return {};
+  const Result<Polygon> polygon = Polygon::create(document->vertices);
+  if (!polygon) return {};
+  std::string lines;
+  append_point(lines, document->centre_of_mass.value_or(polygon->centroid()));
+  for (const Vec2& vertex : document->vertices) append_point(lines, vertex);
+  return lines;
+}
+
 int index_of(const std::optional<std::size_t>& vertex) {
   return vertex ? static_cast<int>(*vertex) : -1;
 }
@@ -91,14 +103,21 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
 // The outline of a polygon's text for a small picture: a line `x y` for the centre of mass, then
 // one for each vertex. Nothing if the text cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_outline(const char* text) {
-  Result<Document> read = read_polygon(text);
-  if (!read) return hand_over({});
-  const Result<evenlift::Polygon> polygon = evenlift::Polygon::create(read->vertices);
-  if (!polygon) return hand_over({});
-  std::string lines;
-  append_point(lines, read->centre_of_mass.value_or(polygon->centroid()));
-  for (const Vec2& vertex : read->vertices) append_point(lines, vertex);
-  return hand_over(std::move(lines));
+  return hand_over(outline_of(read_polygon(text)));
+}
+
+// The outline that the open polygon had when it was opened or drawn, before all edits since; nothing if it was too large for a
+// link then.
+EMSCRIPTEN_KEEPALIVE const char* page_origin() {
+  AppState& state = app().state;
+  std::optional<std::string> before;
+  for (std::size_t i = 0;; ++i) {
+    const std::optional<History::Kept> step = state.history.kept(false, i);
+    if (!step || step->edit == Edit::opened || step->edit == Edit::drawn) break;
+    before = step->link;
+  }
+  return hand_over(
+      outline_of(before ? evenlift::decode_link(*before) : Result<Document>(state.placed)));
 }
 
 // --- Coordinates of the document, also while it is refused

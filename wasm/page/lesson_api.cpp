@@ -55,6 +55,9 @@ EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out(std::move(commands));
 }
 
+// How much larger all is than usually: more than 1 before a room.
+EMSCRIPTEN_KEEPALIVE double page_zoom() { return app().state.screen.zoom; }
+
 // The reader left full screen.
 EMSCRIPTEN_KEEPALIVE void page_end_presenting() {
   if (app().state.presenting) carry_out({SetPresenting{false}});

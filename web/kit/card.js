@@ -20,14 +20,15 @@ export function closingButton(name, attributes, act) {
   } });
 }
 
-// Shows a card of these elements, in place of one that is open. `title` is its name for those who do not see it. `closed(byPerson)` is called when it goes.
+// Shows a card of these elements, in place of one that is open. `title` is its name for those who do not see it; `attributes`
+// are further ones, as for el(). It has a cross that closes it, unless a button of its own does (`cross`). `closed(byPerson)` is called when it goes.
 // Returns { root, close, seat }; seat() is for a card that has become higher or lower. Where the program moves the seat, as when
-// a panel is folded or the page is shown before a room, the card follows by itself.
-export async function openCard(page, { name, title, body, closed, focus = false }) {
+// a panel is folded or the page is shown before a room, the card follows by itself, and before a room it is larger.
+export async function openCard(page, { name, title, body, closed, focus = false, cross = true, attributes = {} }) {
   await ensureStyles();
   open?.close();
-  const root = el("section", { id: name, class: "seat-card", role: "region", "aria-label": title }, ...body,
-    button("", { class: "button bare away", "aria-label": "Close", title: "Close", onclick: () => close(true) }, "close"));
+  const root = el("section", { id: name, class: "seat-card", role: "region", "aria-label": title, ...attributes }, ...body,
+    ...(cross ? [button("", { class: "button bare away", "aria-label": "Close", title: "Close", onclick: () => close(true) }, "close")] : []));
   const leave = new AbortController();
   const canvas = document.getElementById("canvas");
   function close(byPerson = false) {
@@ -41,23 +42,29 @@ export async function openCard(page, { name, title, body, closed, focus = false 
     if (within) canvas.focus({ preventScroll: true });
     closed?.(byPerson);
   }
-  const place = () => page.program.text("page_card_seat");
+  const place = () => `${page.program.text("page_card_seat")} ${page.program.number("page_zoom")}`;
   let placed;
   const seat = () => {
     if (leave.signal.aborted) return;
     placed = place();
-    const [left, right, bottom] = placed.trim().split(" ").map(Number);
+    const [left, right, bottom, zoom] = placed.trim().split(/ +/).map(Number);
+    const width = (right - left) / zoom;
+    root.style.scale = zoom;
     root.style.left = `${left}px`;
-    root.style.width = `${right - left}px`;
-    root.style.maxHeight = `${bottom - 8}px`;
-    root.classList.toggle("in-a-row", right - left >= 620);
-    const { height } = root.getBoundingClientRect();
+    root.style.width = `${width}px`;
+    root.style.maxHeight = `${(bottom - 8) / zoom}px`;
+    root.classList.toggle("in-a-row", width >= 620);
+    const height = root.offsetHeight * zoom;
     root.style.top = `${bottom - height}px`;
     page.program.call("page_make_room", height);
   };
   document.body.append(root);
   seat();
   const { signal } = leave;
+  // Its words take another room once their font has come.
+  const follow = new ResizeObserver(seat);
+  follow.observe(root);
+  signal.addEventListener("abort", () => follow.disconnect());
   page.pictures.addEventListener("drawn", () => place() !== placed && seat(), { signal });
   root.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;

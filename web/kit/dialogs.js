@@ -39,6 +39,16 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   return root;
 }
 
+// Fades what scrolls in this element out at its foot, as long as there is more below: a line that is cut there looks like a fault.
+export function fadeFoot(scroller) {
+  const shade = el("div", { class: "foot-shade", "aria-hidden": "true" });
+  scroller.append(shade);
+  const tell = () => shade.classList.toggle("more", scroller.scrollHeight - scroller.scrollTop - scroller.clientHeight > 8);
+  scroller.addEventListener("scroll", tell, { passive: true });
+  const follow = new ResizeObserver(tell);
+  for (const each of [scroller, ...scroller.children]) follow.observe(each);
+}
+
 export function closeWindows() {
   for (const root of document.querySelectorAll("dialog:modal")) root.close();
 }

@@ -1,5 +1,11 @@
-// What the polygon that is open is called in the names of files: the sample that it is, or how many robots lift it.
+// What the polygon that is open is called in the names of files: after the file from which it came, the sample that it is, or
+// how many robots lift it.
 import { fetchJson } from "../kit/fetched.js";
+import { ofThisTab, read, write } from "../page/storage.js";
+
+const namesKey = "evenlift.names";
+const mostNames = 8;
+const longestKept = 20000;  // letters of an outline whose name is kept over a reload
 
 // Two texts of the same polygon give the same outline, however they are written.
 export function isSame(program, text, outline) {
@@ -9,11 +15,48 @@ export function isSame(program, text, outline) {
 
 export const ownOutline = (program) => program.text("page_outline", program.text("page_text"));
 
+// --- Opened files ----------------------------------------------------------------------------------------------------
+
+// What was opened last, the newest first, as { origin, name }: the outline that it had then, which the program knows of the open
+// polygon whatever was edited since.
+let named;
+
+function names() {
+  if (!named) {
+    try {
+      named = JSON.parse(read(ofThisTab, namesKey) || "[]");
+    } catch {
+      named = [];
+    }
+  }
+  return named;
+}
+
+// A file's name without its ending, and without what was added when it was saved here.
+export function stemOf(file) {
+  return file.replace(/\.[^.]*$/, "").replace(/-(result|poses)$/, "").replace(/-\d+-robots$/, "")
+    .replace(/[\s/\\:*?"<>|\p{Cc}]+/gu, "-").replace(/^[-.]+|-+$/g, "").slice(0, 60);
+}
+
+// The name of the file from which the open polygon came, as stemOf() gives it; "" if it did not come from one.
+export function openedName(program) {
+  const origin = program.text("page_origin");
+  return names().find((each) => each.origin === origin)?.name ?? "";
+}
+
+// Call this when a polygon was just opened: from a file of this name (stemOf()) or, with "", from none.
+export function nameOpened(program, name) {
+  const origin = program.text("page_origin");
+  if (!origin) return;
+  named = [{ origin, name }, ...names().filter((each) => each.origin !== origin)].slice(0, mostNames);
+  write(ofThisTab, namesKey, JSON.stringify(named.filter((each) => each.name && each.origin.length < longestKept)));
+}
+
 export async function documentName(program) {
+  const robots = JSON.parse(program.text("page_state")).teams.flatMap(({ loads }) => loads).length;
+  const opened = openedName(program);
   const samples = await fetchJson("polygons.json").catch(() => ({}));
   const outline = ownOutline(program);
   const sample = Object.keys(samples).find((name) => isSame(program, samples[name], outline));
-  if (sample) return sample;
-  const robots = JSON.parse(program.text("page_state")).teams.flatMap(({ loads }) => loads);
-  return `polygon-${robots.length}-robots`;
+  return sample && (!opened || opened === sample) ? sample : `${opened || "polygon"}-${robots}-robots`;
 }

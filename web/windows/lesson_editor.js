@@ -45,11 +45,27 @@ What they will have found.
 
 const option = (value, name) => el("option", { value }, name);
 
+// The samples by their titles in the gallery and its groups. Each has a twin with another centre of mass, which the gallery lacks.
+function choiceOfSamples(names, gallery) {
+  const twin = /-moved$/;
+  const groups = new Map();
+  const add = (group, name, title) => groups.set(group, [...(groups.get(group) ?? []), option(name, title)]);
+  const titles = new Map(gallery.map(({ name, title }) => [name, title]));
+  for (const { name, title, group } of gallery.filter((sample) => names.includes(sample.name))) add(group || "To begin with", name, title);
+  for (const name of names.filter((each) => !titles.has(each))) {
+    const title = titles.get(name.replace(twin, ""));
+    if (title && twin.test(name)) add("With a moved centre of mass", name, `${title}, moved`);
+    else add("Others", name, name.charAt(0).toUpperCase() + name.slice(1).replaceAll("-", " "));
+  }
+  return [...groups].map(([label, options]) => el("optgroup", { label }, ...options));
+}
+
 export async function show(page) {
   if (document.getElementById("editor")) return;
   const samples = await fetchJson("polygons.json").catch(() => ({}));
+  const gallery = await fetchJson("samples.json").catch(() => []);
   const lessons = await fetchJson("lessons.json").catch(() => []);
-  const editor = new Editor(page, samples, lessons);
+  const editor = new Editor(page, samples, lessons, gallery);
   const root = await openWindow({
     name: "editor",
     title: "Write a lesson",
@@ -68,7 +84,7 @@ class Editor {
   #shown = {};  // what the canvas shows: { text, stop }
   #leave = new AbortController();
 
-  constructor(page, samples, lessons) {
+  constructor(page, samples, lessons, gallery) {
     this.#page = page;
     this.#samples = samples;
     this.field = el("textarea", { class: "field", spellcheck: "true", "aria-label": "The lesson’s text", "aria-describedby": "editor-problem", wrap: "soft" });
@@ -77,7 +93,7 @@ class Editor {
     this.status = el("p", { class: "second status", role: "status" });
     this.beginWith = this.#beginWith(lessons);
     this.aboutSample = el("select", { class: "field", "aria-label": "Sample polygon", onchange: () => this.#insertSample() },
-      option("", "About a sample …"), ...Object.keys(samples).map((name) => option(name, name)));
+      option("", "About a sample …"), ...choiceOfSamples(Object.keys(samples), gallery));
     this.save = button("Save as a file", { class: "button primary", onclick: () => this.#save() }, "save");
     this.help = el("a", { class: "second", href: new URL("docs-lessons.html", import.meta.url).href, target: "_blank", rel: "noopener" }, "How to write a lesson");
   }

@@ -79,6 +79,13 @@ function questionOf(program, of) {
   return { words, button: shown };
 }
 
+// The next lesson by its name, or where that has no room, as the next one.
+function toNext({ title }, act) {
+  const go = closingButton("", { class: "button primary", title }, act);
+  go.append(el("span", { class: "whole" }, `Next: ${title}`), el("span", { class: "short" }, "Next lesson"));
+  return go;
+}
+
 async function showEnd(page, lesson, { guesses, right, told }, of) {
   const all = lesson.name ? await fetchJson("lessons.json").catch(() => []) : [];
   const index = all.findIndex(({ name }) => name === lesson.name);
@@ -98,7 +105,7 @@ async function showEnd(page, lesson, { guesses, right, told }, of) {
     body: [
       el("div", { class: of.answered ? "said answered" : "said" }, el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", untold, rest), ...(question?.words ?? [])),
       el("div", { class: "ways" }, question?.button ?? "",
-        next ? closingButton(`Next: ${next.title}`, { class: "button primary" }, () => openReadyMade(page, next)) : "",
+        next ? toNext(next, () => openReadyMade(page, next)) : "",
         closingButton("All lessons", {}, () => page.windows().then((windows) => windows.lessons(page)))),
     ],
   });

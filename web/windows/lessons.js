@@ -1,5 +1,5 @@
 // The window of lessons: a walkthrough of the polygon that is open, the ready-made lessons, and one from a file.
-import { buttonTo, openWindow, problemLine } from "../kit/dialogs.js";
+import { buttonTo, fadeFoot, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, icon, lowered } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
 import { show as showGlossary } from "./glossary.js";
@@ -12,6 +12,7 @@ import { underWay } from "../page/under_way.js";
 export async function show(page) {
   const problem = problemLine();
   const list = el("section");
+  const scroll = el("div", { class: "scroll" }, ofThisPolygon(page, () => root.close()), list);
   const file = el("input", { type: "file", id: "lesson-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,text/plain" });
   file.addEventListener("change", async () => {
     const [chosen] = file.files;
@@ -24,11 +25,12 @@ export async function show(page) {
   const root = await openWindow({
     name: "lessons",
     title: "Lessons",
-    body: [el("div", { class: "scroll" }, ofThisPolygon(page, () => root.close()), list), problem,
+    body: [scroll, problem,
       el("footer", {}, file, buttonTo("Glossary", page, showGlossary), buttonTo("Handout …", page, showHandout), buttonTo("Write a lesson …", page, showEditor),
         button("Open a lesson file …", { onclick: () => file.click() }, "file"))],
   });
   if (!root) return;
+  [scroll, root].forEach(fadeFoot);  // on a small screen all of the window scrolls
   const choose = (lesson) => {
     const why = openReadyMade(page, lesson);
     if (why) problem.say(`This lesson cannot be opened: ${lowered(why)}`);

@@ -2,10 +2,11 @@
 import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered, number } from "../kit/elements.js";
 import { readShapes } from "../kit/import.js";
+import { nameOpened, openedName, stemOf } from "./document_name.js";
 import { openLessonText } from "./lesson_source.js";
 import { isLesson } from "../page/lesson_text.js";
 import { isPhoto, layBehind, photoLine } from "./photo.js";
-import { sentences, showShapes } from "./shapes.js";
+import { lengthUnit, sentences, showShapes } from "./shapes.js";
 import { underWay } from "../page/under_way.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
@@ -16,9 +17,9 @@ const undo = "Undo brings back the previous polygon.";
 // The last text whose curves were flattened, so that they can be flattened otherwise.
 let curved;
 
-// Opens a text that `what` names. `how` is the program's function for it. It tells of it in a notice; if there are several
-// shapes, a window asks for one.
-async function openText(page, text, what, how = "page_load") {
+// Opens a text that `what` names. `how` is the program's function for it, and `name` that of the file (stemOf()), if it came from one.
+// It tells of it in a notice; if there are several shapes, a window asks for one.
+async function openText(page, text, what, { how = "page_load", name = "" } = {}) {
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
   if (how === "page_load" && isLesson(text)) {
@@ -27,8 +28,11 @@ async function openText(page, text, what, how = "page_load") {
     return problem;
   }
   // The program knows the simple formats itself.
-  if (!/^\s*<|\0/.test(text) && !page.program.text(how, text)) return done(page, `${what} is opened. ${undo}`);
-  return openShapes(page, { text, what, how });
+  if (!/^\s*<|\0/.test(text) && !page.program.text(how, text)) {
+    nameOpened(page.program, name);
+    return done(page, `${what} is opened. ${undo}`);
+  }
+  return openShapes(page, { text, what, how, name });
 }
 
 function done(page, notice) {
@@ -41,22 +45,24 @@ async function openShapes(page, source) {
   if (found.problem) return found.problem;
   const { unit, notes, shapes } = found;
   const said = [...(unit ? [`lengths are in ${unit}`] : []), ...notes.slice(0, 2)];
-  if (shapes.length === 1) return openShape(page, source, shapes[0], said);
+  if (shapes.length === 1) return openShape(page, source, shapes[0], found, said);
   closeWindows();
   await chooseShape(page, source, found);
 }
 
 function chooseShape(page, source, found, tolerance) {
-  return showShapes({ ...source, found, tolerance, choose: (shape) => openShape(page, source, shape) });
+  return showShapes({ ...source, found, tolerance, choose: (shape, now) => openShape(page, source, shape, now) });
 }
 
 // `said` is what the notice says of the text besides; the window of shapes says it itself.
-function openShape(page, source, shape, said = []) {
-  const { what, how } = source;
+function openShape(page, source, shape, found, said = []) {
+  const { what, how, name } = source;
   const problem = page.program.text(how, shape.text(how === "page_load"));
   if (problem) return problem;
-  curved = shape.tolerance ? { ...source, tolerance: shape.tolerance } : undefined;
-  const more = [...said, ...(shape.tolerance ? [`curves were flattened to within ${shape.tolerance}, which “Open” can change`] : [])];
+  nameOpened(page.program, name);
+  const within = `${shape.tolerance} ${lengthUnit(found)}`;
+  curved = shape.tolerance ? { ...source, tolerance: shape.tolerance, within } : undefined;
+  const more = [...said, ...(shape.tolerance ? [`curves were flattened to within ${within}, which “Open” can change`] : [])];
   done(page, `${what} is opened. ${sentences(more)} ${undo}`.replace("  ", " "));
 }
 
@@ -75,7 +81,7 @@ async function openFile(page, file) {
   if (/^(\x89PNG|\xff\xd8\xff|GIF8|BM|RIFF|II\*\0|MM\0\*)/.test(head)) return picture;
   // Spreadsheets write "Unicode text" as UTF-16.
   const encoding = head.startsWith("\xff\xfe") ? "utf-16le" : head.startsWith("\xfe\xff") ? "utf-16be" : "utf-8";
-  return openText(page, new TextDecoder(encoding).decode(bytes), `“${file.name}”`);
+  return openText(page, new TextDecoder(encoding).decode(bytes), `“${file.name}”`, { name: stemOf(file.name) });
 }
 
 // Opens what was dropped or pasted anywhere on the page. If that fails, the window says why, or else a notice.
@@ -106,7 +112,7 @@ export async function show(page, { edited } = {}) {
     problem.say(why);
     if (why) text.focus();
   };
-  const apply = async () => refused(await underWay(openText(page, text.value, "The text", edited === undefined ? "page_load" : "page_open_sample")));
+  const apply = async () => refused(await underWay(openText(page, text.value, "The text", edited === undefined ? {} : { how: "page_open_sample", name: openedName(page.program) })));
   const file = el("input", { type: "file", id: "open-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: endings });
   file.addEventListener("change", async () => {
     const [chosen] = file.files;
@@ -134,12 +140,12 @@ export async function show(page, { edited } = {}) {
 // What was opened last had curves: how they were flattened, and a button that changes it.
 function againCurved(page) {
   if (!curved) return [];
-  const { what, tolerance } = curved;
+  const { what, tolerance, within } = curved;
   const change = async () => {
     const source = curved;
     const found = await readShapes(source.text, tolerance);
     closeWindows();
     await chooseShape(page, source, found, tolerance);
   };
-  return [el("p", { class: "row second again" }, `${what} was flattened to within ${tolerance}.`, button("Change …", { onclick: () => underWay(change()) }))];
+  return [el("p", { class: "row second again" }, `The curves of ${what} were flattened to within ${within}.`, button("Change …", { onclick: () => underWay(change()) }))];
 }

@@ -23,6 +23,9 @@ function inWords({ name, description }) {
 
 export const sentences = (texts) => texts.map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`).join(" ");
 
+// In what the lengths of a text are: many drawings do not say it.
+export const lengthUnit = ({ unit }) => unit || "units of the drawing";
+
 // Shows what `found` (of readShapes) has of the text. `choose` opens a shape, and returns why it was refused, or nothing.
 export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const problem = problemLine();
@@ -34,7 +37,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const form = el("form", { class: "row curves", onsubmit: (event) => {
     event.preventDefault();
     underWay(readAgain());
-  } }, el("label", {}, "Edges within ", curves), said, el("button", { type: "submit", class: "button" }, "Flatten"));
+  } }, el("label", {}, "Keep edges within ", curves), said, el("button", { type: "submit", class: "button" }, "Flatten"));
 
   const open = (shape) => {
     const refused = choose(shape, found);
@@ -60,7 +63,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     const [least, most] = [Math.min(...flattened), Math.max(...flattened)];
     curves.value = least === most ? String(least) : "";
     curves.placeholder = least === most ? "" : `${least} to ${most}`;
-    said.textContent = `of the curves${unit ? `, in ${unit}` : ""}`;
+    said.textContent = `of the curves, in ${lengthUnit(found)}`;
   }
   async function readAgain() {
     const wanted = curves.value.trim() ? typedNumber(curves.value) : undefined;
@@ -81,7 +84,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const root = await openWindow({
     name: "shapes",
     title: several ? "Which shape?" : "Flatten curves",
-    body: [el("div", { class: "scroll" }, el("p", {}, several ? `${what} has ${number(found.shapes.length)} shapes, and one is opened.` : `${what} has curves, and a polygon has straight edges.`),
+    body: [el("div", { class: "scroll" }, el("p", {}, several ? `${what} has ${number(found.shapes.length)} shapes. Choose the one to open.` : `${what} has curves, and a polygon has straight edges.`),
       notes, list, more), problem, el("footer", {}, form)],
     focus: list.querySelector("button"),
   });
