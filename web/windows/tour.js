@@ -2,7 +2,8 @@
 // the drawing, so that it covers nothing that it speaks of. It changes nothing.
 import { openCard } from "../kit/card.js";
 import { button, el, svgEl } from "../kit/elements.js";
-import { look, reveal, stops } from "./tour_stops.js";
+import { look, reveal } from "./tour_places.js";
+import { stops } from "./tour_stops.js";
 
 // What is ringed, above the canvas.
 function drawn({ circle, box, line }) {

@@ -1,0 +1,121 @@
+// Where things are on the screen that the tour points at. Places are in CSS pixels.
+
+const numbers = (text) => text.trim().split(" ").map(Number);
+
+// Sizes of what is drawn, in CSS pixels, as wasm/marks has them. A ring about a robot stands between its mark and the number
+// beside it.
+const ringOf = (robots) => (robots > 16 ? 14.5 : 17.5);
+const label = { wide: 30, high: 12, apart: 17.5 };  // half of a number's size, and how far from the robot's middle it begins
+const aboutVertex = 14;
+const aboutCentre = 22;
+
+const away = ([x, y], [u, v]) => Math.hypot(x - u, y - v);
+
+// Some of the vertices, if there are very many.
+function corners(program) {
+  const all = program.text("page_vertices", 0, program.number("page_vertex_count")).trimEnd().split("\n");
+  const every = Math.ceil(all.length / 200);
+  return all.filter((_, i) => i % every === 0).map(numbers);
+}
+
+// The convex hull of points, counter-clockwise where y goes up.
+function hull(points) {
+  const sorted = [...points].sort(([a, b], [c, d]) => a - c || b - d);
+  const turnsLeft = ([ax, ay], [bx, by], [cx, cy]) => (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0;
+  const half = (all) => all.reduce((chain, point) => {
+    while (chain.length > 1 && !turnsLeft(chain.at(-2), chain.at(-1), point)) chain.pop();
+    return [...chain, point];
+  }, []).slice(0, -1);
+  return [...half(sorted), ...half(sorted.reverse())];
+}
+
+// The part of a line between two robots that neither their marks nor rings about them touch; nothing if they are too near.
+function between([from, to], reach) {
+  const length = away(from, to);
+  if (length < 3 * reach) return undefined;
+  const at = (share) => [from[0] + (to[0] - from[0]) * share, from[1] + (to[1] - from[1]) * share];
+  return { line: [at(reach / length), at(1 - reach / length)] };
+}
+
+// How far a ring about a vertex is from the marks of robots, from where their numbers stand, beyond them as seen from C, and from
+// the ring about C; less than 0 if it touches one of them.
+function clearance(c, robots, ring) {
+  const marks = robots.map(([x, y]) => {
+    const far = away([x, y], c) || 1;
+    const [u, v] = [(x - c[0]) / far, (y - c[1]) / far];
+    const out = label.apart + Math.abs(u) * label.wide + Math.abs(v) * label.high;
+    return { disc: [x, y], number: [x + u * out, y + v * out] };
+  });
+  return (at) => Math.min(away(at, c) - aboutCentre, ...marks.flatMap(({ disc, number }) => [
+    away(at, disc) - ring,
+    Math.hypot(Math.max(Math.abs(at[0] - number[0]) - label.wide, 0), Math.max(Math.abs(at[1] - number[1]) - label.high, 0)),
+  ])) - aboutVertex - 3;
+}
+
+// How much the outline bends at a vertex: 0 if it goes straight on, 2 if it goes back.
+function sharpness([ax, ay], [bx, by], [cx, cy]) {
+  const lengths = away([ax, ay], [bx, by]) * away([bx, by], [cx, cy]);
+  return 1 - ((bx - ax) * (cx - bx) + (by - ay) * (cy - by)) / (lengths || 1);
+}
+
+// The controls of the canvas with these names: their cards, their places and the parts of the cards that are seen, each as
+// [x, y, width, height] (wasm/ui/controls.cpp).
+function controls(program, names) {
+  return program.text("page_controls").split("\n").map((line) => line.split("\t")).filter(([, , name]) => names.includes(name))
+    .map((fields) => ({ card: fields[1], name: fields[2], place: fields.slice(8, 12).map(Number), seen: fields.slice(12, 16).map(Number) }));
+}
+
+const isSeen = ({ place: [x, y, width, height], seen: [left, top, wide, high] }) =>
+  x >= left && y >= top && x + width <= left + wide && y + height <= top + high;
+
+// Scrolls the panel until the controls of a stop are seen.
+export function reveal({ program }, { controls: names = [] }) {
+  const scrollTo = 3;  // ControlRequest::reveal of wasm/ui/controls.h
+  for (const control of controls(program, names)) {
+    if (!isSeen(control)) program.call("page_ask_control", scrollTo, control.card, control.name, 0);
+  }
+}
+
+// What the stops ask of the page as it is now.
+export function look({ program }) {
+  const screen = ([x, y]) => [program.number("page_screen_x", x, y), program.number("page_screen_y", x, y)];
+  const state = JSON.parse(program.text("page_state"));
+  // A lesson draws what its step has, which may be less than the placement.
+  const teams = program.number("page_walkthrough_is_open") ? [] : state.teams.map(({ ends }) => ends.map(screen));
+  const robots = teams.flat();
+  const ring = ringOf(robots.length);
+  return {
+    balanced: state.metric === "balanced",
+    robots,
+    free: state.closure.free,
+    heldByCurvature: state.closure.second_order,
+    baseHasArea: hull(robots).length > 2,
+    discs: (some = robots) => some.map((at) => ({ circle: [...at, ring] })),
+    team: teams[0],
+    aboutCentre: { circle: [...screen(state.centre_of_mass), aboutCentre] },
+    // The border of the lifting base, between the robots.
+    base() {
+      const around = hull(robots);
+      return around.map((at, i) => between([at, around[(i + 1) % around.length]], ring + 4)).filter(Boolean);
+    },
+    // The sharpest of the vertices that are clear of robots, their numbers and C; nothing if there is none.
+    vertex() {
+      const c = screen(state.centre_of_mass);
+      const clear = clearance(c, robots, ring);
+      const all = corners(program).map(screen);
+      const known = all.map((at, i) => ({ at, clear: clear(at), sharp: sharpness(all.at(i - 1), at, all[(i + 1) % all.length]) }))
+        .filter(({ at: [x, y], clear: room }) => room >= 0 && x > aboutVertex && y > aboutVertex && x < innerWidth - aboutVertex && y < innerHeight - aboutVertex);
+      const best = known.sort((a, b) => b.sharp - a.sharp)[0];
+      return best ? [{ circle: [...best.at, aboutVertex] }] : [];
+    },
+    // Those of these controls that are seen, as one.
+    controls(...names) {
+      const boxes = controls(program, names).map(({ place: [x, y, width, height], seen: [left, top, wide, high] }) => [
+        Math.max(x - 4, left), Math.max(y - 4, top), Math.min(x + width + 4, left + wide), Math.min(y + height + 4, top + high)])
+        .filter(([left, top, right, bottom]) => right - left > 12 && bottom - top > 12);
+      if (!boxes.length) return [];
+      const [left, top, right, bottom] = [Math.min, Math.min, Math.max, Math.max].map((choose, i) => choose(...boxes.map((box) => box[i])));
+      return [{ box: [left, top, right - left, bottom - top] }];
+    },
+  };
+}
