@@ -12,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double still = 3;  // CSS pixels that a click may shake
+constexpr double still = 3;  // pixels that a click may shake
 
 Vec2 neighbour(const Points& points, std::size_t i, bool next) {
   if (next) return points[i + 1 == points.size() ? 0 : i + 1];
@@ -63,7 +63,7 @@ void press(const AppState& state, const Pointer& pointer, Commands& commands) {
   commands.push_back(SetHeld{held});
 }
 
-// The brush was last at held.at, in CSS pixels. Off the boundary it marks nothing.
+// The brush was last at held.at, in pixels. Off the boundary it marks nothing.
 void drag_brush(const AppState& state, const Pointer& pointer, Commands& commands) {
   Pick held = state.held;
   const Settings changed = brushed(state, held.at, pointer.at, pointer.touch);

@@ -7,13 +7,13 @@
 namespace evenlift::view {
 
 struct Pointer {
-  Vec2 at = Vec2::Zero();   // CSS pixels
+  Vec2 at = Vec2::Zero();   // pixels
   bool present = false;     // over the canvas, or holding something
   bool touch = false;       // a finger: it hovers over nothing
   bool second = false;      // over the picture of the second method
   bool over_panel = false;  // a panel or popup has it
   bool pressed = false, down = false, released = false, double_pressed = false;
-  double moved = 0;  // farthest from where it was pressed, CSS pixels
+  double moved = 0;  // farthest from where it was pressed, pixels
   double wheel = 0;  // steps, > 0 to zoom in
   // Two fingers, or a trackpad's pinch.
   bool pinching = false;

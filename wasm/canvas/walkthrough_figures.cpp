@@ -20,7 +20,7 @@ void draw_area(const Painter& painter, const Points& points, Colour fill, Colour
 
 // An arrow from the centre of mass in a direction in which the object can slide.
 void draw_arrow(const Painter& painter, const CanvasView& view, const Vec2& from, const Vec2& to) {
-  constexpr double arrow_length = 62;  // CSS pixels
+  constexpr double arrow_length = 62;  // pixels
   const Vec2 tail = view.camera.to_screen(from), way = view.camera.to_screen(to) - tail;
   if (length(way) > 0)
     painter.arrow(tail, tail + way / length(way) * arrow_length, view.theme.amber_on_object, 3);
@@ -123,7 +123,7 @@ void draw_base(const Painter& painter, const Points& base, Colour fill, Colour l
 void draw_arm(const Painter& painter, const CanvasView& view, const Points& p) {
   if (view.state.walkthrough.detail.step.kind != StepKind::many)
     return painter.line(p[0], p[1], view.theme.chord, 1);
-  constexpr double before_robot = 13;  // CSS pixels
+  constexpr double before_robot = 13;  // pixels
   const Vec2 tail = view.camera.to_screen(p[0]), way = view.camera.to_screen(p[1]) - tail;
   const double length_shown = length(way) - before_robot;
   if (length_shown > 0)
@@ -140,7 +140,7 @@ void draw_sum(const Painter& painter, const CanvasView& view, const Points& p) {
 
 // A robot's way, which ends before the robot that is drawn over its end.
 void draw_way(const Painter& painter, const CanvasView& view, const Points& p) {
-  constexpr double before_robot = 15;  // CSS pixels
+  constexpr double before_robot = 15;  // pixels
   const Vec2 tail = view.camera.to_screen(p[0]), way = view.camera.to_screen(p[1]) - tail;
   const double length_shown = length(way) - before_robot;
   if (length_shown > 0)

@@ -13,7 +13,7 @@
 namespace evenlift::view {
 namespace {
 
-// The box of the coverage's text, in CSS pixels; nothing if it is not shown or there is no room for it.
+// The box of the coverage's text, in pixels; nothing if it is not shown or there is no room for it.
 std::optional<Rect> coverage_box(const CanvasView& view) {
   const CoveragePlace& place = view.scene.coverage;
   const bool shown = settings(view.state).overlays.lifting_base && view.placement->loads;

@@ -62,7 +62,7 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
 }
 
 void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t teams) {
-  constexpr double spot = 3;  // CSS pixels
+  constexpr double spot = 3;  // pixels
   const Rect& window = view.window;
   const auto across = static_cast<std::size_t>(window.width() / spot) + 1,
              down = static_cast<std::size_t>(window.height() / spot) + 1;

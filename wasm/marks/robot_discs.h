@@ -16,7 +16,7 @@ struct RobotSize {
 inline constexpr std::size_t most_labelled = 50;
 RobotSize robot_size(std::size_t teams);
 
-// How far the mark of a robot reaches, in CSS pixels.
+// How far the mark of a robot reaches, in pixels.
 float mark_radius(const std::vector<Team>& teams);
 
 // How many teams of two there are, or would be of so many balanced robots.

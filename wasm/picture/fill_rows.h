@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-// The part of a row of pixels that is inside the polygon, in CSS pixels.
+// The part of a row of pixels that is inside the polygon, in pixels.
 struct RowSpan {
   float left, right, top;
 };

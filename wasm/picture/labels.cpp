@@ -10,7 +10,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double cell = 4;  // CSS pixels
+constexpr double cell = 4;  // pixels
 
 Rect around(const Vec2& middle, const Vec2& size) {
   return {middle.x() - size.x() / 2, middle.y() - size.y() / 2, middle.x() + size.x() / 2,

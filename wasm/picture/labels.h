@@ -43,7 +43,7 @@ class Occupied {
   std::vector<std::uint8_t> boxes_, lines_;
 };
 
-// A box in CSS pixels for each request, or nothing where there is no room: beside its robot, clear of boxes, and of lines as
+// A box in pixels for each request, or nothing where there is no room: beside its robot, clear of boxes, and of lines as
 // far as that is possible; a box that would cover lines in more than `most_crossed` cells is left out. `reach` is the radius of a robot's mark. The boxes are entered
 // as taken. O(n) for n requests, besides their size.
 std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests,

@@ -12,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double margin = 40;  // CSS pixels beyond the window that are still drawn: widths, fringes
+constexpr double margin = 40;  // pixels beyond the window that are still drawn: widths, fringes
 
 // Dear ImGui keeps 40 bytes for each point on the stack while it draws a line, and a polygon may
 // have a million points. So lines are drawn in pieces of at most this many points.

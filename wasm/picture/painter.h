@@ -41,20 +41,20 @@ class Painter {
   void candidate(const Vec2& a, const Vec2& b, Colour colour, std::size_t count) const;
   // A region of rotation centres, which may have shrunk to a segment or a point.
   void region(const Points& counter_clockwise, Colour fill, Colour line, bool rising) const;
-  // An arrow between two points on the screen, in CSS pixels.
+  // An arrow between two points on the screen, in pixels.
   void arrow(const Vec2& tail, const Vec2& head, Colour colour, float width) const;
   // Hatches with lines at +45° (rising) or −45°. They are fixed to the plane and move with it.
   void hatch_convex(const Points& counter_clockwise, bool rising, Colour colour) const;
 
  private:
-  // The part of a convex area, in CSS pixels, that the window shows, clockwise on the screen.
+  // The part of a convex area, in pixels, that the window shows, clockwise on the screen.
   Points clipped(const Points& counter_clockwise) const;
   // The part of a segment near the window; false if there is none.
   bool clip(Vec2& a, Vec2& b) const;
   // Whether the window may show something of a segment. O(1).
   bool seen(const Vec2& a, const Vec2& b) const;
   void long_outline(const Points& polygon, Colour colour, float width, bool closed) const;
-  // Points that are closer together than this, in CSS pixels, look like one.
+  // Points that are closer together than this, in pixels, look like one.
   double least_step() const;
   // The left and right end of a convex area in each of the rows.
   std::vector<std::pair<float, float>> reach(const Points& convex, float row_height) const;

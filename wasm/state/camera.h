@@ -1,4 +1,4 @@
-// From polygon coordinates to CSS pixels of the canvas (y down there) and back.
+// From polygon coordinates to pixels of the canvas (y down there) and back.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace evenlift::view {
 
-// A rectangle in CSS pixels, origin at the canvas's top left.
+// A rectangle in pixels, origin at the canvas's top left.
 struct Rect {
   double left = 0, top = 0, right = 0, bottom = 0;
   double width() const { return right - left; }
@@ -28,8 +28,8 @@ std::optional<PartOfSegment> part_within(const Rect& rect, const Vec2& a, const 
 
 struct Camera {
   Vec2 centre = Vec2::Zero();  // polygon coordinates of the point drawn at `anchor`
-  Vec2 anchor = Vec2::Zero();  // CSS pixels
-  double scale = 1;            // CSS pixels per unit, > 0
+  Vec2 anchor = Vec2::Zero();  // pixels
+  double scale = 1;            // pixels per unit, > 0
 
   Vec2 to_screen(const Vec2& world) const;
   Vec2 to_world(const Vec2& screen) const;
@@ -38,7 +38,7 @@ struct Camera {
 // The camera that shows all points within `room`, as large as possible. O(n).
 Camera fit(const Points& points, const Rect& room);
 
-// Zooms so that the point under `about` (CSS pixels) stays there. `smallest` and `largest` bound
+// Zooms so that the point under `about` (pixels) stays there. `smallest` and `largest` bound
 // the scale.
 Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest,
             double largest);

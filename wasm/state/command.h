@@ -74,7 +74,7 @@ struct MovePoint {        // one that is placed
 };
 struct SetDrawCursor {
   std::optional<Vec2> at;
-  std::optional<Vec2> pointer;  // in CSS pixels, if the pointer moved it
+  std::optional<Vec2> pointer;  // in pixels, if the pointer moved it
   bool by_keys = false;
 };
 // The next edge's length and its angle in degrees, as typed; what is not given stays. Places its end if asked for.

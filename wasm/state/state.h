@@ -74,7 +74,7 @@ struct Drawing {
   Points undone;                    // redo brings back its last point first
   std::optional<Vec2> cursor;       // where the next vertex would go
   std::optional<Vec2> last_cursor;  // and where it was last, when the pointer is elsewhere
-  std::optional<Vec2> pointer;      // where the pointer was then, in CSS pixels
+  std::optional<Vec2> pointer;      // where the pointer was then, in pixels
   bool by_keys = false;  // the cursor was moved by keys; it stays until the pointer moves
   std::optional<double> length, degrees;  // of the next edge, as typed
   bool checked = false;                   // whether `refusal` is known
@@ -158,7 +158,7 @@ struct AppState {
   bool list_open = false;   // whether the last frame showed a list of choices
   bool close_list = false;  // the next frame closes it
   Sheet sheet = Sheet::closed;
-  double closed_sheet_height = 172;  // in CSS pixels, as measured in the last frame
+  double closed_sheet_height = 172;  // in pixels, as measured in the last frame
   Notice notice;
 };
 

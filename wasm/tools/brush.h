@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-inline constexpr double brush_reach = 12, finger_reach = 22;  // CSS pixels
+inline constexpr double brush_reach = 12, finger_reach = 22;  // pixels
 
 // The edge whose boundary is nearest to a place on the screen, and where on it, from 0 to 1; nothing if
 // none is within the brush's reach. O(n).

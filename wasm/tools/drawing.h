@@ -12,7 +12,7 @@
 
 namespace evenlift::view {
 
-// A click this near to the first vertex, in CSS pixels, closes the polygon.
+// A click this near to the first vertex, in pixels, closes the polygon.
 inline constexpr double closing_reach = 14;
 
 // Whether a press at `screen` would close the polygon. O(1).

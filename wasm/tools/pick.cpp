@@ -103,7 +103,7 @@ bool is_asked_about(const AppState& state, const Pick& pick) {
   return state.explanation->robot == pick.index * in_team + static_cast<std::size_t>(pick.end);
 }
 
-// CSS pixels between the ring and its grip.
+// pixels between the ring and its grip.
 double grip_stands_off(const AppState& state) { return state.screen.finger ? 40 : 28; }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace evenlift::view {
 
-// What is at `screen`, in CSS pixels. The nearest vertex, centre of mass or robot comes first, and a robot
+// What is at `screen`, in pixels. The nearest vertex, centre of mass or robot comes first, and a robot
 // that can be moved before the vertex on which it stands while its card is open; then
 // edges, chords, candidates that are shown, and last the object. In the picture of the second method robots and chords
 // are that method's. O(vertices + teams).
@@ -23,7 +23,7 @@ Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second = false
 // count while they are shown. O(teams + candidates).
 Pick pick_explained(const AppState& state, const Vec2& screen, bool second = false);
 
-// The grip that sets within which distance the centre of mass is known, in CSS pixels: it stands off the ring, so that it can
+// The grip that sets within which distance the centre of mass is known, in pixels: it stands off the ring, so that it can
 // be taken where the ring is small. None while there is no ring to be seen. And the distance for a grip that is moved there.
 std::optional<Vec2> doubt_grip(const AppState& state);
 double doubt_for_grip(const AppState& state, const Vec2& screen);

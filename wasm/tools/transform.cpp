@@ -48,7 +48,7 @@ SetPolygon scaled(const AppState& state, const PolygonGrip& grip, const Vec2& ab
   });
 }
 
-constexpr double beyond = 30;  // CSS pixels from the polygon to its frame
+constexpr double beyond = 30;  // pixels from the polygon to its frame
 
 Vec2 knob_place(const AppState& state, const Rect& frame) {
   constexpr double stalk = 28;

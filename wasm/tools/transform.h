@@ -16,7 +16,7 @@ enum class FrameGrip : std::uint8_t { low_left, low_right, high_left, high_right
 inline constexpr FrameGrip corner_grips[] = {FrameGrip::low_left, FrameGrip::low_right,
                                              FrameGrip::high_left, FrameGrip::high_right};
 
-// Where a grip is drawn, in CSS pixels. The knob is above the frame, or below it where a bar would cover it. O(1).
+// Where a grip is drawn, in pixels. The knob is above the frame, or below it where a bar would cover it. O(1).
 Vec2 grip_place(const AppState& state, const Rect& frame, FrameGrip grip);
 
 // What was done to the polygon since it was taken hold of. O(n).
@@ -26,13 +26,13 @@ struct Transformed {
 };
 Transformed since_grip(const AppState& state);
 
-// The corners of the frame while it is turned, in CSS pixels, in order. O(n).
+// The corners of the frame while it is turned, in pixels, in order. O(n).
 Points turned_frame(const AppState& state);
 
 // The grip under the pointer, nearest first. O(1).
 std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen);
 
-// The polygon that was taken hold of, after a drag from `from` to `to` (CSS pixels). O(n).
+// The polygon that was taken hold of, after a drag from `from` to `to` (pixels). O(n).
 SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& from, const Vec2& to);
 
 // By keys: moved by so many dots of the grid, turned by steps of 15°, scaled by a factor. O(n).

@@ -52,7 +52,7 @@ Asked list_control(Control control);
 const std::vector<Control>& controls();
 
 // All of them as text: a line for each, its fields parted by tabs. web/mirror/mirror.js reads it. Their
-// places are multiplied by `zoom`: into CSS pixels of the canvas.
+// places are multiplied by `zoom`: into pixels of the canvas.
 std::string controls_text(double zoom);
 
 // Asks something of the control with this name on this card, to be done in the next pass: to press it; to choose one of its

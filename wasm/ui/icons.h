@@ -49,7 +49,7 @@ enum class Icon : std::uint8_t {
 };
 inline constexpr std::size_t icon_count = 33;  // without `none`
 
-// Within a square of `size` CSS pixels about `middle`.
+// Within a square of `size` pixels about `middle`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour colour);
 
 // The mark of a centre of mass: a disc with opposite quarters filled.

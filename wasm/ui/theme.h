@@ -63,7 +63,7 @@ void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::strin
 // Dear ImGui's own widgets in the theme's colours and measures.
 void apply_style(const AppState& state, double control_height);
 
-// Makes anti-aliasing as wide as one device pixel instead of one CSS pixel, so that thin lines are
+// Makes anti-aliasing as wide as one device pixel instead of one pixel, so that thin lines are
 // as sharp as the screen allows.
 void sharpen(ImDrawList& list, const AppState& state);
 

@@ -108,7 +108,7 @@ void show_opened(const char* id, bool open, float head) {
 }
 
 bool is_dragged() {
-  constexpr float shake = 8;  // CSS pixels that a finger may move and still mean a tap
+  constexpr float shake = 8;  // pixels that a finger may move and still mean a tap
   return ImGui::GetIO().MouseDragMaxDistanceSqr[0] > shake * shake;
 }
 

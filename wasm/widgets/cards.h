@@ -1,4 +1,4 @@
-// Cards, which float over the drawing, and how they scroll. All sizes are CSS pixels.
+// Cards, which float over the drawing, and how they scroll. All sizes are pixels.
 #pragma once
 
 #include "state/camera.h"

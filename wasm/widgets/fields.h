@@ -1,4 +1,4 @@
-// Values that can be typed: the page lays a field over them (web/mirror/mirror.js). All sizes are CSS pixels.
+// Values that can be typed: the page lays a field over them (web/mirror/mirror.js). All sizes are pixels.
 #pragma once
 
 #include <string>

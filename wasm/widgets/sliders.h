@@ -1,4 +1,4 @@
-// Controls that follow the pointer while they are held. All sizes are CSS pixels.
+// Controls that follow the pointer while they are held. All sizes are pixels.
 #pragma once
 
 #include <cstddef>
