@@ -65,11 +65,6 @@ std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
   return text.empty() ? "none" : text;
 }
 
-std::string gap_in_words(double best, double greedy) {
-  const double points = 100 * std::max(0.0, best - greedy);
-  return plain(std::round(points * 100) / 100) + " points";
-}
-
 std::string verdict_on(const FirmestChoice& firmest) {
   if (firmest.proved && firmest.keys.level > 0)
     return std::string("It holds the object, and of all choices it is the best one by ") +
@@ -97,8 +92,9 @@ std::string for_people(const Compared& compared) {
   text += widest.proved ? "  It is proved: no choice of so many teams covers more.\n"
                         : "  It is not proved: no choice covers more than " +
                               percentage(widest.bound, 2) + ".\n";
-  text +=
-      "  The greedy choice is " + gap_in_words(widest.coverage, greedy.coverage) + " behind it.\n";
+  text += "  The greedy choice is " +
+          points_ahead(std::max(widest.coverage, greedy.coverage), greedy.coverage) +
+          " behind it.\n";
   if (const auto& firmest = compared.firmest)
     text += "\n  To hold           covers " + percentage(firmest->keys.coverage, 2) +
             "   candidates " + candidates_in_words(firmest->taken) + "\n  " + verdict_on(*firmest) +

@@ -116,7 +116,8 @@ std::string for_people(const Placement& placement, bool with_candidates,
   }
   if (capacity)
     sentences += capacity_in_words(placement, capacity->limit, &capacity->plan,
-                                   overloaded_robots(greatest, capacity->limit)) +
+                                   overloaded_robots(greatest, capacity->limit),
+                                   known.models ? asked.model : LoadModel::plan) +
                  "\n";
   sentences += robustness_lines(known, limit, placement.settings.units);
   if (asked.failures && !placement.teams.empty()) tables += failure_table(placement, known) + "\n";

@@ -295,7 +295,7 @@ test("a robot that is pressed says why it stands there, and leads into the lesso
   });
   await page.mouse.click(x, y);
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^Robot [34], of team 2\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* Area that it adds: \d+, \d+ more than the next\.$/);
+  assert.match(await page.locator("#alert").textContent(), /^Robot [34], of team 2\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* It adds \d+; the next best chord would add \d+\.$/);
   await press(page, "show in lesson");
   await idle(page);
   assert.match(await page.locator("#summary").textContent(), /Team 2 takes candidate/);
@@ -323,6 +323,36 @@ test("on a phone the card that says why stands below the robot, whichever was ta
     assert.ok(asked >= 4, String(asked));
     await page.done();
   }
+});
+
+test("the wheel over a value scrolls the panel, and leaves the drawing where it is", async () => {
+  const page = await browser.open({ viewport: { width: 1280, height: 560 } });
+  const before = await toScreen(page, [0, 0]);
+  const weight = await control(page, "weight");
+  await page.mouse.move(...weight.middle);
+  await page.mouse.wheel(0, 120);
+  await idle(page);
+  assert.ok((await control(page, "weight")).y < weight.y, "the panel scrolled");
+  assert.deepEqual(await toScreen(page, [0, 0]), before);
+  await page.done();
+});
+
+test("a lesson begins at the head of the panel, however far it was scrolled, and beside the drawing on a phone", async () => {
+  const page = await browser.open();
+  await press(page, "robot size");
+  await idle(page);
+  await page.keyboard.press("b");
+  const close = await control(page, "leave");
+  assert.ok(close.y >= 16 && close.y < 60, String(close.y));
+  await page.done();
+  const small = await browser.open({ viewport: phone, ...touch });
+  await tap(small, "handle");
+  await tap(small, "handle");
+  await small.keyboard.press("b");
+  await idle(small);
+  const next = await control(small, "Next step");
+  assert.ok(next.y > phone.height * 0.6 && next.y < phone.height - 40, String(next.y));
+  await small.done();
 });
 
 test("what went well is said for as long as it takes to read it, and what went wrong until it is closed", async () => {

@@ -344,6 +344,14 @@ TEST_CASE("a ready-made lesson shows its own stops and words, and can be left fo
   page.press({"u"});
   CHECK(timeline(page.app.state).count > 20);
   CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
+  page.press({"u"});  // and back
+  CHECK(timeline(page.app.state).count == 2);
+  CHECK(words_of_stop(page.app.state) == "Done.");
+  page.press({"u"});
+  page.press({"b"});
+  page.press({"b"});  // who leaves the lesson leaves the script
+  page.press({"u"});
+  CHECK(words_of_stop(page.app.state).empty());
 
   const auto wrong =
       open_lesson(page.app.state, "title: x\npolygon: l\n\n[team 9]\nNo.\n", l_shape);

@@ -242,7 +242,7 @@ void interact(const AppState& state, const Pointer& pointer, Commands& commands)
   else if (pointer.pressed && !pointer.over_panel)
     press(state, pointer, commands);
   if (!holding) hover(state, pointer, commands);
-  if (pointer.wheel != 0 && !pointer.over_panel) {
+  if (pointer.wheel != 0 && pointer.present && !pointer.over_panel) {
     const double factor = std::exp(pointer.wheel * 0.18);
     commands.push_back(ZoomView{factor, pointer.at});
   }

@@ -67,6 +67,9 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   const Placement& placement = *view.placement;
   Occupied occupied(free_window(view));
   occupied.box(view.layout.tools);
+  if (view.layout.wide && !view.state.presenting)  // the hint beside the tools (canvas/hint.cpp)
+    occupied.box({view.layout.tools.right, view.layout.tools.top, view.layout.free.right,
+                  view.layout.tools.bottom});
   for (const Team& team : placement.teams) {
     for (const Robot& robot : team.robots)
       occupied.box(about(view.camera.to_screen(robot.point.position), reach));

@@ -64,12 +64,12 @@ std::string row(const std::string& name, const Placement& placement) {
   std::string teams;
   for (const std::uint32_t i : placement.team_candidates)
     teams += (teams.empty() ? "" : ", ") + std::to_string(i + 1);
-  return line("row", name + '\t' + percentage(placement.coverage, 1) + '\t' + teams);
+  return line("row", name + '\t' + percentage(placement.coverage, 2) + '\t' + teams);
 }
 
 std::string how_sure(const Compared& compared) {
   const Optimum& optimum = compared.optimum;
-  const std::string bound = fixed(100 * optimum.bound, 1) + " %";
+  const std::string bound = percentage(optimum.bound, 2);
   const std::size_t candidates = compared.greedy.candidates.size();
   const std::string many = "With " + count_of(candidates, "candidate", "candidates");
   if (optimum.proved) return "It is proved: no choice of so many teams covers more.";
@@ -90,11 +90,8 @@ std::string gap(const Compared& compared) {
   if (!(behind > 1e-9))
     return compared.optimum.proved ? "The greedy choice is the best one."
                                    : "Nothing better than the greedy choice was found.";
-  // Of the two percentages as they are shown, so that everybody can subtract them.
-  const auto tenths = [](double share) { return std::round(1000 * share); };
-  const double shown = tenths(compared.optimum.coverage) - tenths(compared.greedy.coverage);
-  return "The greedy choice is " + (shown > 0 ? plain(shown / 10) : std::string("less than 0.1")) +
-         " points behind it.";
+  return "The greedy choice is " +
+         points_ahead(compared.optimum.coverage, compared.greedy.coverage) + " behind it.";
 }
 
 std::string in_lines(const Compared& compared, Method asked) {

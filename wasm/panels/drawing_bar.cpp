@@ -40,8 +40,8 @@ void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 
 void draw_drawing_bar(const Ui& ui) {
   const bool some = !ui.state.drawing.points.empty();
-  if (word_button(ui, "Close the shape", ui.state.drawing.points.size() >= 3, true))
-    ui.push(FinishDrawing{});
+  const bool closes = ui.state.drawing.points.size() >= 3 && !ui.state.drawing.refusal;
+  if (word_button(ui, "Close the shape", closes, true)) ui.push(FinishDrawing{});
   ImGui::SameLine(0, 6);
   if (word_button(ui, ui.layout.wide ? "Take one back" : "Back", some)) ui.push(TakePointBack{});
   ImGui::SameLine(0, 6);

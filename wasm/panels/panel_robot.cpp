@@ -97,6 +97,7 @@ std::string left_in_words(const Placement& placement) {
     all += length(placement.polygon.edge_end(edge) - placement.polygon.edge_start(edge));
   for (const UnusablePart& part : placement.stands->unusable())
     lost += part.part.to - part.part.from;
+  if (lost == 0) return "All of the boundary can be used.";
   return percentage(std::clamp(1 - lost / all, 0.0, 1.0)) +
          " of the boundary can be used. Point at the rest to see why not.";
 }

@@ -84,7 +84,9 @@ void draw_verdict(const Ui& ui) {
   draw_fitting(ui.theme.text, v.headline, free, large, 2);
   ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + 4));
   constexpr Face small[] = {Face::text, Face::label};
-  draw_fitting(ui.theme.second_text, v.detail, width, small, ui.layout.wide ? 4 : 3);
+  // What is wrong comes first.
+  draw_fitting(ui.theme.second_text, overload_in_brief(ui.state) + v.detail, width, small,
+               ui.layout.wide ? 4 : 3);
   ImGui::Dummy(ImVec2(width, 0));
   if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
   ImGui::PopStyleVar();

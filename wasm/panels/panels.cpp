@@ -81,8 +81,18 @@ void draw_close_button(const Ui& ui) {
   ImGui::SetCursorScreenPos(at);
 }
 
+// Whoever begins or leaves a lesson sees the head of the panel.
+void begin_at_head(const Ui& ui) {
+  ImGuiStorage& seen = *ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID("shows a lesson");
+  const bool lesson = walkthrough_is_open(ui.state);
+  if (seen.GetBool(id, lesson) != lesson) ImGui::SetScrollY(0);
+  seen.SetBool(id, lesson);
+}
+
 void draw_side_panel(const Ui& ui) {
   begin_card(ui, "panel", ui.layout.panel);
+  begin_at_head(ui);
   if (walkthrough_is_open(ui.state))
     draw_close_button(ui);
   else
@@ -140,6 +150,7 @@ void draw_row_below_verdict(const Ui& ui) {
 void draw_sheet(const Ui& ui) {
   begin_card(ui, "sheet", ui.layout.panel,
              {.fixed_height = true, .padding = 16, .scrolls = ui.state.sheet != Sheet::closed});
+  begin_at_head(ui);
   ImGui::SetCursorPosY(4);
   draw_handle(ui);
   ImGui::PushID("closed");

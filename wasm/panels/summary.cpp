@@ -33,7 +33,11 @@ Verdict of_drawing(const AppState& state) {
   const std::string press = state.screen.touch ? "Tap" : "Click";
   if (n == 0) return {Mood::drawing, "Draw a shape.", press + " where its first vertex is."};
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
-          n < 3 ? "A shape needs at least three." : press + " the first one to close the shape."};
+          n < 3 ? "A shape needs at least three."
+          : state.drawing.refusal
+              ? "It cannot be closed as it is: " + sentence(*state.drawing.refusal) +
+                    ". Move a vertex, or take it back."
+              : press + " the first one to close the shape."};
 }
 
 // Where each of the balanced robots stands.
@@ -91,7 +95,17 @@ std::string need_in_words(const AppState& state) {
   std::vector<double> greatest;
   for (const LoadRange& range : shown_outlook(state).loads) greatest.push_back(range.greatest);
   return capacity_in_words(*state.placement, *capacity, state.plan ? &*state.plan : nullptr,
-                           overloaded_robots(greatest, *capacity));
+                           overloaded_robots(greatest, *capacity),
+                           shown_outlook(state).models ? state.load_model : LoadModel::plan);
+}
+
+std::string overload_in_brief(const AppState& state) {
+  const std::optional<double>& capacity = settings(state).capacity;
+  const bool shown = state.placement && !state.refusal && state.tool != Tool::draw &&
+                     !failing(state) && capacity && state.outlook.greatest > *capacity;
+  if (!shown) return {};
+  return "A robot can carry " + with_weight_unit(plain(*capacity), settings(state).units) +
+         ": not enough. ";
 }
 
 std::string model_words(const AppState& state) {

@@ -25,6 +25,9 @@ Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 // The same in words, of the robot with this number, from 0: what happens if it fails, if that is known.
 std::string failure_words(const AppState& state, std::size_t robot);
 
+// That a robot is overloaded, in a few words; empty if none is.
+std::string overload_in_brief(const AppState& state);
+
 // With a capacity of one robot: whether each stays within it, and how many robots are needed; else
 // empty.
 std::string need_in_words(const AppState& state);

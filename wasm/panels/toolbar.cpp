@@ -198,9 +198,9 @@ void draw_notice(const Ui& ui) {
   const float text =
       std::min(text_size(Face::text, notice.text).x, static_cast<float>(widest) - 84);
   const double width = text + 84, x = seat.middle().x() - width / 2,
-               foot = std::min(seat.bottom, ui.layout.free.bottom - 8);
-  begin_card(ui, "notice", {x, ui.layout.toolbar.bottom + 12, x + width, foot},
-             {.at_bottom = true, .padding = 10});
+               head = ui.layout.toolbar.bottom + 12,
+               foot = std::max(std::min(seat.bottom, ui.layout.free.bottom - 8), head + 100);
+  begin_card(ui, "notice", {x, head, x + width, foot}, {.at_bottom = true, .padding = 10});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(ImVec2(at.x + 11, at.y + 12), 11,

@@ -90,6 +90,8 @@ struct Walkthrough {
 
   std::optional<std::size_t> hovered;  // index of the figure under the pointer
   std::optional<Script> script;
+  std::optional<Script>
+      aside;  // while all steps are shown instead: the script to which one comes back
 };
 
 }  // namespace evenlift::view

@@ -37,6 +37,7 @@ void begin_script(AppState& state, Script script) {
   walk.predict = script.lesson.predict;
   walk.guesses = {};
   walk.all_steps = false;
+  walk.aside.reset();
   walk.script = std::move(script);
   walk.script->depth = state.history.depth();
   find_stops(walk);

@@ -158,6 +158,7 @@ void open_walkthrough(AppState& state, std::optional<std::uint32_t> at) {
   state.second.reset();
   state.selected.reset();
   state.tool = Tool::parts;
+  state.sheet = Sheet::closed;  // which shows the step and its buttons beside the drawing
   Walkthrough& walk = state.walkthrough;
   if (trace_it(state)) enter(state, at ? *at : shown_step(walk, walk.at));
 }
@@ -167,6 +168,7 @@ void close_walkthrough(AppState& state) {
   forget_step(walk);
   walk.trace.reset();
   walk.script.reset();
+  walk.aside.reset();
   walk.playing = false;
   browser::drop_frame_after();
   walk.figures.clear();
@@ -212,6 +214,7 @@ void withdraw_question(AppState& state) {
 }
 
 void leave_script(AppState& state) {
+  state.walkthrough.aside.reset();
   if (!state.walkthrough.script) return;
   state.walkthrough.script.reset();
   // The step may be no main step; then all are shown around it.
@@ -221,9 +224,16 @@ void leave_script(AppState& state) {
 
 void show_all_steps(AppState& state, bool all) {
   Walkthrough& walk = state.walkthrough;
-  walk.script.reset();
   walk.all_steps = all;
-  if (walkthrough_is_open(state)) enter(state, shown_step(walk, walk.at));
+  if (all && walk.script) walk.aside = std::exchange(walk.script, std::nullopt);
+  if (!all && walk.aside && walk.aside->vertices == state.document.vertices && walk.trace) {
+    walk.script = std::exchange(walk.aside, std::nullopt);
+    find_stops(walk);
+    settle_position(walk);
+    if (walk.script) go_to_position(state, timeline(state).at);
+  } else if (walkthrough_is_open(state)) {
+    enter(state, shown_step(walk, walk.at));
+  }
   browser::document_changed();
 }
 

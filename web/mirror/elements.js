@@ -63,9 +63,11 @@ function field(entry, actions) {
       entry.renew = begin;
     }
   });
-  // Over the field the wheel still moves the panel.
+  // Over the field the wheel still moves the panel. The canvas believes that the pointer has left it.
   element.addEventListener("wheel", (event) => {
-    document.getElementById("canvas").dispatchEvent(new WheelEvent("wheel", event));
+    const canvas = document.getElementById("canvas");
+    canvas.dispatchEvent(new MouseEvent("mousemove", event));
+    canvas.dispatchEvent(new WheelEvent("wheel", event));
   }, { passive: true });
   return element;
 }

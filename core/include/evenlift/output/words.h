@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "evenlift/capacity.h"
+#include "evenlift/placed_robots.h"
 #include "evenlift/placement.h"
 
 namespace evenlift {
@@ -52,6 +53,9 @@ std::string with_length_unit(const std::string& number, const Units& units);
 // A share of 1 as a percentage: "81 %". Only 0 is "0 %" and only 1 is "100 %", both within
 // tolerance; what would be rounded to them is "< 1 %" or "> 99 %" (with one decimal "< 0.1 %").
 std::string percentage(double share, int decimals = 0);
+
+// How many percentage points a share is ahead of another: the difference of the two percentages with two decimals.
+std::string points_ahead(double share, double other);
 
 // "1 team", "3 teams".
 std::string count_of(std::size_t n, const char* one, const char* many);
@@ -107,9 +111,9 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot);
 std::string capacity_in_words(const Placement& placement, double capacity,
                               const CapacityPlan* plan);
 
-// The same where other robots are overloaded than by plan.
+// The same where other robots are overloaded than by plan: those by this model of the loads.
 std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
-                              const std::vector<std::size_t>& overloaded);
+                              const std::vector<std::size_t>& overloaded, LoadModel model);
 
 // One of the numbers that describe a result, with a few words on what it means.
 struct Fact {

@@ -114,6 +114,11 @@ std::string with_length_unit(const std::string& number, const Units& units) {
                                           : number + "\u00A0" + std::string(name(units.length));
 }
 
+std::string points_ahead(double share, double other) {
+  const auto hundredths = [](double of) { return std::round(10000 * of); };
+  return plain((hundredths(share) - hundredths(other)) / 100) + " points";
+}
+
 std::string percentage(double share, int decimals) {
   if (share <= tau) return "0\u00A0%";
   if (share >= 1 - tau) return "100\u00A0%";

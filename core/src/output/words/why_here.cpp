@@ -25,20 +25,20 @@ const char* aim_of(Method method) {
   return "that adds the most area to the lifting base";
 }
 
-// What its score is of.
+// What its score is of, and that of the next.
 const char* measured(Method method) {
   switch (method) {
     case Method::circle:
-      return "Area of these circles";
+      return "They have an area of #; those of the next best chord have ##.";
     case Method::distance:
-      return "Leverage taken away";
+      return "It takes away #; the next best chord would take ##.";
     case Method::area:
     case Method::distributed:
     case Method::random:
     case Method::balanced:
       break;
   }
-  return "Area that it adds";
+  return "It adds #; the next best chord would add ##.";
 }
 
 // A score with its unit, told apart from `other`.
@@ -91,9 +91,9 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
                 {ratio_text(best.value, next.value), ratio_text(next.value, best.value)});
   const std::string ahead = with_unit(trace, scores, best.value - next.value, 0);
   if (scores.rule != Rule::score) return fill("The next one is # shorter.", {ahead});
-  return fill("#: #, ## more than the next.", {measured(trace.placement.settings.method),
-                                               with_unit(trace, scores, best.value, next.value),
-                                               next.exact ? "" : "at least ", ahead});
+  return fill(measured(trace.placement.settings.method),
+              {with_unit(trace, scores, best.value, next.value), next.exact ? "" : "at most ",
+               with_unit(trace, scores, next.value, best.value)});
 }
 
 }  // namespace

@@ -30,15 +30,21 @@ std::string teams_of(const Placement& placement, const std::vector<std::size_t>&
 }
 
 std::string overload_in_words(const Placement& placement, double capacity,
-                              const std::vector<std::size_t>& robots) {
+                              const std::vector<std::size_t>& robots, LoadModel model) {
   if (placement.teams.empty()) return {};
   const std::string limit = with_weight_unit(plain(capacity), placement.settings.units);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
+  // At best only the greatest load is known, and not whose it is; at worst not all bear their greatest at once.
+  if (model == LoadModel::best)
+    return "However the weight is shared, some robot carries more than " + limit + ".";
   const std::size_t all = count_robots(placement.teams);
   return (robots.size() == all
               ? "All " + std::to_string(all) + " robots"
               : std::to_string(robots.size()) + " of " + std::to_string(all) + " robots") +
-         (robots.size() == 1 ? " is" : " are") + " overloaded, with more than " + limit +
+         (model == LoadModel::worst ? " can be"
+          : robots.size() == 1      ? " is"
+                                    : " are") +
+         " overloaded, with more than " + limit +
          (placement.settings.method == Method::balanced ? "" : ": " + teams_of(placement, robots)) +
          ".";
 }
@@ -115,8 +121,11 @@ std::string shortage_in_words(const Placement& placement) {
            (placement.stands
                 ? " robots of this size: none was found that fit, with the centre of mass as centroid."
                 : " robots: none was found whose centroid is the centre of mass.");
+  const bool has_size = !(placement.settings.robot == RobotSize{});
   if (teams == 0 && placement.stands)
-    return "No chord through the centre of mass on which two robots of this size can stand is even enough. Lower the minimum load ratio, or take smaller robots.";
+    return has_size
+               ? "No chord through the centre of mass on which two robots of this size can stand is even enough. Lower the minimum load ratio, or take smaller robots."
+               : "No chord through the centre of mass that ends at no marked edge is even enough. Lower the minimum load ratio, or mark fewer edges.";
   if (teams == 0)
     return by_ratio
                ? "No chord through the centre of mass is this even. Lower the minimum load ratio, or move the centre of mass."
@@ -124,9 +133,14 @@ std::string shortage_in_words(const Placement& placement) {
   if (teams >= placement.requested_teams) return {};
   return "There is room for only " + std::to_string(teams) + " of " +
          count_of(placement.requested_teams, "team", "teams") +
-         (placement.stands ? ": in any other place the robots would not fit beside each other."
-          : by_ratio       ? " at this minimum load ratio."
-                           : ".");
+         (placement.stands && placement.candidates.size() > teams
+              ? ": in any other place the robots would not fit beside each other."
+          : placement.stands && has_size
+              ? " at this minimum load ratio, where robots of this size can stand."
+          : placement.stands
+              ? " at this minimum load ratio on what is left of the edges that are marked."
+          : by_ratio ? " at this minimum load ratio."
+                     : ".");
 }
 
 std::string coverage_in_words(const Placement& placement) {
@@ -178,12 +192,13 @@ std::string verdict(const Placement& placement) {
 
 std::string capacity_in_words(const Placement& placement, double capacity,
                               const CapacityPlan* plan) {
-  return capacity_in_words(placement, capacity, plan, overloaded_robots(placement, capacity));
+  return capacity_in_words(placement, capacity, plan, overloaded_robots(placement, capacity),
+                           LoadModel::plan);
 }
 
 std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
-                              const std::vector<std::size_t>& overloaded) {
-  return joined({overload_in_words(placement, capacity, overloaded),
+                              const std::vector<std::size_t>& overloaded, LoadModel model) {
+  return joined({overload_in_words(placement, capacity, overloaded, model),
                  plan ? need_in_words(*plan, placement.settings) : std::string()});
 }
 
