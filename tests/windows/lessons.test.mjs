@@ -407,6 +407,19 @@ test("the untouched template has no mistake where no team stands, and where a ba
   await page.done();
 });
 
+test("what the editor says about an unknown setting names every one that a lesson may have", async () => {
+  const page = await browser.open();
+  const { text, problem } = await editor(page);
+  await text.fill("title: Mine\ncolour: red\n");
+  await idle(page);
+  const [, section] = /^## The settings\n(.*?)^## /ms.exec(readFileSync(path.join(root, "docs/lessons.md"), "utf8"));
+  const table = section.split("\n").filter((line) => line.startsWith("| `"));
+  const listed = table.flatMap((line) => [...line.split("|")[1].matchAll(/`([a-z-]+)`/g)].map(([, name]) => name));
+  const said = /^Line 2: unknown setting; there are (.+)\.$/.exec(await problem.textContent())[1];
+  assert.deepEqual(said.split(/, | and /).sort(), listed.sort());
+  await page.done();
+});
+
 test("a sample is chosen from a list, a lesson begins with a ready-made one, and a file is saved that opens", async () => {
   const page = await browser.open({ acceptDownloads: true });
   const { root: window, text, problem } = await editor(page);
