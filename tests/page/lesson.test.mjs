@@ -543,6 +543,49 @@ test("a challenge link hides the answer and asks", async () => {
   await both.done();
 });
 
+test("a challenge begins at the beginning, whatever step its link has, and has shown no other", async () => {
+  const page = await browser.open({ address: "?lesson=metrics-area", permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("End");
+  await idle(page);
+  const last = await link(page);
+  const window = await openWindow(page, "save");
+  await window.getByRole("button", { name: "Challenge link" }).click();
+  await window.getByText("The challenge link is copied.").waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  assert.match(copied, /\?lesson=metrics-area&challenge=1#1\./);
+  assert.equal(JSON.parse(evenlift("link", "decode", copied.split("#")[1])).step ?? undefined, undefined, "the link has no step");
+  assert.equal(await link(page), last, "and what is open stays where it is");
+  await page.done();
+  const first = await browser.open({ address: "?lesson=metrics-area" });
+  await idle(first);
+  const begun = await step(first);
+  await first.done();
+  for (const [address, at, search] of [[copied.slice(browser.server.url.length), begun, "?lesson=metrics-area&challenge=1"],
+    [`?lesson=metrics-area&challenge=1#${last}`, begun, "?lesson=metrics-area&challenge=1"], [`?challenge=1#${last}`, 0, "?challenge=1"]]) {
+    const other = await browser.open({ address });
+    await idle(other);
+    assert.equal(await step(other), at, address);
+    await spoken(other, /^Step 1 of /);
+    await published(other);
+    assert.equal(await named(other), search);
+    const before = await other.$$eval("#mirror [aria-label]", (all) => all.map((e) => e.getAttribute("aria-label")).filter((label) => /^Step [\d–]/.test(label)));
+    assert.deepEqual(before.filter((label) => !label.includes("The object: a polygon")), [], "nothing that comes later was looked at");
+    await other.locator("#canvas").focus();
+    for (let i = 0; i < 60 && !await other.locator("#alert").textContent(); ++i) {
+      await other.keyboard.press("ArrowRight");
+      await idle(other);
+    }
+    assert.match(await other.locator("#alert").textContent(), /\?/, address);
+    // A link at a step that is put into the same tab begins anew, too.
+    await other.evaluate((l) => {
+      location.hash = l;
+    }, last);
+    await spoken(other, /^Step 1 of /);
+    await other.done();
+  }
+});
+
 test("the window begins the polygon's own lesson, or a challenge from its first step", async () => {
   const page = await inLesson("stone-slab", 9);
   let window = await openWindow(page, "lessons");

@@ -45,6 +45,50 @@ test("a number is clicked and typed over, with its unit and a decimal comma or w
   await page.done();
 });
 
+// Types into a field as people do, with Enter at the end.
+async function type(page, name, text) {
+  await press(page, name);
+  await page.keyboard.type(text);
+  await page.keyboard.press("Enter");
+  await idle(page);
+}
+
+test("a number with another unit of the same kind is converted, not taken as it stands", async () => {
+  const page = await browser.open();
+  await press(page, "robot size");
+  await idle(page);
+  for (const [unit, typed, radius] of [["mm", "2 cm", 20], ["mm", "1,5in", 38.1], ["m", "7 mm", 0.007], ["in", "2.54 cm", 1], ["cm", "3 cm", 3]]) {
+    await set(page, { unit });
+    await type(page, "robot radius", typed);
+    assert.equal((await state(page)).robot.radius, radius, `${typed} in ${unit}`);
+  }
+  for (const [weight_unit, typed, weight] of [["kg", "2 t", 2000], ["kg", "50 lb", 22.6796185], ["kg", "9.80665 N", 1], ["N", "1 kg", 9.80665], ["lb", "0.45359237 kg", 1]]) {
+    await set(page, { weight_unit });
+    await type(page, "weight", typed);
+    assert.equal((await state(page)).weight, weight, `${typed} in ${weight_unit}`);
+  }
+  await set(page, { unit: "mm" });
+  await type(page, "com", "60 cm, 20 cm");
+  assert.deepEqual((await state(page)).centre_of_mass, [600, 200]);
+  await page.done();
+});
+
+test("a unit of another kind is refused, and so is one where numbers have none", async () => {
+  const page = await browser.open();
+  await press(page, "robot size");
+  await set(page, { unit: "none" });
+  const before = await state(page);
+  for (const [name, typed, why] of [["robot radius", "5 mm", /^The radius of a robot is a number/], ["weight", "5 mm", /^The weight is a number/],
+    ["teams", "4 kg", /^The number of teams is/], ["min ratio", "0.5 m", /^The minimum load ratio is/], ["com", "300 mm, 250 mm", /^The centre of mass is two numbers/]]) {
+    await type(page, name, typed);
+    assert.match(await page.locator("#alert").textContent(), why);
+    await page.keyboard.press("Escape");
+    await idle(page);
+    assert.deepEqual(await state(page), before, typed);
+  }
+  await page.done();
+});
+
 test("a number that is left as it is shown keeps all its digits", async () => {
   const page = await browser.open();
   await page.evaluate(() => evenlift.set({ min_ratio: 0.123456789 }));

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, drag, idle, link, load, phone, press, reload, root, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
+import { asset, control, drag, idle, link, load, lShape, phone, press, reload, root, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
 import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const order = readFileSync(path.join(root, "assets/lessons/index.txt"), "utf8").split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
@@ -359,6 +359,64 @@ test("the editor shows the lesson at the step of the cursor, and its problems wi
   assert.equal(await link(page), before, "all previews are one step");
   const again = await editor(page);
   assert.equal(await again.text.inputValue(), lesson.replace("[team 2]", "[team 1]"), "the draft is kept");
+  await page.done();
+});
+
+// How many steps the template has, by what is open.
+for (const [what, settings, steps] of [
+  ["area", { metric: "area" }, 5], ["circle", { metric: "circle" }, 5], ["distance", { metric: "distance" }, 5],
+  ["distributed", { metric: "distributed" }, 4], ["random", { metric: "random" }, 3],
+  ["balanced robots", { metric: "balanced" }, 5], ["two balanced robots", { metric: "balanced", robots: 2 }, 5],
+]) {
+  test(`the untouched template has no mistake: ${what}`, async () => {
+    const page = await browser.open();
+    await load(page, asset("horseshoe"));
+    await set(page, settings);
+    await idle(page);
+    const { root: window, text, problem } = await editor(page);
+    assert.equal(await problem.textContent(), "");
+    assert.equal(await text.getAttribute("aria-invalid"), null);
+    assert.match(await window.locator(".status").textContent(), new RegExp(`^${steps} steps; `));
+    assert.match(await stepOf(page), new RegExp(`^Step 1 of ${steps}`));
+    await page.done();
+  });
+}
+
+test("the untouched template has no mistake where no team stands, and where a balanced robot was moved", async () => {
+  const page = await browser.open();
+  const check = async () => {
+    const { root: window, problem } = await editor(page);
+    await window.getByLabel("Begin with").selectOption("template");
+    await idle(page);
+    assert.equal(await problem.textContent(), "");
+    await page.keyboard.press("Escape");
+    await allClosed(page);
+  };
+  await load(page, lShape);
+  await set(page, { com: [300, 200], min_ratio: 1 });
+  assert.equal((await state(page)).teams.length, 0);
+  await check();
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", robots: 3, min_ratio: 0.8 });
+  await idle(page);
+  const { teams, centre_of_mass: [cx, cy] } = await state(page);
+  const [x, y] = teams[0].ends[0];
+  await drag(page, await toScreen(page, [x, y]), await toScreen(page, [x - 0.05 * (y - cy), y + 0.05 * (x - cx)]));
+  assert.notEqual((await state(page)).moved, undefined);
+  await check();
+  await page.done();
+});
+
+test("what the editor says about an unknown setting names every one that a lesson may have", async () => {
+  const page = await browser.open();
+  const { text, problem } = await editor(page);
+  await text.fill("title: Mine\ncolour: red\n");
+  await idle(page);
+  const [, section] = /^## The settings\n(.*?)^## /ms.exec(readFileSync(path.join(root, "docs/lessons.md"), "utf8"));
+  const table = section.split("\n").filter((line) => line.startsWith("| `"));
+  const listed = table.flatMap((line) => [...line.split("|")[1].matchAll(/`([a-z-]+)`/g)].map(([, name]) => name));
+  const said = /^Line 2: unknown setting; there are (.+)\.$/.exec(await problem.textContent())[1];
+  assert.deepEqual(said.split(/, | and /).sort(), listed.sort());
   await page.done();
 });
 

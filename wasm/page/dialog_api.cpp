@@ -183,6 +183,11 @@ EMSCRIPTEN_KEEPALIVE const char* page_weight_unit() {
   return hand_over(std::string(name(app().state.placed.settings.units.weight)));
 }
 
+// The unit of coordinates and distances; "none" without one.
+EMSCRIPTEN_KEEPALIVE const char* page_length_unit() {
+  return hand_over(std::string(name(app().state.placed.settings.units.length)));
+}
+
 // Inserts a vertex in the middle of the edge that begins at this one.
 EMSCRIPTEN_KEEPALIVE void page_insert_vertex(int after) {
   const evenlift::Points& vertices = app().state.document.vertices;

@@ -10,10 +10,12 @@
 #include "app/app.h"
 #include "app/open_lesson.h"
 #include "edits/sight.h"
+#include "evenlift/lesson.h"
 #include "evenlift/output/words.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/browser.h"
+#include "state/opened.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
 
@@ -37,6 +39,18 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* 
   frame_view(app().state);
   browser::request_frame();
   return hand_over({});
+}
+
+// A "1" for each step of this lesson that the algorithm takes on the open polygon, and a "0" for each other. Nothing if it
+// cannot be traced, or if the lesson cannot be read.
+EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
+  const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
+  const evenlift::Result<evenlift::Trace> trace = compute_trace(*app().state.placement);
+  std::string found;
+  if (!lesson || !trace) return hand_over(std::move(found));
+  for (const evenlift::LessonStep& step : lesson->steps)
+    found += evenlift::find_step(*trace, step.address) ? '1' : '0';
+  return hand_over(std::move(found));
 }
 
 // Goes to a stop of the lesson that is open, from 0.

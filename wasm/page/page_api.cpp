@@ -135,6 +135,13 @@ EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
 EMSCRIPTEN_KEEPALIVE const char* page_link() {
   return hand_over(link_or_nothing(app().state.placed));
 }
+// A link without the step of a lesson, so that a challenge begins at its beginning; any other text as it is.
+EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
+  Result<Document> document = evenlift::decode_link(text);
+  if (!document || !document->settings.step) return hand_over(text);
+  document->settings.step.reset();
+  return hand_over(link_or_nothing(*document));
+}
 EMSCRIPTEN_KEEPALIVE const char* page_svg() {
   const AppState& state = app().state;
   return hand_over(placement_svg(*state.placement, link_or_nothing(state.placed)));

@@ -37,7 +37,7 @@ function field(entry, actions) {
   // Returns whether what was typed is now in force.
   const commit = (confirmed = false) => {
     if (element.value === before && !(confirmed && !entry.control.setting)) return true;
-    const done = actions.set(entry.control, settingValue(element.value, entry.control.setting), confirmed);
+    const done = actions.set(entry.control, settingValue(element.value, entry.control.setting, actions.unit(entry.control)), confirmed);
     if (done) before = element.value;
     element.setAttribute("aria-invalid", String(!done));
     return done;

@@ -2,12 +2,16 @@
 // the focus. So keyboards and screen readers reach every control, and a number is typed in a field of the browser's own.
 import { createElement, showControl } from "./elements.js";
 import { readControls } from "./controls.js";
+import { unitOf } from "./typed.js";
 
 // Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for those who cannot see it.
 const cards = new Map([
   ["toolbar", "Toolbar"], ["bar", "Toolbar"], ["tool bar", "Tool"], ["panel", "Panel"], ["rail", "Panel"], ["sheet", "Panel"],
   ["player", "Player"], ["why here", "Why here?"], ["tools", "View"], ["way back", "View"], ["notice", "Notice"],
 ]);
+
+// Lengths whose fields do not always show their unit: settings, and the field of an edge that is drawn, by its name.
+const lengths = new Set(["com", "apart", "edge length"]);
 
 // Hidden while it is empty.
 function createGroup(name) {
@@ -41,6 +45,10 @@ export function createMirror(program, field, notice) {
     choose: ({ card, name }, index) => program.call("page_ask_control", choose, card, name, index),
     move: ({ card, name }, value) => program.call("page_ask_control", move, card, name, value),
     reveal: ({ card, name }) => program.call("page_ask_control", reveal, card, name, 0),
+    // The unit of a field's number; "" if it has none.
+    unit({ setting, name, value }) {
+      return unitOf(value) || (lengths.has(setting || name) ? program.text("page_length_unit") : "");
+    },
     // Returns whether the setting was changed.
     // A number that is no setting is handed to the control itself; `confirmed` says that Enter was pressed.
     set({ setting, card, name }, value, confirmed) {

@@ -9,21 +9,50 @@ export function plainValue(shown) {
 }
 
 const number = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
-const one = new RegExp(`^(${number})(?:\\s*(?:kg|t|N|lb|m|cm|mm|in|×|°))?$`);
+const unit = "kg|t|N|lb|m|cm|mm|in";
+const one = new RegExp(`^(${number})(?:\\s*(?:(${unit})|×|°))?$`);
 const two = new RegExp(`^\\(?\\s*(${number})\\s*(?:[;,]\\s+|;|\\s+)\\s*(${number})\\s*\\)?$`);
 const twoWithComma = /^\(?\s*([-+]?[\d.eE+-]+)\s*,\s*([-+]?[\d.eE+-]+)\s*\)?$/;
+const twoWithUnits = new RegExp(`^\\(?\\s*(${number})\\s*(${unit})(?:\\s*[;,]\\s*|\\s+)(${number})\\s*(${unit})\\s*\\)?$`);
+
+// In mm and in kg, each as a fraction so that nothing is rounded here. 9.80665 N is what 1 kg weighs.
+const kinds = [
+  { m: [1000, 1], cm: [10, 1], mm: [1, 1], in: [25.4, 1] },
+  { kg: [1, 1], t: [1000, 1], N: [1, 9.80665], lb: [0.45359237, 1] },
+];
 
 const point = (text) => text.replace(",", ".");
 
-// A number may have its unit and a decimal comma; two are parted by a comma, a semicolon or a space. What is neither the
-// program refuses with a sentence.
-export function settingValue(typed, setting = "") {
+// The unit that the number of a field ends in, such as "mm" of "20 mm"; "" if it has none.
+export function unitOf(shown) {
+  return new RegExp(`\\d\\s(${unit})$`).exec(shown)?.[1] ?? "";
+}
+
+// A number that was typed with a unit, in the unit of its field; undefined if the field has none, or one of another kind.
+function converted(typed, from, to) {
+  if (from === to) return point(typed);
+  const kind = kinds.find((each) => Object.hasOwn(each, from));
+  if (!Object.hasOwn(kind, to)) return undefined;
+  const [times, by] = kind[from], [per, of] = kind[to];
+  // Rounded so that what is 20 in decimals is not 20.000000000000004.
+  return String(Number((Number(point(typed)) * times * of / (by * per)).toPrecision(12)));
+}
+
+// A number may have a unit and a decimal comma; two are parted by a comma, a semicolon or a space. `own` is the unit of the
+// field, "" if it has none. What is neither the program refuses with a sentence, and so a unit that the field cannot have:
+// without it the number would be another one.
+export function settingValue(typed, setting = "", own = "") {
   const text = typed.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
   if (setting === "no_go") return text.replaceAll(" ", "").toLowerCase() || "none";  // edges: "3,5" is no number
   const single = one.exec(text);
-  if (single) return point(single[1]);
+  if (single) return single[2] ? converted(single[1], single[2], own) ?? text : point(single[1]);
   const pair = two.exec(text);
   if (pair) return `${point(pair[1])},${point(pair[2])}`;
   const plain = twoWithComma.exec(text);
-  return plain ? `${plain[1]},${plain[2]}` : text.toLowerCase();
+  if (plain) return `${plain[1]},${plain[2]}`;
+  const pairWithUnits = twoWithUnits.exec(text);
+  if (!pairWithUnits) return text.toLowerCase();
+  const [, x, unitOfX, y, unitOfY] = pairWithUnits;
+  const both = [converted(x, unitOfX, own), converted(y, unitOfY, own)];
+  return both.includes(undefined) ? text : both.join(",");
 }

@@ -33,12 +33,16 @@ function showProblem(reason, [heading, advice] = cannotRun) {
   cover.classList.remove("done", "see-through");
 }
 
+// What the page opens. A challenge begins at its beginning: the step of a link would show its answer, and list it among what
+// was looked at.
+const toOpen = (program, text) => (readAddress().challenge && text ? program.text("page_without_step", text) : text);
+
 // `say` is given a sentence about a link that is refused; after any other, `opened` is called.
 function followAddress(program, say, opened) {
   addEventListener("hashchange", () => {
     const link = location.hash.slice(1);
     if (!link) return;
-    const problem = program.text("page_open_link", link);
+    const problem = program.text("page_open_link", toOpen(program, link));
     if (problem) say(`${refused(problem)} Nothing was changed.`);
     else opened();
   });
@@ -134,7 +138,7 @@ async function start() {
   stopped.catch(() => {});
   if (!embed && kept.work && !started.work) publisher.forget();
   api.connect(program);
-  const problem = program.text("page_start", started.fragment, started.work, started.draft, embed ? 1 : 0);
+  const problem = program.text("page_start", toOpen(program, started.fragment), toOpen(program, started.work), started.draft, embed ? 1 : 0);
   publisher.connect(program);
   publisher.restorePreferences();
   if (kept.own || started.problem) publisher.changed();  // the address names what is open

@@ -12,28 +12,33 @@ import { openLessonOf, watch } from "./lesson_watch.js";
 const draftKey = "evenlift.lesson-draft";
 const pause = 350;  // ms after the last letter
 
+// The steps to begin with, of any method: a template has those that the algorithm takes.
+const firstSteps = [
+  ["centre", "What is to be seen here? Ask before you tell."],
+  ["vertex 1", "A chord from the first vertex through C."],
+  ["directions", "Directions that are parted evenly, one for each team."],
+  ["candidates", "All chords that are even enough."],
+  ["team 1", "The first team, and why it is this one."],
+  ["lever", "Two robots, and what each of them bears."],
+  ["rest", "Some robots stand. Where must the others stand, so that all bear the same?"],
+  ["start 1", "The first robots whose centroid is C."],
+  ["end", "What should they remember?"],
+];
+
+const inText = (steps) => steps.map(([address, words]) => `[${address}]\n${words}\n`).join("\n");
+
 // A lesson to begin with: about the polygon that is open, unless its link is long.
 function template(program) {
   const link = program.text("page_link");
-  return `# Lines that begin with # are for those who write.
+  const begin = `# Lines that begin with # are for those who write.
 title: My lesson
-${link && link.length < 2000 ? `link: ${link}` : "polygon: trapezium"}
-
-[centre]
-What is to be seen here? Ask before you tell.
-
-[vertex 1]
-A chord from the first vertex through C.
-
-[candidates]
-All chords that are even enough.
-
-[team 1]
-The first team, and why it is this one.
-
-[end]
-What should they remember?
-
+`;
+  const own = link && link.length < 2000;
+  const about = (steps) => `${begin}${own ? `link: ${link}` : "polygon: trapezium"}\n\n${inText(steps)}`;
+  // The sample is taken by area, which has no others than these.
+  const ofSample = new Set(["centre", "vertex 1", "candidates", "team 1", "end"]);
+  const there = own ? program.text("page_steps_that_exist", about(firstSteps)) : "";
+  return `${about(firstSteps.filter(([address], i) => (there ? there[i] === "1" : ofSample.has(address))))}
 # On the card at the end. The answer is shown when it is asked for.
 [question]
 What could they find out by themselves?

@@ -93,7 +93,8 @@ async function read(answer) {
   }
 }
 
-// Opens the lesson and the challenge that the address asks for, once its link is open.
+// Opens the lesson and the challenge that the address asks for, once its link is open. A challenge begins at the first step,
+// whatever was open.
 export async function beginFromAddress(page, { lesson, challenge, join }) {
   if (lesson) {
     const problem = await openNamedLesson(page, lesson, join).catch((error) => error.message);
@@ -103,7 +104,11 @@ export async function beginFromAddress(page, { lesson, challenge, join }) {
     }
   }
   if (!challenge) return;
-  if (page.program.number("page_walkthrough_is_open")) page.program.call("page_predict");
-  else page.program.call("page_begin_walkthrough", 1);
+  if (page.program.number("page_script")) {
+    page.program.call("page_predict");
+    page.program.call("page_go_to_stop", 0);
+  } else {
+    page.program.call("page_begin_walkthrough", 1);
+  }
   if (!lesson) watch(page);
 }

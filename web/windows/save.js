@@ -40,7 +40,7 @@ const files = [
 export async function show(page) {
   const link = page.program.text("page_link");
   const address = link && page.address(link);
-  const challenge = link && page.address(link, true);
+  const challenge = link && page.address(page.program.text("page_without_step", link), true);
   const problem = problemLine();
   const root = await openWindow({
     name: "save",

@@ -1,6 +1,8 @@
 // The text of a lesson, line by line.
 #include <array>
 #include <iterator>
+#include <string>
+#include <utility>
 
 #include "evenlift/lesson.h"
 #include "evenlift/numbers.h"
@@ -62,11 +64,12 @@ class Reader {
   }
 
  private:
-  void refuse(const char* message, std::size_t line) {
+  void refuse(std::string message, std::size_t line) {
     if (!error_)
-      error_ = InputError{ErrorCode::bad_syntax, message, {Place::Kind::line, line, 0, {}}};
+      error_ =
+          InputError{ErrorCode::bad_syntax, std::move(message), {Place::Kind::line, line, 0, {}}};
   }
-  void refuse(const char* message) { refuse(message, line_); }
+  void refuse(std::string message) { refuse(std::move(message), line_); }
 
   void read_line(std::string_view whole_line) {
     if (!is_readable(whole_line)) return refuse("not readable text (UTF-8)");
@@ -89,9 +92,7 @@ class Reader {
     const Key* known = nullptr;
     for (const Key& each : keys)
       if (each.name == key) known = &each;
-    if (!known)
-      return refuse(
-          "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, seed, robots, goal, positions and predict");
+    if (!known) return refuse("unknown setting; there are " + names_of_settings());
     bool& seen = seen_[static_cast<std::size_t>(known - keys)];
     if (seen) return refuse("the setting is there twice");
     seen = true;
@@ -148,6 +149,16 @@ class Reader {
       {"no-go", &Reader::take_setting, Setting::no_go},
       {"predict", &Reader::take_predict, {}},
   };
+
+  // All of them, such as "title, polygon and predict".
+  static std::string names_of_settings() {
+    std::string text;
+    for (std::size_t i = 0; i < std::size(keys); ++i) {
+      if (i > 0) text += i + 1 < std::size(keys) ? ", " : " and ";
+      text += keys[i].name;
+    }
+    return text;
+  }
 
   // What the words to come belong to, and the refusals if they are too many or none.
   struct Part {
