@@ -367,9 +367,9 @@ TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leav
   state.screen.width = 390;
   state.screen.height = 844;
   CHECK_FALSE(layout(state).wide);
-  CHECK(layout(state).panel.top >= 0.55 * 844);
+  CHECK(layout(state).panel.top >= 0.53 * 844);
   state.sheet = Sheet::half;
-  CHECK(layout(state).panel.top >= 0.55 * 844 - 1);
+  CHECK(layout(state).panel.top >= 0.53 * 844 - 1);
   state.screen.width = 1280;
   state.screen.height = 800;
   CHECK(layout(state).wide);

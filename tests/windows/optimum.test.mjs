@@ -26,7 +26,7 @@ test("the optimum stands beside the greedy choice, with its picture and its team
     await openOptimum(page);
     const { greedy, optimum } = JSON.parse(evenlift("optimum", path.join(root, "assets/polygons", `${name}.txt`), "--teams", teams, "--json"));
     assert.ok(optimum.proved);
-    const expected = [greedy, optimum].map(({ coverage, taken }) => [`${(100 * coverage).toFixed(1)} %`, taken.map((i) => i + 1).join(", ")]);
+    const expected = [greedy, optimum].map(({ coverage, taken }) => [`${(100 * coverage).toFixed(2)} %`, taken.map((i) => i + 1).join(", ")]);
     const shown = await rows(page);
     assert.deepEqual(shown.map(([, ...rest]) => rest), expected);
     assert.deepEqual(shown.map(([first]) => first), ["Greedy, by area", "The optimum"]);

@@ -67,7 +67,8 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   const Placement& placement = *view.placement;
   Occupied occupied(free_window(view));
   occupied.box(view.layout.tools);
-  if (view.layout.wide && !view.state.presenting)  // the hint beside the tools (canvas/hint.cpp)
+  if (view.layout.wide && !view.state.presenting &&
+      view.state.screen.foot == 0)  // the hint beside the tools (canvas/hint.cpp)
     occupied.box({view.layout.tools.right, view.layout.tools.top, view.layout.free.right,
                   view.layout.tools.bottom});
   for (const Team& team : placement.teams) {

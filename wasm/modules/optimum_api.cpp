@@ -69,7 +69,7 @@ std::string row(const std::string& name, const Placement& placement) {
 
 std::string how_sure(const Compared& compared) {
   const Optimum& optimum = compared.optimum;
-  const std::string bound = percentage(optimum.bound, 2);
+  const std::string bound = fixed(100 * optimum.bound, 2) + "\u00A0%";
   const std::size_t candidates = compared.greedy.candidates.size();
   const std::string many = "With " + count_of(candidates, "candidate", "candidates");
   if (optimum.proved) return "It is proved: no choice of so many teams covers more.";
