@@ -18,3 +18,8 @@ target_compile_options(
             # Fields have defaults: Request{.teams = 3} is the way to fill a struct.
             -Wno-missing-field-initializers
             $<$<BOOL:${EVENLIFT_WERROR}>:-Werror>)
+
+# With sanitizers GCC takes members of the standard library for uninitialized, as its manual says.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  target_compile_options(evenlift_warnings INTERFACE -Wno-maybe-uninitialized)
+endif()
