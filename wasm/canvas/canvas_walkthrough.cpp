@@ -140,6 +140,8 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
   // As far out as if a robot stood at each end: what is nearer to some would tell the answer.
   const double reach = static_cast<double>(mark_radius(view.placement->teams));
   Occupied occupied = occupied_by_marks(view, reach);
+  if (ask.question.kind == QuestionKind::even_chord)  // it is about M, which has a name beside it
+    occupied.disc(view.camera.to_screen(ask.detail.balanced->middle), 24);
   const auto places = place_labels(requests, occupied, reach + 3, 1000);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i]) continue;
@@ -156,14 +158,17 @@ void draw_choices(const Painter& painter, const CanvasView& view) {
   const std::optional<Ask>& ask = view.state.walkthrough.ask;
   if (!ask) return;
   draw_asked_completion(painter, view, *ask);
-  for (std::size_t i = 0; i < ask->choices.size(); ++i) {
-    const std::uint32_t choice = ask->choices[i];
-    const bool pointed = ask->choices.size() > 3 && i == ask->pointed;
-    const Chord& chord =
-        chord_of_choice(*view.state.walkthrough.trace, ask->detail, ask->question, choice);
-    draw_chord(painter, chord, view.theme.accent_on_object.at(pointed ? 1 : 0.45f),
-               pointed ? 4.0f : 2.5f);
-  }
+  const auto chord = [&](std::size_t i) -> const Chord& {
+    return chord_of_choice(*view.state.walkthrough.trace, ask->detail, ask->question,
+                           ask->choices[i]);
+  };
+  // Very many would hide the one that is pointed at, which comes last.
+  const bool many = ask->choices.size() > most_valued;
+  for (std::size_t i = 0; i < ask->choices.size(); ++i)
+    draw_chord(painter, chord(i), view.theme.accent_on_object.at(many ? 0.2f : 0.45f),
+               many ? 1.0f : 2.5f);
+  if (ask->choices.size() > 3)
+    draw_chord(painter, chord(ask->pointed), view.theme.accent_on_object, many ? 5.0f : 4.0f);
   draw_names_of_choices(painter, view, *ask);
 }
 
