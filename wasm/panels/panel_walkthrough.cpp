@@ -138,16 +138,6 @@ void draw_left_out(const Ui& ui, const Faces& faces) {
     text_block(faces.label, ui.theme.second_text, more);
 }
 
-// Whether another step, or a question, is told than in the last frame.
-bool moment_moved(const Walkthrough& walk) {
-  ImGuiStorage& seen = *ImGui::GetStateStorage();
-  const ImGuiID id = ImGui::GetID("moment");
-  const int now = static_cast<int>(2 * walk.at + (walk.ask ? 1 : 0));
-  const bool moved = seen.GetInt(id, -1) != now;
-  seen.SetInt(id, now);
-  return moved;
-}
-
 }  // namespace
 
 void draw_walkthrough_step(const Ui& ui) {
@@ -175,7 +165,8 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
   const Faces& faces = ui.state.presenting ? for_a_room : in_a_row;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
   begin_scrolling_box(ui, "told", height);
-  if (moment_moved(walk)) ImGui::SetScrollY(0);
+  const int moment = static_cast<int>(2 * walk.at + (walk.ask ? 1 : 0));
+  if (in_last_frame("moment", moment, -1) != moment) ImGui::SetScrollY(0);
   text_line(Face::strong_label, ui.theme.second_text,
             std::string(title(walk.detail.step.chapter)) + " · step " + place_in_words(ui.state));
   if (walk.ask) {
@@ -256,15 +247,6 @@ void draw_code_line(const Ui& ui, std::string_view line, bool current) {
   ImGui::Dummy(ImVec2(width, height));
 }
 
-// Whether the current line is another one than in the last frame.
-bool line_moved(std::uint32_t current) {
-  ImGuiStorage& seen = *ImGui::GetStateStorage();
-  const ImGuiID id = ImGui::GetID("line");
-  const bool moved = seen.GetInt(id, -1) != static_cast<int>(current);
-  seen.SetInt(id, static_cast<int>(current));
-  return moved;
-}
-
 }  // namespace
 
 // The eligible candidates with their scores, the best first.
@@ -290,7 +272,8 @@ void draw_walkthrough_code(const Ui& ui) {
   text_line(Face::strong_label, ui.theme.second_text, "The algorithm");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   begin_scrolling_box(ui, "lines", code_height);
-  const bool moved = line_moved(current);
+  const int line = static_cast<int>(current);
+  const bool moved = in_last_frame("line", line, -1) != line;
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
     draw_code_line(ui, lines[i], i == current);
     if (i == current && moved) {

@@ -83,11 +83,8 @@ void draw_close_button(const Ui& ui) {
 
 // Whoever begins or leaves a lesson sees the head of the panel.
 void begin_at_head(const Ui& ui) {
-  ImGuiStorage& seen = *ImGui::GetStateStorage();
-  const ImGuiID id = ImGui::GetID("shows a lesson");
-  const bool lesson = walkthrough_is_open(ui.state);
-  if (seen.GetBool(id, lesson) != lesson) ImGui::SetScrollY(0);
-  seen.SetBool(id, lesson);
+  const int lesson = walkthrough_is_open(ui.state) ? 1 : 0;
+  if (in_last_frame("shows a lesson", lesson, lesson) != lesson) ImGui::SetScrollY(0);
 }
 
 void draw_side_panel(const Ui& ui) {

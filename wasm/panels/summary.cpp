@@ -11,14 +11,17 @@
 namespace evenlift::view {
 namespace {
 
+bool is_overloaded(const AppState& state) {
+  const std::optional<double>& capacity = settings(state).capacity;
+  return capacity && state.outlook.greatest > *capacity;
+}
+
 Verdict of_placement(const AppState& state) {
   const Placement& placement = *state.placement;
   const bool as_asked =
       !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
-  const std::optional<double>& capacity = settings(state).capacity;
-  const bool overloaded = capacity && state.outlook.greatest > *capacity;
-  const bool good =
-      as_asked && placement.coverage >= good_coverage && is_held(placement) && !overloaded;
+  const bool good = as_asked && placement.coverage >= good_coverage && is_held(placement) &&
+                    !is_overloaded(state);
   return {good ? Mood::good : Mood::not_quite, loads_in_words(placement),
           detail_in_words(placement)};
 }
@@ -100,11 +103,11 @@ std::string need_in_words(const AppState& state) {
 }
 
 std::string overload_in_brief(const AppState& state) {
-  const std::optional<double>& capacity = settings(state).capacity;
   const bool shown = state.placement && !state.refusal && state.tool != Tool::draw &&
-                     !failing(state) && capacity && state.outlook.greatest > *capacity;
+                     !failing(state) && is_overloaded(state);
   if (!shown) return {};
-  return "A robot can carry " + with_weight_unit(plain(*capacity), settings(state).units) +
+  return "A robot can carry " +
+         with_weight_unit(plain(*settings(state).capacity), settings(state).units) +
          ": not enough. ";
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/cards.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "state/browser.h"
 #include "ui/controls.h"
@@ -93,11 +94,13 @@ void begin_scrolling_box(const Ui& ui, const char* id, float height) {
   scroll_by_finger(ui);
 }
 
+int in_last_frame(const char* id, int now, int at_first) {
+  int& seen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID(id), at_first);
+  return std::exchange(seen, now);
+}
+
 void show_opened(const char* id, bool open, float head) {
-  ImGuiStorage& storage = *ImGui::GetStateStorage();
-  const ImGuiID key = ImGui::GetID(id);
-  const bool was_open = storage.GetBool(key, open);
-  storage.SetBool(key, open);
+  const bool was_open = in_last_frame(id, open, open) != 0;
   if (!open || was_open) return;
   const float pad = ImGui::GetStyle().WindowPadding.y,
               beyond = ImGui::GetCursorPosY() + pad - ImGui::GetWindowHeight();

@@ -27,6 +27,9 @@ void take_way_of_finger();
 // of the card, so that the text breaks into the same lines with it and without it.
 void begin_scrolling_box(const Ui& ui, const char* id, float height);
 
+// What was given here in the last frame, by the window and the id; `at_first` in the first one.
+int in_last_frame(const char* id, int now, int at_first);
+
 // Call after a section that a button opens, whose head is at `head` (ImGui::GetCursorPosY() before it): once it was opened, the
 // card scrolls until all of it is seen, or as much as there is room for.
 void show_opened(const char* id, bool open, float head);

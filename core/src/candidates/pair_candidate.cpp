@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "chords/opposite_vertices.h"
 #include "evenlift/predicates.h"

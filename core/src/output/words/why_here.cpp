@@ -1,5 +1,4 @@
 // Why a team stands where it does, for somebody who does not know the algorithm.
-#include <algorithm>
 #include <string>
 
 #include "evenlift/output/trace_words.h"
@@ -9,36 +8,19 @@
 namespace evenlift {
 namespace {
 
-// What the metric looks for, and why.
-const char* aim_of(Method method) {
-  switch (method) {
-    case Method::circle:
-      return "beyond whose ends there is room for the largest circles";
-    case Method::distance:
-      return "that takes most away from the leverage of weight at the vertices";
-    case Method::area:
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
-      break;
-  }
-  return "that adds the most area to the lifting base";
-}
-
-// What its score is of, and that of the next.
-const char* measured(Method method) {
-  switch (method) {
-    case Method::circle:
-      return "They have an area of #; those of the next best chord have ##.";
-    case Method::distance:
-      return "It takes away #; the next best chord would take ##.";
-    case Method::area:
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
-      break;
-  }
-  return "It adds #; the next best chord would add ##.";
+// What a metric looks for, and by how much it was found: here, and in the next best.
+struct Aim {
+  const char *chord, *gains;
+};
+Aim aim_of(Method method) {
+  if (method == Method::circle)
+    return {"beyond whose ends there is room for the largest circles",
+            "They have an area of #; those of the next best chord have ##."};
+  if (method == Method::distance)
+    return {"that takes most away from the leverage of weight at the vertices",
+            "It takes away #; the next best chord would take ##."};
+  return {"that adds the most area to the lifting base",
+          "It adds #; the next best chord would add ##."};
 }
 
 // A score with its unit, told apart from `other`.
@@ -60,7 +42,7 @@ std::string first_team_is(const TeamScores& scores) {
 
 std::string further_team_is(const Trace& trace, const TeamScores& scores) {
   return fill("Team # takes the chord #: the wider the base, the harder the object is to tip.",
-              {counted_from_1(scores.team), aim_of(trace.placement.settings.method)});
+              {counted_from_1(scores.team), aim_of(trace.placement.settings.method).chord});
 }
 
 // By how much the chord is the best, or what decided between it and another.
@@ -89,9 +71,10 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
   if (scores.rule == Rule::most_even)
     return fill("Its load ratio is #, the next one's #.",
                 {ratio_text(best.value, next.value), ratio_text(next.value, best.value)});
-  const std::string ahead = with_unit(trace, scores, best.value - next.value, 0);
-  if (scores.rule != Rule::score) return fill("The next one is # shorter.", {ahead});
-  return fill(measured(trace.placement.settings.method),
+  if (scores.rule != Rule::score)
+    return fill("The next one is # shorter.",
+                {with_unit(trace, scores, best.value - next.value, 0)});
+  return fill(aim_of(trace.placement.settings.method).gains,
               {with_unit(trace, scores, best.value, next.value), next.exact ? "" : "at most ",
                with_unit(trace, scores, next.value, best.value)});
 }
@@ -99,12 +82,12 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
 }  // namespace
 
 std::string why_here_text(const Trace& trace, const TeamScores& scores) {
-  const std::string first =
-      scores.team == 0 ? first_team_is(scores) : further_team_is(trace, scores);
   if (scores.decided_by == DecidedBy::only_one) return "It is the only chord that was left.";
   const Score& best = scores.of_candidate[scores.ranking.front()];
-  if (scores.rule == Rule::score && best.value <= 0)
-    return "No chord that was left adds anything to the lifting base. " + lead(trace, scores);
+  const std::string first = scores.team == 0 ? first_team_is(scores)
+                            : best.value > 0
+                                ? further_team_is(trace, scores)
+                                : "No chord that was left adds anything to the lifting base.";
   return first + " " + lead(trace, scores);
 }
 
