@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "evenlift/output/robustness_words.h"
+#include "evenlift/output/words.h"
 #include "failure.h"
 #include "options.h"
 #include "table.h"
@@ -54,8 +55,12 @@ RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Setting
     : com_radius(settings.com_radius), failures(options.failures) {
   if (options.loads) model = loads_option(*options.loads);
   if (com_radius > 0 && !has_ranges(model))
-    throw Failure{bad_input_status, "--com-radius",
-                  "ranges are known of the loads by plan and by springs only"};
+    throw Failure{
+        bad_input_status, "--loads",
+        "the centre of mass is known within " +
+            with_length_unit(plain(com_radius), settings.units) +
+            " only, which plan and springs take into account; ask for one of them, or set "
+            "--com-radius 0"};
 }
 
 RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted)

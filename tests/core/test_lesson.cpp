@@ -244,6 +244,25 @@ TEST_CASE("a step is found by its address, and a missing one named by its line",
     REQUIRE(error);
     CHECK(error->place.index == 5);
   }
+  const auto told = [&](const std::string& address) {
+    return check_lesson(lesson_of("title: T\npolygon: stone-slab\n[" + address + "]\nb\n"), trace)
+        ->message;
+  };
+  const std::string with = " with this polygon and these settings";
+  CHECK(told("team 4") == "there is no step [team 4]:" + with + " there are [team 1] to [team 3]");
+  CHECK(told("radial") == "there is no step [radial]" + with);
+  CHECK(told("vertex 99").find("there is no vertex 99: the polygon has ") == 0);
+  CHECK(told("edges 1 2").find("edges 1 and 2 are not looked at together") == 0);
+  CHECK(told("step 54") == "there is no step 54: there are " + std::to_string(trace.size()));
+}
+
+TEST_CASE("what a lesson's own settings make impossible is told at their line", "[lesson]") {
+  const Lesson lesson = lesson_of("title: T\npolygon: square\nteams: 2\ncom: 9,9\n[end]\na\n");
+  const InputError of_centre{
+      ErrorCode::centre_outside_hull, "it lies outside", {Place::Kind::centre_of_mass, 0, 0, {}}};
+  CHECK(describe(at_line(of_centre, lesson).place) == "line 4");
+  CHECK(describe(at_line(bad_setting("teams", "too many"), lesson).place) == "line 3");
+  CHECK(describe(at_line(bad_setting("weight", "too much"), lesson).place) == "weight");
 }
 
 TEST_CASE("every ready-made lesson opens and has its steps", "[lesson]") {

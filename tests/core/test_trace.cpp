@@ -82,9 +82,10 @@ void check_text(const std::string& text, bool sentence) {
        {"nan", "inf ", "inf,", "inf.", "#", "  ", " .", " ,", "()", "(,", "e+", "undefined"})
     if (text.find(bad) != std::string::npos) FAIL(bad);
   if (!text.empty() && (text.front() == ' ' || text.back() == ' ')) FAIL("a space at an end");
-  static const std::set<std::string> others{
-      "\u00a0", "\u00a7", "\u00b0", "\u00b1", "\u00b2", "\u00b7", "\u00d7", "\u00e9", "\u2013",
-      "\u2014", "\u2018", "\u2019", "\u201c", "\u201d", "\u2026", "\u2212", "\u2264", "\u2265"};
+  static const std::set<std::string> others{"\u00a0", "\u00a7", "\u00b0", "\u00b1", "\u00b2",
+                                            "\u00b7", "\u00d7", "\u00e9", "\u2013", "\u2014",
+                                            "\u2018", "\u2019", "\u201c", "\u201d", "\u2026",
+                                            "\u2212", "\u2248", "\u2264", "\u2265"};
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = static_cast<unsigned char>(text[i]);
     const std::size_t size = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : 3;

@@ -43,7 +43,7 @@ test("the first answer is there at once, and the verdict says that the search go
   assert.ok(first.coverage < last.coverage, "the start is shown first");
   await idle(page);
   assert.equal((await state(page)).coverage, last.coverage);
-  assert.match(await summary(page), /^8 robots, each exactly 12\.5\skg of 100\./);
+  assert.match(await summary(page), /^8 robots carry 12\.5\skg each, all the same \(100\skg in all\)\./);
   assert.doesNotMatch(await summary(page), /being looked for/);
   await page.done();
 });

@@ -652,7 +652,7 @@ test("a lesson's text is dropped, pasted, typed, chosen, or loaded by a script",
 const broken = [
   ["title: X\npolygon: square\nteams: none\n[end]\nWords.\n", /line 3: .*teams/i],
   ["title: X\npolygon: square\n[nowhere]\nWords.\n", /line 3: .*address/i],
-  ["title: X\npolygon: square\n[team 40]\nWords.\n", /line 3: .*no such step/i],
+  ["title: X\npolygon: square\n[team 40]\nWords.\n", /line 3: .*there is no step \[team 40\]: .*there are \[team 1\] to \[team \d\]/i],
   ["title: X\npolygon: square\n[end]\n", /line 3: .*no words/i],
   ["title: X\npolygon: square\ncom: 9,99999\n[end]\nWords.\n", /centre of mass/i],
   ["title: X\npolygon: no-such-sample\n[end]\nWords.\n", /sample “no-such-sample”, and there is none/],

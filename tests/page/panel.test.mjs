@@ -339,7 +339,7 @@ test("a robot that is pressed says why it stands there, and leads into the lesso
   });
   await page.mouse.click(x, y);
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^Robot [34], of team 2\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* It adds \d+; the next best chord would add \d+\.$/);
+  assert.match(await page.locator("#alert").textContent(), /^Team 2: robot [34] of 6\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* It adds \d+; the next best chord would add \d+\.$/);
   await press(page, "show in lesson");
   await idle(page);
   assert.match(await page.locator("#summary").textContent(), /Team 2 takes candidate/);

@@ -10,6 +10,9 @@ A room is a folder of sources. Its README.md says what comes in and what goes ou
 
 The rooms are in core/src, wasm and web, and docs/architecture.md has the plan of them: each stands below, or to the right
 of, all that it uses. What is loaded later may stand anywhere. The folders of tests must be without circles, too.
+
+What the view knows (state_sources in wasm/CMakeLists.txt) is built without Dear ImGui, so none of its files may use one
+that belongs to the view.
 """
 
 import pathlib
@@ -160,7 +163,25 @@ def check_tree(tree, with_readmes):
         check_plan(tree, graph)
 
 
+def check_state():
+    tree = root / "wasm"
+    state = re.search(r"set\(state_sources\n(.*?)\)", (tree / "CMakeLists.txt").read_text(), re.DOTALL)[1].split()
+    for name in state:
+        reached, waiting = set(), [name]
+        while waiting:
+            path = waiting.pop()
+            if path in reached:
+                continue
+            reached.add(path)
+            waiting += [used for used in include.findall((tree / path).read_text()) if (tree / used).is_file()]
+        for used in sorted(reached):
+            source = used.removesuffix(".h") + ".cpp"
+            if (tree / source).is_file() and source not in state:
+                problems.append(f"wasm/{name} is built without Dear ImGui, but uses {used}, whose source is not")
+
+
 check_core()
+check_state()
 check_tree("wasm", with_readmes=True)
 check_tree("web", with_readmes=True)
 check_tree("tests", with_readmes=False)

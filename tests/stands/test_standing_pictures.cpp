@@ -72,5 +72,5 @@ TEST_CASE("fewer teams than were asked for come with the reason", "[stands]") {
   CHECK(shortage_in_words(placement).find("would not fit beside each other") != std::string::npos);
   for (const WhyUnusable why : {WhyUnusable::no_go, WhyUnusable::body, WhyUnusable::arm,
                                 WhyUnusable::corner, WhyUnusable::hand, WhyUnusable::narrow})
-    CHECK_FALSE(unusable_in_words(why, {1, 2, 3, 4, 5}).empty());
+    CHECK_FALSE(unusable_in_words(why, {1, 2, 3, 4, 5}, {}).empty());
 }

@@ -360,6 +360,14 @@ std::string dxf(const std::string& entities) {
 
 }  // namespace
 
+TEST_CASE("DXF: a layer names its shapes, but layer 0 does not", "[import][dxf]") {
+  const auto name_on = [](const std::string& layer) {
+    return read(dxf("0\nCIRCLE\n8\n" + layer + "\n40\n5\n")).shapes.at(0).name;
+  };
+  CHECK(name_on("lid") == "lid");
+  CHECK(name_on("0").empty());
+}
+
 TEST_CASE("DXF: what is seen from behind is turned round", "[import][dxf]") {
   const std::string plain =
       "0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n10\n4\n20\n0\n42\n0.5\n10\n4\n20\n4\n";
@@ -501,6 +509,20 @@ TEST_CASE("columns: a heading chooses, blank lines part, names stand above", "[i
   const Import heights = read("0 0 7\n4 0 7\n4 3 7\n");
   CHECK(heights.notes ==
         std::vector<std::string>{"the first two columns with numbers were taken as x and y"});
+}
+
+TEST_CASE("columns: a heading that names one unit for x and y sets it", "[import][columns]") {
+  const auto unit_under = [](const std::string& heading) {
+    return read(heading + "\n0;0\n4;0\n4;3\n").shapes.at(0).document.settings.units.length;
+  };
+  CHECK(unit_under("X (mm);Y (mm)") == LengthUnit::mm);
+  CHECK(unit_under("x_cm;y_cm") == LengthUnit::cm);
+  CHECK(unit_under("\"x [in]\";\"y [in]\"") == LengthUnit::in);
+  CHECK(unit_under("x/M;y/m") == LengthUnit::m);
+  CHECK(unit_under("x;y") == LengthUnit::none);
+  CHECK(unit_under("x (mm);y") == LengthUnit::none);
+  CHECK(unit_under("x (furlongs);y (furlongs)") == LengthUnit::none);
+  CHECK(read("x (mm);y (mm)\n0;0\n4;0\n4;3\n").unit == "millimetres");
 }
 
 TEST_CASE("columns: what can be read in two ways is refused", "[import][columns]") {

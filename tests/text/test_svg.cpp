@@ -117,3 +117,45 @@ TEST_CASE("labels cover neither each other nor what they name", "[svg]") {
   }
   CHECK(found > asked * 3 / 4);
 }
+
+TEST_CASE("loads keep clear of robots' bodies, and the key explains what is seen",
+          "[svg][stands]") {
+  Document document = corpus::polygon("worktop");
+  document.settings.teams = 3;
+  document.settings.robot = {40, 25, 10, 20, 10};
+  document.settings.no_go = {{0, 0, 1}, {1, 0.1, 0.5}};
+  document.settings.capacity = 17;
+  const std::string svg = placement_svg(*place(document));
+  check_picture(svg);
+  CHECK(svg.find(">robot's body<") != std::string::npos);
+  CHECK(svg.find(">no robot may touch this<") != std::string::npos);
+  CHECK(svg.find(">no robot fits here<") != std::string::npos);
+  CHECK(svg.find(">more than a robot can carry<") != std::string::npos);
+  CHECK(occurrences(svg, "class=\"load overload\"") >= 1);
+  CHECK(occurrences(svg, "class=\"load\"") >= 1);
+  CHECK(occurrences(svg, "\u00A0kg</text>") == 6);
+
+  // Of each element of a class the numbers of some attributes.
+  const auto numbers = [&](const std::string& begin, const std::vector<std::string>& names) {
+    std::vector<std::vector<double>> all;
+    for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
+      const std::size_t start = svg.rfind('<', at);
+      const std::string tag = svg.substr(start, svg.find('>', at) - start);
+      all.emplace_back();
+      for (const std::string& name : names)
+        all.back().push_back(std::stod(tag.substr(tag.find(" " + name + "=\"") + name.size() + 3)));
+    }
+    return all;
+  };
+  const auto bodies = numbers("class=\"body\"", {"cx", "cy", "r"});
+  REQUIRE(bodies.size() == 6);
+  auto loads = numbers("class=\"load\"", {"x", "y"});
+  for (auto& over : numbers("class=\"load overload\"", {"x", "y"})) loads.push_back(over);
+  REQUIRE(loads.size() == 6);
+  for (const auto& load : loads)
+    for (const auto& body : bodies) {
+      const double dx = load[0] - body[0],
+                   dy = load[1] - 5 - body[1];  // from the baseline to the middle
+      CHECK(std::sqrt(dx * dx + dy * dy) > body[2]);
+    }
+}

@@ -285,6 +285,17 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
   CHECK(stopped > 0);
   give(state, SetHeld{});
   CHECK_FALSE(state.closed_to);
+
+  // Whoever moves it by keys is told in words.
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    state.notice = {};
+    const std::vector<LiftingPoint> before = shown(state);
+    give(state, MoveRobot{1, vertices[i]});
+    const bool stays = robots_text(shown(state)) == robots_text(before);
+    CHECK((state.notice.text.find("Robot 2 cannot go there: ") == 0) ==
+          (stays && shown(state)[1].position != vertices[i]));
+    CHECK_FALSE(state.closed_to);
+  }
 }
 
 TEST_CASE("the shorter way along the outline goes round the corners between two places", "[view]") {
@@ -338,7 +349,7 @@ TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
 TEST_CASE("the summary names each balanced robot", "[view][balanced]") {
   const AppState state = balanced_state();
   const std::string text = summary(state);
-  CHECK(text.find("6 robots, each exactly 16.7\u00A0kg of 100.") == 0);
+  CHECK(text.find("6 robots carry 16.7\u00A0kg each, all the same (100\u00A0kg in all).") == 0);
   CHECK(text.find("6 robots of 6 asked for, method balanced, goal hold.") != std::string::npos);
   CHECK(text.find("Robot 6 at (") != std::string::npos);
 }

@@ -47,7 +47,7 @@ TEST_CASE("a robot that fails is left out of the base and of the loads, with eve
       CHECK(shown.coverage < state.placement->coverage);
       CHECK(verdict(state).headline ==
             failure_in_words(robot, robots(state), state.failures[robot]));
-      CHECK(verdict(state).detail == rest_in_words(shown));
+      CHECK(verdict(state).detail.starts_with(rest_in_words(shown)));
       const Outlook& outlook = shown_outlook(state);
       double sum = 0;
       for (const LoadRange& load : outlook.loads) sum += load.greatest;
@@ -157,6 +157,18 @@ TEST_CASE("a press on the ground brings the robot back, and one on a robot opens
   page.click(Vec2(300, 250));  // beside the L
   CHECK_FALSE(failing(state));
   CHECK_FALSE(state.explanation);
+}
+
+TEST_CASE("while a robot fails the verdict has the row's sign, and says what the discs number",
+          "[view][failing]") {
+  AppState state = state_of(Method::area);
+  for (std::size_t i = 0; i < robots(state); ++i) {
+    give(state, Fail{i});
+    REQUIRE(failing(state));
+    CHECK(verdict(state).mood == mood_of(state, state.failures[i]));
+    CHECK(verdict(state).detail.ends_with(
+        "The discs number the robots, not the teams, while one fails."));
+  }
 }
 
 TEST_CASE("what happens if a robot fails is said and has its sign", "[view][failing]") {

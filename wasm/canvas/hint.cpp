@@ -114,8 +114,8 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
       return hint_of_doubt(state);
     case Pick::Kind::edge:
       if (const auto why = why_unusable(state, at))
-        return "Edge " + std::to_string(at.index + 1) +
-               " cannot be used here: " + unusable_in_words(*why, settings(state).robot);
+        return "Edge " + std::to_string(at.index + 1) + " cannot be used here: " +
+               unusable_in_words(*why, settings(state).robot, settings(state).units);
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
       return hint_of_robot(state, at);

@@ -9,6 +9,8 @@
 #include "evenlift/plane.h"
 #include "evenlift/stands.h"
 #include "state/browser.h"
+#include "state/notice.h"
+#include "tools/shorter_way.h"
 #include "walkthrough/explain.h"
 
 namespace evenlift::view {
@@ -63,16 +65,18 @@ const MovedTeam* find_team(const Moved& moved, std::size_t team) {
   return nullptr;
 }
 
-// Notes that the robot that is held cannot go there. O(n).
-void refuse_by_hand(AppState& state, const Vec2& to) {
+// Notes that the robot that is held cannot go there; of one that is moved by keys a notice says so. O(n).
+void refuse_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   if (state.held.kind == Pick::Kind::robot)
     state.closed_to = nearest_on_outline(state.placement->vertices(), to);
+  else
+    show(state, {Notice::Kind::info, closed_in_words(*state.placement, robot)});
 }
 
 // Where the robots come to if one of the first picture is moved: a balanced one to the point of the outline
 // that is nearest to `to`, and its two neighbours so that all still bear the same; one of a team along its
-// range towards `to`. Nothing if they stay; where others cannot follow the robot that is held, the state
-// notes where it is wanted. O(n log n).
+// range towards `to`. Nothing if they stay; where others cannot follow it, the state notes where the
+// robot is wanted that is held, and a notice tells it of one that is moved by keys. O(n log n).
 std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   state.closed_to.reset();
   if (state.refusal || !state.placement || state.placement->teams.empty()) return std::nullopt;
@@ -80,7 +84,7 @@ std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec
   if (can_move_teams(placement)) return moved_along_range(placement, robot, to);
   if (placement.settings.method != Method::balanced) return std::nullopt;
   auto moved = moved_along_outline(placement, robot, nearest_on_outline(placement.vertices(), to));
-  if (!moved) refuse_by_hand(state, to);
+  if (!moved) refuse_by_hand(state, robot, to);
   return moved;
 }
 
@@ -106,7 +110,7 @@ void move_robot(AppState& state, std::size_t robot, const Vec2& to) {
   const std::optional<Moved> moved = moved_by_hand(state, robot, to);
   if (!moved || *moved == state.document.moved) return;
   Result<Placement> placement = with_moved(*state.placement, *moved);
-  if (!placement) return refuse_by_hand(state, to);  // two robots would meet
+  if (!placement) return refuse_by_hand(state, robot, to);  // two robots would meet
   begin_edit(state, true, Edit::robots_moved);
   show_moved(state, robot, std::move(placement).value());
 }

@@ -38,6 +38,7 @@ void show_opened(AppState& state, Opened opened) {
 
 void open(AppState& state, Opened opened, Edit edit) {
   begin_edit(state, false, edit);
+  ++state.opened;
   show_opened(state, std::move(opened));
 }
 

@@ -34,11 +34,9 @@ double body_radius(const CanvasView& view) {
 
 // Where the picture is drawn and nothing lies over it.
 Rect free_window(const CanvasView& view) {
-  const Rect& free = view.layout.free;
-  return {std::max(free.left, view.window.left) + 4,
-          std::max(free.top, view.window.top) + view.layout.caption + 4,
-          std::min(free.right, view.window.right) - 4,
-          std::min(free.bottom, view.window.bottom) - 4};
+  const Rect uncovered = view.uncovered();
+  return {uncovered.left + 4, uncovered.top + view.layout.caption + 4, uncovered.right - 4,
+          uncovered.bottom - 4};
 }
 
 // The chord of the team or candidate that is pointed at. Balanced robots have none, and one that fails leaves its partner alone.
@@ -149,27 +147,6 @@ void draw_ratio(const Painter& painter, const CanvasView& view) {
                                view.theme.panel.at(0.9f).packed(), 5);
   draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 5, low.y + 2), view.theme.text,
             text);
-}
-
-void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied) {
-  const Closure& closure = view.placement->closure;
-  if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
-  const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
-  const Vec2 along(closure.translation->x(), -closure.translation->y());
-  const Vec2 tail = from + along * 16, head = from + along * 62;
-  ImDrawList& list = painter.list();
-  painter.arrow(tail, head, view.theme.object, 7);
-  painter.arrow(tail, head, view.theme.amber_on_object, 3);
-  if (!occupied) return;
-  occupied->line(tail, head);
-  const ImVec2 text = text_size(Face::strong_label, "slides");
-  const auto place =
-      place_labels({{head, along, Vec2(text.x + 12, text.y + 6)}}, *occupied, 4, 60)[0];
-  if (!place) return;
-  list.AddRectFilled(vec(place->left, place->top), vec(place->right, place->bottom),
-                     view.theme.panel.at(0.88f).packed(), 6);
-  draw_text(list, Face::strong_label, vec(place->left + 6, place->top + 3), view.theme.amber,
-            "slides");
 }
 
 }  // namespace evenlift::view

@@ -21,7 +21,4 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
 // The load ratio of the chord that is pointed at, on it, where there is room.
 void draw_ratio(const Painter& painter, const CanvasView& view);
 
-// An arrow from the centre of mass in a direction in which the object can slide, and its name where there is room.
-void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied);
-
 }  // namespace evenlift::view

@@ -78,9 +78,8 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
   painter.outline(way, view.theme.amber_on_object, 5, false);
   const ImVec2 at = painter.at(way.back());
   const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
-  draw_word(painter.list(), spot, view.window, view.theme, view.theme.amber,
-            balanced ? "Closed to it: the others cannot follow"
-                     : "Closed to it: other robots are in the way");
+  draw_word(painter.list(), spot, view.uncovered(), view.theme, view.theme.amber,
+            closed_in_words(placement, team * placement.teams[team].robots.size() + robot));
 }
 
 // How hard a push under the pointer must be to tip the object.
@@ -101,8 +100,8 @@ void draw_push(const Painter& painter, const CanvasView& view) {
            : "Tips if pushed down with " +
                  load_in_words(force, placement.settings.weight, placement.settings.units);
   // The box has the panel's colour, on which the lifting base's dark green could not be read.
-  draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)), view.window,
-            view.theme, safe ? view.theme.text : view.theme.amber, text);
+  draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)),
+            view.uncovered(), view.theme, safe ? view.theme.text : view.theme.amber, text);
 }
 
 // Writes why a polygon is refused at the place of the fault.
@@ -125,8 +124,8 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
   } else {
     return;
   }
-  draw_word(painter.list(), view.camera.to_screen(spot), view.window, view.theme, view.theme.amber,
-            capitalised(error.message));
+  draw_word(painter.list(), view.camera.to_screen(spot), view.uncovered(), view.theme,
+            view.theme.amber, capitalised(error.message));
 }
 
 // What a method came to: its loads, its coverage, and where there is room whether the object can move.
@@ -168,8 +167,8 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   if (walkthrough_is_open(state) && view.current() && !view.second) {
     draw_vertices(painter, view);
+    draw_centre(painter, view);  // nobody takes it here: a robot close to it must be seen
     draw_robots_of_walkthrough(painter, view);
-    draw_centre(painter, view);
     return;
   }
   if (view.current()) {

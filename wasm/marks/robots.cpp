@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "marks/free_motions.h"
 #include "marks/load_labels.h"
 #include "marks/robot_discs.h"
 
@@ -19,9 +20,11 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
     const RobotSize size = robot_size(pairs_of(placement.teams));
     Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
     draw_slide(painter, view, &occupied);
+    draw_far_regions(painter, view, &occupied);
     draw_loads(painter, view, size, outlook.loads, outlook.greatest, occupied);
   } else {
     draw_slide(painter, view, nullptr);
+    draw_far_regions(painter, view, nullptr);
   }
   // Discs of one team have its number; balanced robots, which are a single team, one each, and so do all
   // while one of them fails, since words then speak of single robots.

@@ -81,8 +81,9 @@ void draw_why_unusable(const Painter& painter, const CanvasView& view) {
   if (state.held.kind != Pick::Kind::none || view.second) return;
   const auto why = why_unusable(state, state.hover);
   if (!why) return;
-  draw_word(painter.list(), state.camera.to_screen(state.hover.at), view.window, view.theme,
-            view.theme.text, capitalised(unusable_in_words(*why, settings(state).robot)));
+  draw_word(painter.list(), state.camera.to_screen(state.hover.at), view.uncovered(), view.theme,
+            view.theme.text,
+            capitalised(unusable_in_words(*why, settings(state).robot, settings(state).units)));
 }
 
 }  // namespace evenlift::view

@@ -30,7 +30,7 @@ void draw_first_cursor(const Painter& painter, const AppState& state, const Them
   const std::optional<Vec2>& cursor = state.drawing.cursor;
   if (!cursor) return;
   painter.list().AddCircleFilled(painter.at(*cursor), 4, theme.accent.packed(), 16);
-  draw_word(painter.list(), state.camera.to_screen(*cursor), state.screen.area(), theme,
+  draw_word(painter.list(), state.camera.to_screen(*cursor), layout(state).free, theme,
             theme.second_text, given_point(*cursor));
 }
 
@@ -127,7 +127,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   if (crossed.empty()) draw_centroid(painter, theme, chain);
   if (!drawing.cursor) return;
   const Vec2 spot = state.camera.to_screen(*drawing.cursor);
-  const Rect window = state.screen.area();
+  const Rect window = layout(state).free;
   if (closing) {
     if (drawing.refusal)
       draw_word(painter.list(), spot, window, theme, theme.amber,
@@ -157,7 +157,7 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
                    1.5f);
     const Vec2 knob = (corners[0] + corners[1]) / 2;
     list.AddCircleFilled(vec(knob), 6.5f, theme.accent.packed(), 24);
-    return draw_word(list, knob, state.screen.area(), theme, theme.text,
+    return draw_word(list, knob, layout(state).free, theme, theme.text,
                      fixed(since_grip(state).degrees, 1) + "°");
   }
   list.AddRect(low, high, theme.accent.at(0.6f).packed(), 4, 0, 1.5f);
@@ -179,7 +179,7 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
   grip(FrameGrip::turn, true);
   if (held && state.held.index != static_cast<std::size_t>(FrameGrip::inside))
     draw_word(list, grip_place(state, frame, static_cast<FrameGrip>(state.held.index)),
-              state.screen.area(), theme, theme.text,
+              layout(state).free, theme, theme.text,
               fixed(100 * since_grip(state).factor, 1) + "\u00A0%");
 }
 

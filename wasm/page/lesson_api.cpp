@@ -91,8 +91,8 @@ EMSCRIPTEN_KEEPALIVE int page_script() {
 }
 
 // What is played: the position from 0, the number of stops, the guesses and how many of them were right,
-// the number of the step, and how many choices were shown without a question since three of their kind had been asked, with
-// spaces between them. Nothing if no walkthrough is open.
+// the number of the step, how many choices were shown without a question since three of their kind had been asked, and how many
+// questions nobody guessed, with spaces between them. Nothing if no walkthrough is open.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   const AppState& state = app().state;
   if (!walkthrough_is_open(state)) return hand_over({});
@@ -101,7 +101,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   std::string text;
   for (const std::size_t number :
        {std::size_t{now.at}, std::size_t{now.count}, guesses.steps.size(),
-        std::size_t{guesses.right}, std::size_t{state.walkthrough.at}, guesses.told.size()})
+        std::size_t{guesses.right}, std::size_t{state.walkthrough.at}, guesses.told.size(),
+        guesses.passed_over()})
     text += std::to_string(number) + ' ';
   return hand_over(std::move(text));
 }

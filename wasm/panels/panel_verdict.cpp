@@ -68,13 +68,15 @@ void draw_lower_ratio(const Ui& ui, double best) {
 void draw_verdict(const Ui& ui) {
   const Verdict v = verdict(ui.state);
   const Sign sign = sign_of(ui.theme, v.mood);
+  // A tick says that all is as asked for. While a robot fails that is not the question: there the sign is that of the row below.
+  const bool plain_disc = failing(ui.state) && v.mood == Mood::good;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(ImVec2(at.x + 11, at.y + 14), 11, sign.disc.packed(), 32);
   if (v.searching)
     list.AddCircle(ImVec2(at.x + 11, at.y + 14), 14, ui.theme.accent.packed(), 32, 1.5f);
-  draw_icon(list, sign.icon, ImVec2(at.x + 11, at.y + 14), 15, ui.theme.panel);
+  if (!plain_disc) draw_icon(list, sign.icon, ImVec2(at.x + 11, at.y + 14), 15, ui.theme.panel);
 
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y));
@@ -90,8 +92,7 @@ void draw_verdict(const Ui& ui) {
   ImGui::Dummy(ImVec2(width, 0));
   if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
   ImGui::PopStyleVar();
-  if (!ui.layout.wide)
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4);  // words may fill their room
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4);  // words may fill their room
   draw_failures(ui);
 }
 

@@ -167,8 +167,11 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
   begin_scrolling_box(ui, "told", height);
   const int moment = static_cast<int>(2 * walk.at + (walk.ask ? 1 : 0));
   if (in_last_frame("moment", moment, -1) != moment) ImGui::SetScrollY(0);
-  text_line(Face::strong_label, ui.theme.second_text,
-            std::string(title(walk.detail.step.chapter)) + " · step " + place_in_words(ui.state));
+  const std::string name = walk.script && ui.state.presenting
+                               ? walk.script->lesson.title
+                               : std::string(title(walk.detail.step.chapter));
+  text_block(Face::strong_label, ui.theme.second_text,
+             name + " · step " + place_in_words(ui.state));
   if (walk.ask) {
     draw_question(ui, faces, true);
   } else {

@@ -81,10 +81,10 @@ void draw_close_button(const Ui& ui) {
   ImGui::SetCursorScreenPos(at);
 }
 
-// Whoever begins or leaves a lesson sees the head of the panel.
+// Whoever opens a document, or begins or leaves a lesson, sees the head of the panel.
 void begin_at_head(const Ui& ui) {
-  const int lesson = walkthrough_is_open(ui.state) ? 1 : 0;
-  if (in_last_frame("shows a lesson", lesson, lesson) != lesson) ImGui::SetScrollY(0);
+  const int shown = 2 * ui.state.opened + (walkthrough_is_open(ui.state) ? 1 : 0);
+  if (in_last_frame("shows", shown, shown) != shown) ImGui::SetScrollY(0);
 }
 
 void draw_side_panel(const Ui& ui) {
@@ -107,15 +107,16 @@ void draw_rail(const Ui& ui) {
   end_card(ui);
 }
 
+constexpr float handle_height = 24;
+
 // The handle of the sheet. A press opens the sheet further or closes it; a drag pulls it up or
 // down.
 void draw_handle(const Ui& ui) {
+  ImGui::SetCursorPosY(4 + ImGui::GetScrollY());  // it stays where the rest scrolls
   const float width = ImGui::GetContentRegionAvail().x;
   const auto [low, high, pressed, hovered] =
-      pressable_row(ui, "handle", "Open the sheet further", width, 24);
-  const float x = low.x + width / 2, y = low.y + 8;
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 20, y - 2), ImVec2(x + 20, y + 2),
-                                            ui.theme.quiet.packed(), 2);
+      pressable_row(ui, "handle", "Open the sheet further", width, handle_height);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY());
   const float dragged = ImGui::GetIO().MousePos.y - ImGui::GetIO().MouseClickedPos[0].y;
   if (ImGui::IsItemDeactivated() && std::abs(dragged) > 24) {
     const int step = std::abs(dragged) > 260 ? 2 : 1;
@@ -126,6 +127,18 @@ void draw_handle(const Ui& ui) {
                      : ui.state.sheet == Sheet::half ? Sheet::full
                                                      : Sheet::closed});
   }
+}
+
+// The handle's bar, over what scrolled up to it.
+void draw_grip(const Ui& ui) {
+  const ImVec2 low = ImGui::GetWindowPos();
+  const float right = low.x + ImGui::GetWindowWidth(), middle = (low.x + right) / 2;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::GetScrollY() > 0)
+    list.AddRectFilled(ImVec2(low.x + 1, low.y + 1), ImVec2(right - 1, low.y + 4 + handle_height),
+                       ui.theme.panel.packed(), 10, ImDrawFlags_RoundCornersTop);
+  list.AddRectFilled(ImVec2(middle - 20, low.y + 10), ImVec2(middle + 20, low.y + 14),
+                     ui.theme.quiet.packed(), 2);
 }
 
 // What the step says, in what room there is, and below it one row of buttons.
@@ -148,7 +161,6 @@ void draw_sheet(const Ui& ui) {
   begin_card(ui, "sheet", ui.layout.panel,
              {.fixed_height = true, .padding = 16, .scrolls = ui.state.sheet != Sheet::closed});
   begin_at_head(ui);
-  ImGui::SetCursorPosY(4);
   draw_handle(ui);
   ImGui::PushID("closed");
   if (walkthrough_is_open(ui.state) && ui.state.sheet == Sheet::closed) {
@@ -170,6 +182,7 @@ void draw_sheet(const Ui& ui) {
     rule(ui);
     draw_sections(ui, 1);
   }
+  draw_grip(ui);
   end_card(ui);
 }
 

@@ -22,21 +22,29 @@ Verdict of_placement(const AppState& state) {
       !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
   const bool good = as_asked && placement.coverage >= good_coverage && is_held(placement) &&
                     !is_overloaded(state);
-  return {good ? Mood::good : Mood::not_quite, loads_in_words(placement),
-          detail_in_words(placement)};
+  std::string detail = detail_in_words(placement);
+  if (!placement.teams.empty() && !placement.goal_reached)
+    detail += " So the goal, to hold, is not reached.";
+  return {good ? Mood::good : Mood::not_quite, loads_in_words(placement), std::move(detail)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
+  const bool teams = failure.placement.settings.method != Method::balanced;
   return {mood_of(state, failure.rest), failure_words(state, failure.robot),
-          rest_in_words(failure.placement)};
+          rest_in_words(failure.placement) +
+              (teams ? " The discs number the robots, not the teams, while one fails." : "")};
 }
 
 Verdict of_drawing(const AppState& state) {
   const std::size_t n = state.drawing.points.size();
   const std::string press = state.screen.touch ? "Tap" : "Click";
   if (n == 0) return {Mood::drawing, "Draw a shape.", press + " where its first vertex is."};
+  const auto crossed = crossings(state.drawing.points);
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
-          n < 3 ? "A shape needs at least three."
+          !crossed.empty() ? "Edges " + std::to_string(crossed.front().first + 1) + " and " +
+                                 std::to_string(crossed.front().second + 1) +
+                                 " cross. Move a vertex, or take it back."
+          : n < 3 ? "A shape needs at least three."
           : state.drawing.refusal
               ? "It cannot be closed as it is: " + sentence(*state.drawing.refusal) +
                     ". Move a vertex, or take it back."
@@ -154,6 +162,9 @@ Verdict verdict(const AppState& state) {
   if (const Failure* failure = failing(state)) return of_failure(state, *failure);
   Verdict v = of_placement(state);
   v.searching = state.search.under_way && !state.placement->search_ended;
+  const bool waits = state.edit_open && !state.placement->search_ended &&
+                     settings(state).method == Method::balanced;
+  if (waits && !v.searching) v.detail += " Better places are looked for when you let go.";
   if (v.searching)
     v.detail += state.placement->teams.empty() ? "They are being looked for."
                                                : " Better places are being looked for.";

@@ -1,6 +1,8 @@
 // One of the pictures on the canvas: the placement, or beside it that of a second method.
 #pragma once
 
+#include <algorithm>
+
 #include "picture/painter.h"
 #include "picture/scene.h"
 #include "state/layout.h"
@@ -17,6 +19,12 @@ struct CanvasView {
   const Camera& camera;
   Rect window;  // the part of the canvas for this picture
   bool second;  // whether it shows the second method
+  // What of the window nothing lies over for long: there words can be read.
+  Rect uncovered() const {
+    const Rect& free = layout.free;
+    return {std::max(free.left, window.left), std::max(free.top, window.top),
+            std::min(free.right, window.right), std::min(free.bottom, window.bottom)};
+  }
   const Outlook& outlook() const { return shown_outlook(state, second); }
   const Failure* failure() const { return second ? nullptr : failing(state); }
   bool overloads(double load) const {

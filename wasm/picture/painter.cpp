@@ -202,10 +202,14 @@ void Painter::candidate(const Vec2& a, const Vec2& b, Colour colour, std::size_t
 
 void Painter::region(const Points& counter_clockwise, Colour fill, Colour line_colour,
                      bool rising) const {
+  // Both regions may have shrunk to the same place: one is seen beside or through the other.
   if (counter_clockwise.size() == 1) {
-    list_.AddCircle(at(counter_clockwise[0]), 6, line_colour.packed(), 24, 2);
+    list_.AddCircle(at(counter_clockwise[0]), rising ? 6.0f : 9.0f, line_colour.packed(), 24, 2);
   } else if (counter_clockwise.size() == 2) {
-    line(counter_clockwise[0], counter_clockwise[1], line_colour, 3);
+    if (rising)
+      line(counter_clockwise[0], counter_clockwise[1], line_colour, 3);
+    else
+      dashes(counter_clockwise[0], counter_clockwise[1], line_colour, 3);
   } else {
     fill_convex(counter_clockwise, fill);
     hatch_convex(counter_clockwise, rising, line_colour.at(0.55f));

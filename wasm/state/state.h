@@ -115,6 +115,7 @@ struct AppState {
   History history;
   bool edit_open = false;      // a drag is under way; it will be one step of undo
   std::uint64_t revision = 0;  // grows with every change of the document
+  int opened = 0;              // how many documents were opened since the start
 
   Tool tool = Tool::parts;
   Drawing drawing;

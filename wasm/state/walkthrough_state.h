@@ -26,11 +26,12 @@ struct Stop {
 };
 struct Script {
   Lesson lesson;
-  std::vector<Stop> stops;   // those whose address is in the trace; at least one
-  std::size_t position = 0;  // the stop that is shown, or was shown last
-  Points vertices;           // of the polygon that the lesson was written for
-  std::size_t depth = 0;     // edits in the history when it was opened; undoing more leaves it
-  Settings own;              // with which it was opened
+  std::vector<Stop> stops;             // those whose address is in the trace; at least one
+  std::size_t position = 0;            // the stop that is shown, or was shown last
+  Points vertices;                     // of the polygon that the lesson was written for
+  std::optional<Vec2> centre_of_mass;  // given with it
+  std::size_t depth = 0;  // edits in the history when it was opened; undoing more leaves it
+  Settings own;           // that it was written for
   std::optional<Settings> before;  // the settings that it found
   bool preview = false;            // it is being written
 };
@@ -57,6 +58,13 @@ struct Guesses {
   // By QuestionKind: the steps of its questions.
   std::array<std::vector<std::uint32_t>, question_kind_count> asked;
   std::vector<std::uint32_t> told;  // choices that were shown without a question
+
+  // How many questions nobody guessed.
+  std::size_t passed_over() const {
+    std::size_t all = 0;
+    for (const std::vector<std::uint32_t>& of_kind : asked) all += of_kind.size();
+    return all - steps.size();
+  }
 };
 
 struct Walkthrough {

@@ -37,4 +37,11 @@ Points shorter_way(const Points& vertices, const LiftingPoint& from, const Lifti
   return back;
 }
 
+std::string closed_in_words(const Placement& placement, std::size_t robot) {
+  return "Robot " + std::to_string(robot + 1) + " cannot go there: " +
+         (placement.settings.method == Method::balanced
+              ? "no two neighbours could keep all loads equal."
+              : "other robots are in the way.");
+}
+
 }  // namespace evenlift::view

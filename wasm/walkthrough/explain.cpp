@@ -77,7 +77,9 @@ void explain_team(Explanation& explanation, const Placement& placement, const Pi
     const auto end = static_cast<std::size_t>(pick.end);
     const std::size_t robot = 2 * pick.index + end;
     if (!pick.second) explanation.robot = robot;
-    explanation.title = "Robot " + number(robot) + ", of team " + number(pick.index);
+    // The disc says the team, and what is said of failures the robot.
+    explanation.title = "Team " + number(pick.index) + ": robot " + number(robot) + " of " +
+                        std::to_string(count_robots(placement.teams));
     explanation.rows.push_back({"It carries", with_weight_unit(words.loads[end], units) + of_all});
     explanation.rows.push_back(
         {"The other end carries", with_weight_unit(words.loads[1 - end], units)});

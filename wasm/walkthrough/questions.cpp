@@ -82,6 +82,9 @@ void guess(AppState& state, std::uint32_t answer) {
     walk.guesses.right += right ? 1 : 0;
   }
   std::string verdict = right ? "Right." : "Not this time.";
+  if (!right && asked.question.kind == QuestionKind::nearer_end)
+    verdict = std::string("Not this time: it is the ") +
+              (asked.question.answer == 0 ? "first" : "second") + " end.";
   if (!right && asked.question.kind == QuestionKind::winning_chord)
     verdict += " " + why_not_text(*walk.trace, why_not(*walk.trace, asked.step, answer));
   if (!right && asked.question.kind == QuestionKind::even_chord)

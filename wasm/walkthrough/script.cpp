@@ -58,12 +58,15 @@ std::optional<Settings> settings_before_script(const AppState& state) {
 
 bool script_is_true(const AppState& state) {
   const std::optional<Script>& script = state.walkthrough.script;
-  return script && script->vertices == state.document.vertices;
+  return script && script->vertices == state.document.vertices &&
+         script->centre_of_mass == state.document.centre_of_mass;
 }
 
 std::string words_of_stop(const AppState& state) {
   const Walkthrough& walk = state.walkthrough;
   if (!walk.script || walk.ask) return {};
+  if (!script_is_true(state) || !same_settings(walk.script->own, settings(state)))
+    return "You changed the shape or a setting: the lesson's words were about how it was. Undo brings that back.";
   const Stop& stop = walk.script->stops[walk.script->position];
   return stop.step == walk.at ? stop.words : std::string();
 }

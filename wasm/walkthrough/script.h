@@ -24,7 +24,7 @@ bool same_settings(Settings a, const Settings& b);
 // The settings that the script found, if those in force are still its own.
 std::optional<Settings> settings_before_script(const AppState& state);
 
-// Whether a script is open, and the polygon is still the one that it was written for.
+// Whether a script is open, and the polygon and its centre of mass are still those that it was written for.
 bool script_is_true(const AppState& state);
 
 // The teacher's words for this step; empty if there are none, or while a question is asked.

@@ -14,11 +14,19 @@ export function ensureStyles(name = "dialogs.css") {
   return styles.get(name);
 }
 
+// Resolves once every window that was closed is gone: the browser tells of a closing a little later, and by then the next
+// window may be asked for, whose name or focus the old one must not have.
+async function windowsGone() {
+  const leaving = [...document.querySelectorAll("dialog.window:not([open])")];
+  await Promise.all(leaving.map((root) => new Promise((gone) => root.addEventListener("close", gone, { once: true }))));
+}
+
 // Opens a window: modal, or beside the canvas. When it is closed, its element is removed, and the focus goes back to the
 // canvas or, where there is none or a window is below, to what had it before. `tools` go into its header, and `focus` gets the focus. Returns the element; or nothing if
 // the window is open already, or a modal window that it may not be `over`.
 export async function openWindow({ name, title, modal = true, over = false, tools = [], body, focus, closed }) {
   await ensureStyles();
+  await windowsGone();
   if (document.getElementById(name)?.open || (!over && document.querySelector("dialog:modal"))) return undefined;
   const before = document.activeElement;
   const close = button("", { class: "button bare", "aria-label": "Close", title: "Close (Esc)", onclick: () => root.close() }, "close");

@@ -34,8 +34,9 @@ function converted(typed, from, to) {
   const kind = kinds.find((each) => Object.hasOwn(each, from));
   if (!Object.hasOwn(kind, to)) return undefined;
   const [times, by] = kind[from], [per, of] = kind[to];
-  // Rounded so that what is 20 in decimals is not 20.000000000000004.
-  return String(Number((Number(point(typed)) * times * of / (by * per)).toPrecision(12)));
+  // As exact as what was typed, and nine digits at least: 200 N are 20.3943243 kg, and 20 in decimals is not 20.000000000000004.
+  const digits = point(typed).replace(/e.*$/i, "").replace(/\D/g, "").replace(/^0+/, "").length;
+  return String(Number((Number(point(typed)) * times * of / (by * per)).toPrecision(Math.min(12, Math.max(9, digits)))));
 }
 
 // A number may have a unit and a decimal comma; two are parted by a comma, a semicolon or a space. `own` is the unit of the

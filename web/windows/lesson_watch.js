@@ -28,8 +28,8 @@ export function openLessonOf(program) {
 
 // How a walkthrough stands; undefined if none is open.
 export function standing(program) {
-  const [at, count, guesses, right, step, told] = program.text("page_lesson").trim().split(" ").map(Number);
-  return count ? { at, count, guesses, right, step, told } : undefined;
+  const [at, count, guesses, right, step, told, passed] = program.text("page_lesson").trim().split(" ").map(Number);
+  return count ? { at, count, guesses, right, step, told, passed } : undefined;
 }
 
 // Call this whenever a lesson or a challenge was opened.
@@ -60,13 +60,16 @@ const paragraphs = (text, attributes = {}) => text.split("\n").map((words) => el
 // The question at the lesson's end, and the button that shows its answer. Once shown, it is there whenever the end comes again.
 function questionOf(program, of) {
   const answer = el("div", { role: "status" });
-  const show = () => answer.replaceChildren(...paragraphs(program.text("page_lesson_answer"), { class: "second" }));
+  const told = (attributes) => paragraphs(program.text("page_lesson_answer"), { class: "second", ...attributes });
+  const show = () => answer.replaceChildren(...told());
   const words = [...paragraphs(program.text("page_lesson_question"), { class: "question" }), answer];
   if (of.answered) {
     show();
     return { words };
   }
-  const shown = button("Answer", { onclick: () => {
+  // Beside the buttons the answer's room is kept, so that the drawing stays where it is when the answer comes.
+  answer.replaceChildren(el("div", { class: "waits", "aria-hidden": "true" }, ...told()));
+  const shown = button("Answer", { class: "button unfolded", onclick: () => {
     of.answered = true;
     show();
     answer.parentElement.classList.add("answered");
@@ -79,6 +82,18 @@ function questionOf(program, of) {
   return { words, button: shown };
 }
 
+// On a small screen the card begins as a row of buttons, so that the shape that the question is about keeps its room; this
+// one unfolds it.
+function foldButton(of) {
+  const fold = button("Question", { "aria-expanded": "false", onclick: () => {
+    const folded = of.card.root.classList.toggle("folded");
+    fold.setAttribute("aria-expanded", String(!folded));
+    fold.textContent = folded ? "Question" : "Fold";
+    of.card.seat();
+  } });
+  return fold;
+}
+
 // The next lesson by its name, or where that has no room, as the next one.
 function toNext({ title }, act) {
   const go = closingButton("", { class: "button primary", title }, act);
@@ -86,11 +101,12 @@ function toNext({ title }, act) {
   return go;
 }
 
-async function showEnd(page, lesson, { guesses, right, told }, of) {
+async function showEnd(page, lesson, { guesses, right, told, passed }, of) {
   const all = lesson.name ? await fetchJson("lessons.json").catch(() => []) : [];
   const index = all.findIndex(({ name }) => name === lesson.name);
   const next = index >= 0 ? all[index + 1] : undefined;
   const score = guesses ? `${right} of ${guesses} ${guesses === 1 ? "guess was" : "guesses were"} right.` : "";
+  const unguessed = score && passed ? ` ${passed === 1 ? "One question was" : `${passed} questions were`} passed over.` : "";
   const untold = score && told ? ` ${told === 1 ? "One more choice was" : `${told} more choices were`} shown without a question: at most three of a kind are asked.` : "";
   const asked = page.program.text("page_lesson_question");
   if (!score && index < 0 && !asked) return;
@@ -98,15 +114,17 @@ async function showEnd(page, lesson, { guesses, right, told }, of) {
   const ended = index >= 0 ? `The end of lesson ${index + 1} of ${all.length}.` : "This is the end.";
   const seen = seenLessons();
   const question = asked ? questionOf(page.program, of) : undefined;
+  const toFold = asked && matchMedia("(max-height: 600px)").matches ? foldButton(of) : "";
   const rest = index >= 0 && all.every(({ name }) => seen.has(name)) ? " You have seen all of them." : "";
   of.card = await openCard(page, {
     name: "lesson-end",
     title: "The end of the lesson",
+    attributes: toFold ? { class: "seat-card folded" } : {},
     body: [
-      el("div", { class: of.answered ? "said answered" : "said" }, el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", untold, rest), ...(question?.words ?? [])),
-      el("div", { class: "ways" }, question?.button ?? "",
+      el("div", { class: of.answered ? "said answered" : "said" }, el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", unguessed, untold, rest), ...(question?.words ?? [])),
+      el("div", { class: "ways" }, toFold, question?.button ?? "",
         next ? toNext(next, () => openReadyMade(page, next)) : "",
-        closingButton("All lessons", {}, () => page.windows().then((windows) => windows.lessons(page)))),
+        closingButton("All lessons", { class: "button seldom" }, () => page.windows().then((windows) => windows.lessons(page)))),
     ],
   });
 }

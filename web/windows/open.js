@@ -6,7 +6,7 @@ import { nameOpened, openedName, stemOf } from "./document_name.js";
 import { openLessonText } from "./lesson_source.js";
 import { isLesson } from "../page/lesson_text.js";
 import { isPhoto, layBehind, photoLine } from "./photo.js";
-import { lengthUnit, sentences, showShapes } from "./shapes.js";
+import { lengthInWords, sentences, showShapes } from "./shapes.js";
 import { underWay } from "../page/under_way.js";
 
 const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
@@ -60,7 +60,7 @@ function openShape(page, source, shape, found, said = []) {
   const problem = page.program.text(how, shape.text(how === "page_load"));
   if (problem) return problem;
   nameOpened(page.program, name);
-  const within = `${shape.tolerance} ${lengthUnit(found)}`;
+  const within = lengthInWords(shape.tolerance, found);
   curved = shape.tolerance ? { ...source, tolerance: shape.tolerance, within } : undefined;
   const more = [...said, ...(shape.tolerance ? [`curves were flattened to within ${within}, which “Open” can change`] : [])];
   done(page, `${what} is opened. ${sentences(more)} ${undo}`.replace("  ", " "));

@@ -26,6 +26,12 @@ export const sentences = (texts) => texts.map((text) => `${text.charAt(0).toUppe
 // In what the lengths of a text are: many drawings do not say it.
 export const lengthUnit = ({ unit }) => unit || "units of the drawing";
 
+const ones = { inches: "inch", feet: "foot", "units of the drawing": "unit of the drawing" };
+export function lengthInWords(length, found) {
+  const many = lengthUnit(found);
+  return `${length} ${Number(length) === 1 ? ones[many] ?? many.replace(/s$/, "") : many}`;
+}
+
 // Shows what `found` (of readShapes) has of the text. `choose` opens a shape, and returns why it was refused, or nothing.
 export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const problem = problemLine();

@@ -52,8 +52,8 @@ struct Import {
 //   columns    x and y in lines, with tabs, semicolons, bars, commas or spaces between them: the first
 //              of these, in this order, that the first line with a number has. Decimals may have a
 //              comma unless commas or spaces are between the columns. A heading may name the columns x
-//              and y; without, the first two with numbers count. Lines that begin with # are comments,
-//              and blank lines part shapes
+//              and y, and their unit: x (mm), y (mm); without, the first two with numbers count. Lines
+//              that begin with # are comments, and blank lines part shapes
 //   JSON       [[x, y], ...], or [{"x": x, "y": y}, ...], or an array of such
 //   GeoJSON    the polygons of a FeatureCollection, MultiPolygon or GeometryCollection, named by
 //              `name`, `title` or `id`; of each its outer ring

@@ -85,6 +85,7 @@ using StepAddress = std::variant<at::Kind, at::Vertex, at::Edges, at::Number, at
 struct GivenSetting {
   Setting setting;
   std::string text;
+  std::size_t line = 0;  // from 1
 };
 
 struct LessonStep {
@@ -112,12 +113,16 @@ Result<Lesson> parse_lesson(std::string_view text);
 // else `sample`, which the caller has read by the lesson's `polygon`. The errors are decode_link's.
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample);
 
+// An error of that document, or of what follows from it: where it is about a setting that the lesson gives
+// itself, at that line. O(settings).
+InputError at_line(InputError error, const Lesson& lesson);
+
 // The number of the step in the trace; nothing if the trace has no such step. O(K) for edges and
 // vertices, otherwise O(1).
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address);
 
-// An error at the line of the first step that the trace does not have; nothing if it has them all.
-// As find_step for each step.
+// An error at the line of the first step that the trace does not have, which says what there is instead;
+// nothing if it has them all. As find_step for each step.
 std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace);
 
 }  // namespace evenlift

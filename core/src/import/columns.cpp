@@ -92,7 +92,8 @@ class ColumnReader {
   std::optional<std::size_t> x_, y_;
   bool named_ = false;  // the heading chose the columns
   bool more_columns_ = false;
-  bool has_rows_ = false;  // of numbers
+  bool has_rows_ = false;               // of numbers
+  LengthUnit unit_ = LengthUnit::none;  // that the heading names for both columns
   std::string name_;
   Points points_;
 };
@@ -147,6 +148,33 @@ bool names_column(std::string_view field, char name) {
   return field.size() == 1 || (!is_letter(field[1]) && static_cast<unsigned char>(field[1]) < 0x80);
 }
 
+// The unit that a column's name ends with, such as "x (mm)", "x_cm" or "X [m]"; none if it names none.
+LengthUnit unit_of_column(std::string_view field) {
+  const auto is_mark = [](char c) { return !is_letter(c); };
+  field.remove_prefix(1);
+  while (!field.empty() && is_mark(field.front())) field.remove_prefix(1);
+  while (!field.empty() && is_mark(field.back())) field.remove_suffix(1);
+  for (const LengthUnit unit : all_length_units)
+    if (unit != LengthUnit::none && same_word(field, name(unit))) return unit;
+  return LengthUnit::none;
+}
+
+const char* words_of(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::m:
+      return "metres";
+    case LengthUnit::cm:
+      return "centimetres";
+    case LengthUnit::mm:
+      return "millimetres";
+    case LengthUnit::in:
+      return "inches";
+    case LengthUnit::none:
+      break;
+  }
+  return "";
+}
+
 bool has_field(const Fields& fields, std::string_view name) {
   return std::any_of(fields.begin(), fields.end(),
                      [&](std::string_view field) { return same_word(field, name); });
@@ -168,7 +196,11 @@ std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& 
     if (names_column(fields[i], 'y')) y_ = i;
   }
   named_ = x_ && y_;
-  if (named_) return std::nullopt;
+  if (named_) {
+    const LengthUnit unit = unit_of_column(fields[*x_]);
+    unit_ = unit == unit_of_column(fields[*y_]) ? unit : LengthUnit::none;
+    return std::nullopt;
+  }
   x_.reset();
   y_.reset();
   // A line of words before a shape is its name.
@@ -241,6 +273,7 @@ void ColumnReader::end_shape() {
   if (points_.empty()) return;
   Document document;
   document.vertices = std::exchange(points_, {});
+  document.settings.units.length = unit_;
   gathering_.add(std::move(document), std::exchange(name_, ""), "points");
 }
 
@@ -292,6 +325,7 @@ Result<Import> ColumnReader::read() {
                       joined({"this text is in no format that is known here: ", known_formats}),
                       {}};
   }
+  if (unit_ != LengthUnit::none) gathering_.import.unit = words_of(unit_);
   if (more_columns_ && !named_)
     gathering_.note("the first two columns with numbers were taken as x and y");
   if (gathering_.import.shapes.size() > 1) gathering_.note("blank lines part the shapes");

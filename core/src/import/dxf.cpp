@@ -133,7 +133,11 @@ class DxfReader {
     return static_cast<int>(std::clamp(number_of(entity, 70, 0), 0.0, 255.0));
   }
   bool mirrored(const Entity& entity);
-  std::string_view layer_of(const Entity& entity) const { return text_of(entity, 8); }
+  // Nothing for layer 0, on which everything is that nobody put elsewhere: its name says nothing.
+  std::string_view layer_of(const Entity& entity) const {
+    const std::string_view layer = text_of(entity, 8);
+    return layer == "0" ? std::string_view() : layer;
+  }
 
   void take(const Entity& entity);
   void take_vertices(const Entity& entity);

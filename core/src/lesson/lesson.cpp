@@ -1,5 +1,7 @@
 #include "evenlift/lesson.h"
 
+#include <string>
+
 #include "evenlift/link.h"
 
 namespace evenlift {
@@ -32,6 +34,38 @@ struct Finder {
   std::optional<std::uint32_t> operator()(const at::End&) const { return trace.size() - 1; }
 };
 
+// What the trace has instead of a step that it does not have.
+struct Absence {
+  const Trace& trace;
+
+  std::string operator()(const at::Kind& address) const {
+    const std::string word =
+        address.kind == StepKind::outcome ? "pair" : std::string(name(address.kind));
+    const std::uint32_t count = trace.count(address.kind);
+    if (count == 0) return "there is no step [" + word + "] with this polygon and these settings";
+    return "there is no step [" + word + " " + std::to_string(address.item + 1) +
+           "]: with this polygon and these settings there " +
+           (count == 1 ? "is only [" + word + "]"
+                       : "are [" + word + " 1] to [" + word + " " + std::to_string(count) + "]");
+  }
+  std::string operator()(const at::Vertex& address) const {
+    const std::string vertex = std::to_string(address.vertex + 1);
+    if (address.vertex >= trace.polygon.size())
+      return "there is no vertex " + vertex + ": the polygon has " +
+             std::to_string(trace.polygon.size()) + " vertices";
+    return "there is no ray from vertex " + vertex + " with these settings";
+  }
+  std::string operator()(const at::Edges& address) const {
+    return "edges " + std::to_string(address.a + 1) + " and " + std::to_string(address.b + 1) +
+           " are not looked at together: no chord through the centre of mass joins them";
+  }
+  std::string operator()(const at::Number& address) const {
+    return "there is no step " + std::to_string(address.step + 1) + ": there are " +
+           std::to_string(trace.size());
+  }
+  std::string operator()(const at::End&) const { return {}; }  // each trace has an end
+};
+
 }  // namespace
 
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample) {
@@ -39,8 +73,17 @@ Result<Document> lesson_document(const Lesson& lesson, const Document& sample) {
       lesson.link.empty() ? Result<Document>(sample) : decode_link(lesson.link);
   if (!document) return document;
   for (const GivenSetting& given : lesson.settings)
-    if (auto error = read_setting(given.setting, given.text, *document)) return *error;
+    if (auto error = read_setting(given.setting, given.text, *document))
+      return at_line(*std::move(error), lesson);
   return document;
+}
+
+InputError at_line(InputError error, const Lesson& lesson) {
+  for (const GivenSetting& given : lesson.settings)
+    if ((error.place.kind == Place::Kind::centre_of_mass && given.setting == Setting::com) ||
+        (error.place.kind == Place::Kind::option && error.place.option == name(given.setting)))
+      error.place = {Place::Kind::line, given.line, 0, {}};
+  return error;
 }
 
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address) {
@@ -51,7 +94,7 @@ std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace)
   for (const LessonStep& step : lesson.steps)
     if (!find_step(trace, step.address))
       return InputError{ErrorCode::bad_syntax,
-                        "the polygon's trace has no such step",
+                        std::visit(Absence{trace}, step.address),
                         {Place::Kind::line, step.line, 0, {}}};
   return std::nullopt;
 }

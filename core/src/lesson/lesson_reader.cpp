@@ -117,7 +117,7 @@ class Reader {
   void take_setting(std::string_view value, Setting setting) {
     Document tried;
     if (read_setting(setting, value, tried)) return refuse(requirement(setting));
-    lesson_.settings.push_back({setting, std::string(value)});
+    lesson_.settings.push_back({setting, std::string(value), line_});
   }
 
   void take_predict(std::string_view value, Setting) {

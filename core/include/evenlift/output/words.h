@@ -73,8 +73,8 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 
 // --- A placement. O(1) unless stated otherwise.
 
-// "6 robots carry 15.2–18.1 kg each (100 kg in all).", of balanced robots "6 robots, each exactly
-// 16.7 kg of 100.", or "No team can be placed."
+// "6 robots carry 15.2–18.1 kg each (100 kg in all).", of balanced robots "6 robots carry
+// 16.7 kg each, all the same (100 kg in all).", or "No team can be placed."
 std::string loads_in_words(const Placement& placement);
 
 // Why there are no teams, and what could help; or that there are fewer than were asked for; else
@@ -102,9 +102,9 @@ std::string detail_in_words(const Placement& placement);
 // The whole result in a few sentences: loads_in_words and detail_in_words.
 std::string verdict(const Placement& placement);
 
-// Why a robot cannot stand at a part of the boundary: "a robot of radius 60 does not fit here", with the
-// size that is in the way.
-std::string unusable_in_words(WhyUnusable why, const RobotSize& robot);
+// Why a robot cannot stand at a part of the boundary: "a robot of radius 60 mm does not fit here", with
+// the size that is in the way.
+std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Units& units);
 
 // Which robots carry more than one can, and how many robots are needed if the plan for that is
 // known. O(teams).

@@ -24,7 +24,7 @@ struct Surroundings {
   Box frame;                    // labels stay inside
   Points outline;               // of the object: its inside is avoided, its edges more
   std::vector<Segment> chords;  // avoided if possible
-  std::vector<Box> marks;  // never covered; owners are among them or not, which changes nothing
+  std::vector<Box> marks;       // never covered; what a label names may be among them
 };
 
 // A box for each label in turn; nothing for a label if every place would cover a mark, an owner or

@@ -5,6 +5,7 @@
 #include "evenlift/output/markup.h"
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
+#include "evenlift/stands.h"
 #include "output/svg/label_places.h"
 #include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"
@@ -22,7 +23,10 @@ constexpr std::size_t most_labels = 150;
 
 class Drawing {
  public:
-  explicit Drawing(const Placement& placement) : placement_(placement), paper_(extent(placement)) {
+  explicit Drawing(const Placement& placement)
+      : placement_(placement),
+        sized_(robots_with_size(placement)),
+        paper_(extent(placement, sized_)) {
     const auto robots = static_cast<double>(count_robots(placement.teams));
     disc_ = std::clamp(13.5 - robots / 12, 6.5, 13.0);
     number_size_ = 1.15 * disc_;
@@ -31,7 +35,7 @@ class Drawing {
     // Lines to C only say that the robots belong together.
     if (placement.settings.method == Method::balanced) chord_width_ = 0.75;
     largest_load_ = placement.loads ? placement.loads->max : 0;
-    stands_ = find_stands(placement, paper_, 0.8 * disc_);
+    stands_ = find_stands(placement, sized_, paper_, 0.8 * disc_);
   }
 
   std::string finished(std::string_view link) {
@@ -39,7 +43,7 @@ class Drawing {
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
       drawing += drawn(shape);
-    drawing += unusable_boundary(placement_, paper_) + bodies(placement_, paper_);
+    if (placement_.stands) drawing += stands();
     drawing += robots();
     drawing += loads();
     const Caption caption = make_caption(placement_, shown_, paper_.height, paper_.width);
@@ -131,10 +135,13 @@ class Drawing {
     const std::string look =
         region_fill(clockwise) +
         attribute("stroke", clockwise ? clockwise_colour : counterclockwise_colour) +
-        attribute("stroke-width", 1.5) + attribute("stroke-opacity", 0.7);
+        attribute("stroke-width", 1.5) + attribute("stroke-opacity", 0.7) +
+        // Both may have shrunk to the same line: one is seen through the other.
+        (shape.points.size() == 2 && !clockwise ? attribute("stroke-dasharray", "8 8") : "");
     if (shape.points.size() > 1) return drawn_path(name, area, true, look);
     return element("circle", attribute("class", name) + attribute("cx", area[0].x()) +
-                                 attribute("cy", area[0].y()) + attribute("r", 5) + look);
+                                 attribute("cy", area[0].y()) + attribute("r", clockwise ? 5 : 8) +
+                                 look);
   }
 
   // A disc, or a rounded box for several numbers.
@@ -149,6 +156,15 @@ class Drawing {
                              const std::string& look) {
     return text(at + Vec2(0, 0.36 * size), size, words,
                 attribute("text-anchor", "middle") + attribute("font-weight", 600) + look);
+  }
+
+  // What robots with a size cannot use, and they themselves.
+  std::string stands() {
+    const Stands& rules = *placement_.stands;
+    shown_.body = rules.has_body();
+    for (const UnusablePart& part : rules.unusable())
+      (part.why == WhyUnusable::no_go ? shown_.no_go : shown_.unusable) = true;
+    return unusable_boundary(placement_, paper_) + bodies(sized_, rules.robot(), paper_);
   }
 
   std::string robots() const {
@@ -166,36 +182,53 @@ class Drawing {
     return out;
   }
 
-  std::string loads() const {
+  bool overloads(const Stand& stand) const {
+    const std::optional<double>& capacity = placement_.settings.capacity;
+    return capacity && *std::max_element(stand.loads.begin(), stand.loads.end()) > *capacity;
+  }
+
+  std::string loads() {
     if (stands_.size() > most_labels) return "";
     const Vec2 centre = paper_(placement_.centre_of_mass);
-    const labels::Surroundings around = {
+    labels::Surroundings around = {
         {Vec2(6, 6), Vec2(paper_.width - 6, paper_.height - 6)},
         outline_,
         chords_,
         {{centre - Vec2(11, 11), centre + Vec2(11, 11)}},
     };
+    for (const Stand& stand : stands_) around.marks.push_back(disc(stand));
+    for (const PlacedRobot& robot : sized_) {
+      around.marks.push_back(body_box(robot, placement_.stands->robot(), paper_));
+      around.chords.emplace_back(paper_(robot.at), paper_(robot.stand));
+    }
+    const Units& units = placement_.settings.units;
     std::vector<labels::Request> requests;
     for (const Stand& stand : stands_) {
-      const double width = text_width(load_text(stand, largest_load_), label_size_, 0.58);
-      requests.push_back({disc(stand), stand.at - centre, {width, label_size_}});
+      const double width = text_width(load_text(stand, largest_load_, units), label_size_, 0.58);
+      requests.push_back(
+          {stand.body.value_or(disc(stand)), stand.at - centre, {width, label_size_}});
     }
     const std::vector<std::optional<labels::Box>> places = labels::place(requests, around);
 
     // A white border keeps a number readable on hatching or a line.
-    const std::string look = attribute("class", "load") + attribute("fill", text_colour) +
-                             attribute("stroke", "#FFFFFF") + attribute("stroke-width", 3.5) +
-                             attribute("stroke-linejoin", "round") +
-                             attribute("paint-order", "stroke");
+    const std::string border = attribute("stroke", "#FFFFFF") + attribute("stroke-width", 3.5) +
+                               attribute("stroke-linejoin", "round") +
+                               attribute("paint-order", "stroke");
     std::string out;
-    for (std::size_t i = 0; i < stands_.size(); ++i)
-      if (places[i])
-        out += centred((places[i]->low + places[i]->high) / 2, label_size_,
-                       load_text(stands_[i], largest_load_), look);
+    for (std::size_t i = 0; i < stands_.size(); ++i) {
+      if (!places[i]) continue;
+      const bool over = overloads(stands_[i]);
+      shown_.overload = shown_.overload || over;
+      out += centred((places[i]->low + places[i]->high) / 2, label_size_,
+                     load_text(stands_[i], largest_load_, units),
+                     attribute("class", over ? "load overload" : "load") +
+                         attribute("fill", over ? overload_colour : text_colour) + border);
+    }
     return out;
   }
 
   const Placement& placement_;
+  const std::vector<PlacedRobot> sized_;  // all robots or, if they are points, none
   const Paper paper_;
   double disc_ = 0;  // a robot's radius
   double number_size_ = 0, label_size_ = 0, chord_width_ = 0;

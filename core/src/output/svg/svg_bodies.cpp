@@ -2,16 +2,12 @@
 
 #include "evenlift/output/markup.h"
 #include "evenlift/output/words.h"
-#include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_style.h"
 
 namespace evenlift::svg {
 namespace {
-
-constexpr std::string_view unusable_colour = "#9AA5B1", marked_colour = "#C77700",
-                           body_colour = "#1B232B";
 
 std::string body(const PlacedRobot& robot, const RobotSize& size, const Paper& paper) {
   const Vec2 inward = robot.contact - robot.stand;
@@ -31,7 +27,7 @@ std::string body(const PlacedRobot& robot, const RobotSize& size, const Paper& p
   }
   if (size.radius == 0) return out;
   const Vec2 middle = paper(robot.stand);
-  const double radius = length(paper(robot.stand + Vec2(size.radius, 0)) - middle);
+  const double radius = size.radius * paper.scale;
   return out +
          element("circle", attribute("class", "body") + attribute("cx", middle.x()) +
                                attribute("cy", middle.y()) + attribute("r", radius) +
@@ -41,11 +37,15 @@ std::string body(const PlacedRobot& robot, const RobotSize& size, const Paper& p
 
 }  // namespace
 
-Points extent(const Placement& placement) {
+std::vector<PlacedRobot> robots_with_size(const Placement& placement) {
+  if (!placement.stands || !placement.stands->has_body()) return {};
+  return placed_robots(placement);
+}
+
+Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots) {
   Points points = placement.vertices();
-  if (!placement.stands || !placement.stands->has_body()) return points;
-  const double radius = placement.stands->robot().radius;
-  for (const PlacedRobot& robot : placed_robots(placement)) {
+  for (const PlacedRobot& robot : robots) {
+    const double radius = placement.stands->robot().radius;
     points.emplace_back(robot.stand - Vec2(radius, radius));
     points.emplace_back(robot.stand + Vec2(radius, radius));
   }
@@ -64,18 +64,22 @@ std::string unusable_boundary(const Placement& placement, const Paper& paper) {
         "path",
         attribute("class", marked ? "no-go" : "unusable") +
             path({paper(a + part.part.from * along), paper(a + part.part.to * along)}, false) +
-            attribute("stroke", marked ? marked_colour : unusable_colour) +
+            attribute("stroke", marked ? no_go_colour : unusable_colour) +
             attribute("stroke-width", 5));
   }
   return out;
 }
 
-std::string bodies(const Placement& placement, const Paper& paper) {
-  if (!placement.stands || !placement.stands->has_body()) return "";
+std::string bodies(const std::vector<PlacedRobot>& robots, const RobotSize& size,
+                   const Paper& paper) {
   std::string out;
-  for (const PlacedRobot& robot : placed_robots(placement))
-    out += body(robot, placement.stands->robot(), paper);
+  for (const PlacedRobot& robot : robots) out += body(robot, size, paper);
   return out;
+}
+
+Box body_box(const PlacedRobot& robot, const RobotSize& size, const Paper& paper) {
+  const Vec2 middle = paper(robot.stand), reach = Vec2(1, 1) * (size.radius * paper.scale);
+  return {middle - reach, middle + reach};
 }
 
 }  // namespace evenlift::svg

@@ -2,17 +2,29 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "evenlift/placed_robots.h"
 #include "evenlift/placement.h"
+#include "evenlift/plane.h"
 #include "output/svg/svg_paper.h"
 
 namespace evenlift::svg {
 
-// What the paper must have room for: the vertices, and around them the robots' bodies. O(n + robots).
-Points extent(const Placement& placement);
+// The robots, team after team, if they have a size; else none. O(n + robots).
+std::vector<PlacedRobot> robots_with_size(const Placement& placement);
 
-// Nothing for points that may stand anywhere. O(parts + robots).
+// What the paper must have room for: the vertices, and around them the bodies of these robots. O(n + robots).
+Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots);
+
+// Nothing for points that may stand anywhere. O(parts).
 std::string unusable_boundary(const Placement& placement, const Paper& paper);
-std::string bodies(const Placement& placement, const Paper& paper);
+
+// The robots that have a size. O(robots).
+std::string bodies(const std::vector<PlacedRobot>& robots, const RobotSize& size,
+                   const Paper& paper);
+
+// The box of a robot's body, in pixels. O(1).
+Box body_box(const PlacedRobot& robot, const RobotSize& size, const Paper& paper);
 
 }  // namespace evenlift::svg

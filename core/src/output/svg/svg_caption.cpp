@@ -10,7 +10,8 @@
 namespace evenlift::svg {
 namespace {
 
-// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure"
+// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure", and what is known of the robots and
+// of C.
 std::string settings_line(const Placement& placement) {
   const Settings& settings = placement.settings;
   const bool by_ratio = selects_candidates(settings.method);
@@ -21,6 +22,11 @@ std::string settings_line(const Placement& placement) {
                        : count_of(placement.teams.size(), "team", "teams"));
   if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);
   line += " · coverage " + percentage(placement.coverage);
+  if (settings.capacity)
+    line += " · a robot can carry " + with_weight_unit(plain(*settings.capacity), settings.units);
+  if (settings.com_radius > 0)
+    line += " · centre of mass known within " +
+            with_length_unit(plain(settings.com_radius), settings.units);
   return line + (placement.closure.form_closure ? " · form closure" : " · no form closure");
 }
 
@@ -47,6 +53,21 @@ std::vector<KeyEntry> key(const Shown& shown) {
     entries.push_back({swatch(region_fill(false), counterclockwise_colour),
                        "can turn counter-clockwise about here"});
   entries.push_back({centre_mark(Vec2(0, 0), 6), "centre of mass"});
+  if (shown.body)
+    entries.push_back(
+        {element("circle", attribute("r", 6) + attribute("fill", body_colour) +
+                               attribute("fill-opacity", 0.15) + attribute("stroke", body_colour)),
+         "robot's body"});
+  const auto stroke = [](std::string_view colour) {
+    return element("path", path({{-9, 0}, {9, 0}}, false) + attribute("stroke", colour) +
+                               attribute("stroke-width", 5));
+  };
+  if (shown.no_go) entries.push_back({stroke(no_go_colour), "no robot may touch this"});
+  if (shown.unusable) entries.push_back({stroke(unusable_colour), "no robot fits here"});
+  if (shown.overload)
+    entries.push_back({text({-9, 4.5}, 13, "00",
+                            attribute("fill", overload_colour) + attribute("font-weight", 600)),
+                       "more than a robot can carry"});
   return entries;
 }
 

@@ -3,18 +3,25 @@
 #include <algorithm>
 
 #include "evenlift/output/words.h"
+#include "evenlift/stands.h"
+#include "output/svg/svg_bodies.h"
 
 namespace evenlift::svg {
 
-std::vector<Stand> find_stands(const Placement& placement, const Paper& paper, double apart) {
+std::vector<Stand> find_stands(const Placement& placement, const std::vector<PlacedRobot>& sized,
+                               const Paper& paper, double apart) {
   std::vector<Stand> stands;
+  std::size_t added = 0;
   const auto add = [&](const LiftingPoint& point, const std::string& number, double load) {
     const Vec2 at = paper(point.position);
+    std::optional<Box> body;
+    if (!sized.empty()) body = body_box(sized[added], placement.stands->robot(), paper);
+    ++added;
     const auto taken = std::find_if(stands.begin(), stands.end(), [&](const Stand& stand) {
       return length(stand.at - at) < apart;
     });
     if (taken == stands.end()) {
-      stands.push_back({at, number, {load}});
+      stands.push_back({at, number, {load}, body});
     } else {
       taken->numbers += "·" + number;
       taken->loads.push_back(load);
@@ -33,7 +40,7 @@ std::vector<Stand> find_stands(const Placement& placement, const Paper& paper, d
   return stands;
 }
 
-std::string load_text(const Stand& stand, double largest) {
+std::string load_text(const Stand& stand, double largest, const Units& units) {
   std::vector<std::string> texts;
   double sum = 0;
   for (const double load : stand.loads) {
@@ -41,11 +48,11 @@ std::string load_text(const Stand& stand, double largest) {
     sum += load;
   }
   const std::string& first = texts.front();
-  if (texts.size() == 1) return first;
+  if (texts.size() == 1) return with_weight_unit(first, units);
   if (std::all_of(texts.begin(), texts.end(), [&](const std::string& t) { return t == first; }))
-    return std::to_string(texts.size()) + " × " + first;
-  if (texts.size() == 2) return first + " + " + texts.back();
-  return "Σ " + amount(sum, largest);
+    return std::to_string(texts.size()) + " × " + with_weight_unit(first, units);
+  if (texts.size() == 2) return first + " + " + with_weight_unit(texts.back(), units);
+  return "Σ " + with_weight_unit(amount(sum, largest), units);
 }
 
 }  // namespace evenlift::svg

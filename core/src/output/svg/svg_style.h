@@ -22,6 +22,10 @@ inline constexpr std::string_view hull_outline_colour = "#1F7A4E";
 inline constexpr std::string_view clockwise_colour = "#D1495B";
 inline constexpr std::string_view counterclockwise_colour = "#2D6CDF";
 inline constexpr std::string_view chord_colour = "#55616D";
+inline constexpr std::string_view overload_colour = "#9A5B00";
+inline constexpr std::string_view unusable_colour = "#8592A0";
+inline constexpr std::string_view no_go_colour = "#9A5B00";
+inline constexpr std::string_view body_colour = "#1B232B";
 inline constexpr std::string_view candidate_colour = "#66727E";
 
 }  // namespace evenlift::svg

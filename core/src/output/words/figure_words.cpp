@@ -38,7 +38,8 @@ class FigureWords {
   }
   std::string why_unusable() const {
     const Stands& stands = *trace_.placement.stands;
-    return unusable_in_words(stands.unusable()[index_].why, stands.robot());
+    return unusable_in_words(stands.unusable()[index_].why, stands.robot(),
+                             trace_.placement.settings.units);
   }
 
   std::string chosen() const {

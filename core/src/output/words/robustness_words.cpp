@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "evenlift/doubt.h"
 #include "output/words/listed.h"
@@ -83,8 +84,13 @@ std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness
   const std::string limit = with_weight_unit(plain(capacity), units);
   const auto radius = radius_within_capacity(loads.springs, robustness.tipping_distance, capacity);
   if (!radius) return "If all robots are equally stiff, some bear more than " + limit + ".";
+  // What loads do farther out is not known: it may be that, and not the capacity, which ends the range.
+  const bool ends_known =
+      *radius == radius_within_capacity(loads.springs, robustness.tipping_distance,
+                                        std::numeric_limits<double>::infinity());
   return "Equally stiff robots stay within " + limit + " as long as it is off by no more than " +
-         length_in_words(*radius, units) + ".";
+         length_in_words(*radius, units) +
+         (ends_known ? "; farther out, loads are not known in advance." : ".");
 }
 
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
@@ -134,9 +140,9 @@ std::vector<Fact> robustness_facts(const Placement& placement, const Robustness&
   if (placement.teams.empty()) return {};
   const int carried = robustness.failures_carried, steady = robustness.failures_steady;
   std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);
-  if (carried > 0 && steady < 1) may_fail += "; it can tip then";
   if (carried > 0 && steady > 0 && steady < carried)
-    may_fail += "; any " + std::to_string(steady) + " without tipping";
+    may_fail = "any " + std::to_string(steady) + " safely; " + may_fail;
+  if (carried > 0 && steady < carried) may_fail += ", but it can tip then";
   return {{"Robots that may fail", may_fail,
            "How many may let go at once, whichever they are, so that the others carry the object"},
           {"Centre of mass may be off by",

@@ -15,23 +15,25 @@ std::string as_a_sentence(std::string words) {
   return words + ".";
 }
 
-std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot) {
+std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot,
+                          const Units& units) {
   const std::string lost = percentage(share);
+  const auto size = [&](double value) { return with_length_unit(plain(value), units); };
   switch (why) {
     case WhyUnusable::no_go:
       return fill("# are marked, and no robot may touch them", {lost});
     case WhyUnusable::body:
       return fill("at # a body of radius # would meet another part of the boundary",
-                  {lost, exact(robot.radius)});
+                  {lost, size(robot.radius)});
     case WhyUnusable::arm:
-      return fill("at # an arm of reach # would cross the object", {lost, exact(robot.reach)});
+      return fill("at # an arm of reach # would cross the object", {lost, size(robot.reach)});
     case WhyUnusable::corner:
       return fill("at # a hand of width # would stick out beyond a corner",
-                  {lost, exact(robot.width)});
+                  {lost, size(robot.width)});
     case WhyUnusable::hand:
       return robot.depth > 0
-                 ? fill("at # a hand of depth # would stick out", {lost, exact(robot.depth)})
-                 : fill("at # a hand of width # would stick out", {lost, exact(robot.width)});
+                 ? fill("at # a hand of depth # would stick out", {lost, size(robot.depth)})
+                 : fill("at # a hand of width # would stick out", {lost, size(robot.width)});
     case WhyUnusable::narrow:
       break;
   }
@@ -48,13 +50,15 @@ std::string StepCaptions::stands() const {
   std::string reasons;
   for (std::size_t why = 0; why < why_unusable_count; ++why) {
     if (!(stands.lost[why] > 0)) continue;
-    reasons +=
-        (reasons.empty() ? "" : "; ") +
-        lost_in_words(static_cast<WhyUnusable>(why), stands.lost[why] / stands.boundary, robot);
+    reasons += (reasons.empty() ? "" : "; ") + lost_in_words(static_cast<WhyUnusable>(why),
+                                                             stands.lost[why] / stands.boundary,
+                                                             robot, placement_.settings.units);
   }
   if (!reasons.empty()) text += " " + as_a_sentence(std::move(reasons));
   const double apart = 2 * robot.radius + robot.gap;
-  if (apart > 0) text += fill(" The middles of two robots stay at least # apart.", {exact(apart)});
+  if (apart > 0)
+    text += fill(" The middles of two robots stay at least # apart.",
+                 {with_length_unit(plain(apart), placement_.settings.units)});
   return text;
 }
 

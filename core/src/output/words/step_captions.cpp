@@ -405,6 +405,7 @@ std::string StepCaptions::share() const {
 
 std::string StepCaptions::loads() const {
   const LoadSummary& loads = *placement_.loads;
+  if (trace_.balanced()) return loads_in_words(placement_);
   return loads_in_words(placement_) +
          (written(load(loads.min)) == written(load(loads.max))
               ? " All bear the same."

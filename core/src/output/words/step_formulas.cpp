@@ -1,12 +1,25 @@
 #include "output/words/step_formulas.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "evenlift/angles.h"
+#include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "evenlift/selection.h"
 
 namespace evenlift {
+namespace {
+
+// "a + b = total", or "≈" where the numbers as they are written do not add up.
+std::string sum(const Piece& a, const Piece& b, const Piece& total) {
+  const auto x = read_number(written(a)), y = read_number(written(b)),
+             all = read_number(written(total));
+  const bool adds_up = !x || !y || !all || std::abs(*x + *y - *all) <= 1e-9 * *all;
+  return fill(adds_up ? "# + # = #" : "# + # ≈ #", {a, b, total});
+}
+
+}  // namespace
 
 Piece StepFormulas::load(double value) const { return load_text(trace_, value); }
 
@@ -30,10 +43,10 @@ std::string StepFormulas::score(const TeamScores& scores) const {
   const std::uint32_t winner = scores.ranking.front();
   const Candidate& candidate = placement_.candidates[winner];
   if (scores.rule != Rule::score)
-    return fill(
-        "|r1 r2| = # + # = #, load ratio #",
-        {length_text(trace_, candidate.chord.arm1), length_text(trace_, candidate.chord.arm2),
-         length_text(trace_, candidate.length), ratio_text(candidate.chord.ratio)});
+    return "|r1 r2| = " +
+           sum(length_text(trace_, candidate.chord.arm1), length_text(trace_, candidate.chord.arm2),
+               length_text(trace_, candidate.length)) +
+           fill(", load ratio #", {ratio_text(candidate.chord.ratio)});
   const Score& score = scores.of_candidate[winner];
   if (detail_.step.kind == StepKind::team && scores.ranking.size() > 1) {
     const Score& second = scores.of_candidate[scores.ranking[1]];
@@ -43,10 +56,9 @@ std::string StepFormulas::score(const TeamScores& scores) const {
     return fill("score: ###", {score_text(trace_, scores.rule, score.value, second.value), sign,
                                score_text(trace_, scores.rule, second.value, score.value)});
   }
-  return fill("score = f(r1) + f(r2) = # + # = #",
-              {score_text(trace_, scores.rule, score.ends[0].value, 0),
-               score_text(trace_, scores.rule, score.ends[1].value, 0),
-               score_text(trace_, scores.rule, score.value, 0)});
+  return "score = f(r1) + f(r2) = " + sum(score_text(trace_, scores.rule, score.ends[0].value, 0),
+                                          score_text(trace_, scores.rule, score.ends[1].value, 0),
+                                          score_text(trace_, scores.rule, score.value, 0));
 }
 
 std::string StepFormulas::polygon() const {

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "evenlift/output/trace_words.h"
+#include "evenlift/stands.h"
 #include "output/words/step_captions.h"
 #include "output/words/step_formulas.h"
 
@@ -103,6 +104,18 @@ std::string_view letters_of_choice(const StepDetail& detail) {
              : "";
 }
 
+// Those of the formula of robots with a size.
+std::string_view letters_of_stands(const RobotSize& robot) {
+  const bool stands_off = robot.radius + robot.reach > 0, has_depth = robot.depth > 0;
+  if (stands_off && has_depth)
+    return "c is where a robot touches an edge, n points outwards there; s is the middle of its body, and p where it lifts.";
+  if (stands_off)
+    return "c is where a robot touches an edge and lifts, n points outwards there; s is the middle of its body.";
+  if (has_depth)
+    return "c is where a robot touches an edge, n points outwards there; p is where it lifts.";
+  return "";
+}
+
 }  // namespace
 
 std::string_view title(Chapter chapter) { return titles[static_cast<std::size_t>(chapter)]; }
@@ -139,9 +152,7 @@ std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {
     case StepKind::exchange:
       return "M is the middle between the last two of the robots that come.";
     case StepKind::stands:
-      return formula(trace, detail).empty()
-                 ? ""
-                 : "c is where a robot touches an edge, n points outwards there; s is the middle of its body, and p where it lifts.";
+      return letters_of_stands(trace.placement.stands->robot());
     case StepKind::coverage:
       return "P is the object, and H the lifting base.";
     case StepKind::closure:

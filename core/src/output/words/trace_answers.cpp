@@ -57,10 +57,11 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
   }
   constexpr const char* what[] = {"length", "load ratio", "score"};
   return fill(
-      "For team # candidate # has a # of ##. Candidate #, which it takes, has #; # of those left rank before it.",
+      "For team # candidate # has a # of ##. Candidate #, which it takes, has #. Candidate # comes at place # of those that were left.",
       {team, own, what[static_cast<std::size_t>(answer.rule)], answer.exact ? "" : "at most ",
        score_text(trace, answer.rule, answer.value, answer.best), winner,
-       score_text(trace, answer.rule, answer.best, answer.value), whole(answer.rank)});
+       score_text(trace, answer.rule, answer.best, answer.value), own,
+       counted_from_1(answer.rank)});
 }
 
 // What the step asks that shows which chord two balanced robots take.

@@ -84,28 +84,30 @@ std::string loads_in_words(const Placement& placement) {
   const LoadSummary& loads = *placement.loads;
   const std::string robots = std::to_string(count_robots(placement.teams)) + " robots";
   if (placement.settings.method == Method::balanced)
-    return robots + ", each exactly " +
-           load_in_words(loads.max, loads.max, placement.settings.units) + " of " +
-           plain(placement.settings.weight) + ".";
+    return robots + " carry " + load_in_words(loads.max, loads.max, placement.settings.units) +
+           " each, all the same (" +
+           with_weight_unit(plain(placement.settings.weight), placement.settings.units) +
+           " in all).";
   return robots + " carry " +
          load_in_words(loads.min, loads.max, loads.max, placement.settings.units) + " each (" +
          with_weight_unit(plain(placement.settings.weight), placement.settings.units) + " in all).";
 }
 
-std::string unusable_in_words(WhyUnusable why, const RobotSize& robot) {
+std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Units& units) {
+  const auto size = [&](double value) { return with_length_unit(plain(value), units); };
   switch (why) {
     case WhyUnusable::no_go:
       return "marked: no robot may touch this";
     case WhyUnusable::body:
-      return "a robot of radius " + plain(robot.radius) + " does not fit here";
+      return "a robot of radius " + size(robot.radius) + " does not fit here";
     case WhyUnusable::arm:
-      return "an arm of reach " + plain(robot.reach) + " would cross the object";
+      return "an arm of reach " + size(robot.reach) + " would cross the object";
     case WhyUnusable::corner:
-      return robot.width > 0 ? "a hand of width " + plain(robot.width) + " would stick out here"
+      return robot.width > 0 ? "a hand of width " + size(robot.width) + " would stick out here"
                              : "no robot stands at a corner";
     case WhyUnusable::hand:
-      return robot.depth > 0 ? "a hand of depth " + plain(robot.depth) + " would stick out here"
-                             : "a hand of width " + plain(robot.width) + " would stick out here";
+      return robot.depth > 0 ? "a hand of depth " + size(robot.depth) + " would stick out here"
+                             : "a hand of width " + size(robot.width) + " would stick out here";
     case WhyUnusable::narrow:
       break;
   }

@@ -1,0 +1,99 @@
+#include "marks/free_motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "evenlift/plane.h"
+#include "ui/vec.h"
+
+namespace evenlift::view {
+namespace {
+
+// What an arrow means, beside the point in direction `along` from it.
+void draw_name(const Painter& painter, const CanvasView& view, const Vec2& at, const Vec2& along,
+               Colour colour, const std::string& name, Occupied& occupied) {
+  const ImVec2 text = text_size(Face::strong_label, name);
+  const auto place = place_labels({{at, along, Vec2(text.x + 12, text.y + 6)}}, occupied, 4, 60)[0];
+  if (!place) return;
+  ImDrawList& list = painter.list();
+  list.AddRectFilled(vec(place->left, place->top), vec(place->right, place->bottom),
+                     view.theme.panel.at(0.88f).packed(), 6);
+  draw_text(list, Face::strong_label, vec(place->left + 6, place->top + 3), colour, name);
+}
+
+// From the middle of the window to the nearest point of a convex region, in pixels; nothing if a part of it is seen.
+std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Points& region) {
+  const Rect window = view.uncovered();
+  Points seen;
+  for (const Vec2& corner : region) seen.push_back(view.camera.to_screen(corner));
+  const Vec2 middle = window.middle();
+  Vec2 way = seen.front() - middle;
+  for (std::size_t i = 0, j = seen.size() - 1; i < seen.size(); j = i++) {
+    const Vec2 other = nearest_on_segment(seen[j], seen[i], middle) - middle;
+    if (length(other) < length(way)) way = other;
+  }
+  const Box box{Vec2(window.left, window.top), Vec2(window.right, window.bottom)};
+  return clip(std::move(seen), box).empty() ? std::optional(way) : std::nullopt;
+}
+
+// What of the window the tools of the view do not cover either: they stand at the foot, on a phone at the right.
+Rect without_tools(const CanvasView& view) {
+  Rect window = view.uncovered();
+  const Rect& tools = view.layout.tools;
+  if (view.layout.wide)
+    window.bottom = std::min(window.bottom, tools.top);
+  else
+    window.right = std::min(window.right, tools.left);
+  return window;
+}
+
+void draw_far_region(const Painter& painter, const CanvasView& view, const Points& region,
+                     Colour colour, const std::string& name, Occupied* occupied) {
+  constexpr double from_edge = 22, arrow = 44;
+  const std::optional<Vec2> way = region.empty() ? std::nullopt : way_out_of_sight(view, region);
+  const Rect window = without_tools(view);
+  const Vec2 room(window.width() / 2 - from_edge, window.height() / 2 - from_edge);
+  if (!way || !(room.x() > arrow) || !(room.y() > arrow)) return;
+  // To the edge of the room, wherever the way leaves it.
+  const double share = std::min(room.x() / std::max(std::abs(way->x()), 1e-9),
+                                room.y() / std::max(std::abs(way->y()), 1e-9));
+  const Vec2 head = window.middle() + share * *way, along = *way / length(*way),
+             tail = head - arrow * along;
+  painter.arrow(tail, head, view.theme.ground, 7);
+  painter.arrow(tail, head, colour, 3);
+  if (!occupied) return;
+  occupied->line(tail, head);
+  draw_name(painter, view, tail, -along, colour, name, *occupied);
+}
+
+}  // namespace
+
+void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied) {
+  const Closure& closure = view.placement->closure;
+  if (!closure.translation_free || !closure.translation || view.placement->teams.empty()) return;
+  const Vec2 from = view.camera.to_screen(view.placement->centre_of_mass);
+  const Vec2 along(closure.translation->x(), -closure.translation->y());
+  const Vec2 tail = from + along * 16, head = from + along * 62;
+  painter.arrow(tail, head, view.theme.object, 7);
+  painter.arrow(tail, head, view.theme.amber_on_object, 3);
+  if (!occupied) return;
+  occupied->line(tail, head);
+  draw_name(painter, view, head, along, view.theme.amber, "slides", *occupied);
+}
+
+void draw_far_regions(const Painter& painter, const CanvasView& view, Occupied* occupied) {
+  const Closure& closure = view.placement->closure;
+  if (!closure.margin || view.placement->teams.empty()) return;
+  const Overlays& overlays = settings(view.state).overlays;
+  if (overlays.clockwise)
+    draw_far_region(painter, view, closure.clockwise.clipped, view.theme.clockwise_line,
+                    "turns clockwise, far out", occupied);
+  if (overlays.counterclockwise)
+    draw_far_region(painter, view, closure.counterclockwise.clipped, view.theme.counter_line,
+                    "turns counter-clockwise, far out", occupied);
+}
+
+}  // namespace evenlift::view
