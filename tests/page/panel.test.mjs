@@ -78,8 +78,9 @@ test("a unit of another kind is refused, and so is one where numbers have none",
   await press(page, "robot size");
   await set(page, { unit: "none" });
   const before = await state(page);
-  for (const [name, typed, why] of [["robot radius", "5 mm", /^The radius of a robot is a number/], ["weight", "5 mm", /^The weight is a number/],
-    ["teams", "4 kg", /^The number of teams is/], ["min ratio", "0.5 m", /^The minimum load ratio is/], ["com", "300 mm, 250 mm", /^The centre of mass is two numbers/]]) {
+  for (const [name, typed, why] of [["robot radius", "5 mm", /^“5 mm” has the unit mm, but this number has none: type the number alone\.$/],
+    ["weight", "5 mm", /^“5 mm” is a length, but this number is a weight in kg\.$/], ["teams", "4 kg", /^“4 kg” has the unit kg, but this number has none/],
+    ["min ratio", "0.5 m", /^“0\.5 m” has the unit m,/], ["com", "300 mm, 250 mm", /^“300 mm, 250 mm” has the unit mm,/], ["weight", "heavy", /^The weight is a number greater than 0/]]) {
     await type(page, name, typed);
     assert.match(await page.locator("#alert").textContent(), why);
     await page.keyboard.press("Escape");

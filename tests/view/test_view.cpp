@@ -376,6 +376,39 @@ TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leav
   CHECK(layout(state).room.right < layout(state).panel.left);
 }
 
+TEST_CASE("each press of the sheet's handle shows more of it, until it is closed again", "[view]") {
+  Page page;
+  AppState& state = page.app.state;
+  const auto press = [&] {
+    page.frame();
+    page.frame();  // it has measured itself
+    const double top = layout(state).panel.top;
+    ask_control(ControlRequest::press, "sheet", "handle", 0);
+    page.frame();
+    page.frame();
+    return top - layout(state).panel.top;
+  };
+  for (const bool lesson : {false, true}) {
+    if (lesson) page.press({"b"});
+    CAPTURE(lesson);
+    state.screen.width = 390;
+    state.screen.height = 844;
+    CHECK(press() > 24);
+    CHECK(state.sheet == Sheet::half);
+    CHECK(press() > 24);
+    CHECK(state.sheet == Sheet::full);
+    CHECK(press() < -24);
+    CHECK(state.sheet == Sheet::closed);
+
+    state.screen.width = 320;  // half of it is no more than the closed sheet
+    state.screen.height = 568;
+    CHECK(press() > 24);
+    CHECK(state.sheet == Sheet::full);
+    CHECK(press() < -24);
+    CHECK(state.sheet == Sheet::closed);
+  }
+}
+
 TEST_CASE(
     "while methods are compared no caption and no tool covers a robot, however narrow the screen",
     "[view]") {

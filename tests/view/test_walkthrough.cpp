@@ -1,4 +1,5 @@
 // The lesson's player, without a window.
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -293,6 +294,38 @@ TEST_CASE("a question is asked over what is known before it, and about its own p
   CHECK(walk.known.teams == 2);  // not those of the step before, at which there were none
   CHECK(walk.base.size() == 4);
   CHECK(walk.figures.empty());
+}
+
+TEST_CASE("a challenge does not tell which end is more even before it asks", "[view][lesson]") {
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/puzzle-piece.txt"));
+  page.press({"b"});
+  page.press({"u"});
+  const Walkthrough& walk = page.app.state.walkthrough;
+  std::uint32_t pair = 0;
+  while (!is_choice(*walk.trace, *walk.trace->find(StepKind::outcome, pair))) ++pair;
+  const std::uint32_t step = *walk.trace->find(StepKind::sections, pair);
+  const auto shows_ends = [&] {
+    return std::any_of(walk.figures.begin(), walk.figures.end(),
+                       [](const Figure& figure) { return figure.kind == FigureKind::section_end; });
+  };
+  go(page, step);
+  CHECK(walk.caption.find("load ratio") != std::string::npos);
+  CHECK_FALSE(walk.formula.empty());
+  CHECK(shows_ends());
+
+  page.press({"q"});  // at once, though the step stays
+  CHECK(walk.caption.find("load ratio") == std::string::npos);
+  CHECK(walk.formula.empty());
+  CHECK_FALSE(shows_ends());
+  CHECK_FALSE(walk.figures.empty());
+  page.press({"ArrowRight"});
+  REQUIRE(walk.ask);
+  page.app.commands.push_back(Guess{walk.ask->question.answer});
+  settle(page.app);
+  page.press({"ArrowLeft"});  // what was guessed is no secret any more
+  CHECK(walk.at == step);
+  CHECK(walk.caption.find("load ratio") != std::string::npos);
+  CHECK(shows_ends());
 }
 
 TEST_CASE("why not this one: a click on a chord or anywhere is answered", "[view][lesson]") {

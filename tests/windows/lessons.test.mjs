@@ -43,6 +43,12 @@ test("lessons have their order, minutes, and a mark once they were played to the
   window = await openWindow(page, "lessons");
   assert.match(await window.locator(`[data-name="${order[0]}"]`).textContent(), /open now|seen/);
   assert.match(await window.locator(`[data-name="${order[1]}"]`).textContent(), /next/);
+  await page.keyboard.press("Escape");
+  await begin(page, order[4]);
+  await goToEnd(page);
+  window = await openWindow(page, "lessons");
+  assert.match(await window.locator(`[data-name="${order[5]}"]`).textContent(), /next/, "who went ahead goes on from there");
+  assert.doesNotMatch(await window.locator(`[data-name="${order[1]}"]`).textContent(), /next/);
   await page.done();
 });
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "canvas/part_names.h"
 #include "canvas/walkthrough_figures.h"
 #include "evenlift/output/words.h"
 #include "marks/load_labels.h"
@@ -126,7 +127,8 @@ std::string name_of_choice(const Ask& ask, std::uint32_t choice) {
 }
 
 // The numbers of the choices, beyond their ends, clear of robots and of each other.
-void draw_names_of_choices(const Painter& painter, const CanvasView& view, const Ask& ask) {
+void draw_names_of_choices(const Painter& painter, const CanvasView& view, const Ask& ask,
+                           double reach, Occupied& occupied) {
   if (ask.choices.size() > most_valued) return;
   const Vec2 middle = view.camera.to_screen(view.placement->centre_of_mass);
   std::vector<LabelRequest> requests;
@@ -137,9 +139,6 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
     const ImVec2 text = text_size(Face::strong_label, name_of_choice(ask, choice));
     requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 10, text.y + 4)});
   }
-  // As far out as if a robot stood at each end: what is nearer to some would tell the answer.
-  const double reach = static_cast<double>(mark_radius(view.placement->teams));
-  Occupied occupied = occupied_by_marks(view, reach);
   if (ask.question.kind == QuestionKind::even_chord)  // it is about M, which has a name beside it
     occupied.disc(view.camera.to_screen(ask.detail.balanced->middle), 24);
   const auto places = place_labels(requests, occupied, reach + 3, 1000);
@@ -154,7 +153,8 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
 }
 
 // The choices of a question; the one that the buttons point at is stronger.
-void draw_choices(const Painter& painter, const CanvasView& view) {
+void draw_choices(const Painter& painter, const CanvasView& view, double reach,
+                  Occupied& occupied) {
   const std::optional<Ask>& ask = view.state.walkthrough.ask;
   if (!ask) return;
   draw_asked_completion(painter, view, *ask);
@@ -169,7 +169,7 @@ void draw_choices(const Painter& painter, const CanvasView& view) {
                many ? 1.0f : 2.5f);
   if (ask->choices.size() > 3)
     draw_chord(painter, chord(ask->pointed), view.theme.accent_on_object, many ? 5.0f : 4.0f);
-  draw_names_of_choices(painter, view, *ask);
+  draw_names_of_choices(painter, view, *ask, reach, occupied);
 }
 
 }  // namespace
@@ -211,7 +211,11 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
   draw_asked_places(painter, view);
   draw_values(painter, view);
-  draw_choices(painter, view);
+  // As far out as if a robot stood at each end: what is nearer to some would tell the answer.
+  const double reach = static_cast<double>(mark_radius(view.placement->teams));
+  Occupied occupied = occupied_by_marks(view, reach);
+  draw_choices(painter, view, reach, occupied);
+  draw_part_names(painter, view, occupied);
 }
 
 }  // namespace evenlift::view

@@ -21,10 +21,14 @@ std::string hint_of_walkthrough(const AppState& state) {
   return "Click a chord, or anywhere: why not this one?";
 }
 
-std::string hint_of_vertex(const Points& vertices, std::size_t i) {
+// A drag moves the vertex even where a robot stands on it, until the card of the robot is open.
+std::string hint_of_vertex(const AppState& state, std::size_t i) {
+  const Points& vertices = state.document.vertices;
   if (i >= vertices.size()) return {};
+  const Pick robot = pick_explained(state, state.camera.to_screen(vertices[i]), false);
   return "Vertex " + std::to_string(i + 1) + " " + given_point(vertices[i]) +
-         " · drag to move, Delete to remove";
+         " · drag to move, Delete to remove" +
+         (can_take_robot(state, robot) ? " · press it once, and a drag moves the robot" : "");
 }
 
 bool on_centroid(const AppState& state) {
@@ -107,7 +111,7 @@ std::string hint_of_drawing(const AppState& state) {
 std::string hint_of_pick(const AppState& state, const Pick& at) {
   switch (at.kind) {
     case Pick::Kind::vertex:
-      return hint_of_vertex(state.document.vertices, at.index);
+      return hint_of_vertex(state, at.index);
     case Pick::Kind::centre:
       return hint_of_centre(state);
     case Pick::Kind::doubt:
@@ -151,7 +155,8 @@ std::string hint(const AppState& state) {
 std::string shown_hint(const AppState& state, const Layout& layout) {
   // A phone has neither the room nor the wheel that it speaks of; a notice stands in its place.
   if (!state.notice.text.empty() || state.screen.foot > 0 || state.screen.side > 0 ||
-      !layout.wide || state.screen.finger || state.screen.height < 560)
+      state.screen.window_foot > 0 || !layout.wide || state.screen.finger ||
+      state.screen.height < 560)
     return {};
   std::string text = hint(state);
   const double room = layout.free.right - layout.tools.right - 22 - 10 - layout.margin;

@@ -8,6 +8,7 @@
 #include "evenlift/output/words.h"
 #include "marks/stands.h"
 #include "tools/pick.h"
+#include "ui/controls.h"
 #include "ui/vec.h"
 
 namespace evenlift::view {
@@ -65,10 +66,13 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   const Placement& placement = *view.placement;
   Occupied occupied(free_window(view));
   occupied.box(view.layout.tools);
-  if (view.layout.wide && !view.state.presenting &&
-      view.state.screen.foot == 0)  // the hint beside the tools (canvas/hint.cpp)
+  if (view.layout.wide && !view.state.presenting && view.state.screen.foot == 0 &&
+      view.state.screen.window_foot == 0)  // the hint beside the tools (canvas/hint.cpp)
     occupied.box({view.layout.tools.right, view.layout.tools.top, view.layout.free.right,
                   view.layout.tools.bottom});
+  // The cards that come and go over the drawing, where they were in the last frame.
+  for (const Control& control : controls())
+    if (control.card == "tool bar" || control.card == "notice") occupied.box(control.window);
   for (const Team& team : placement.teams) {
     for (const Robot& robot : team.robots)
       occupied.box(about(view.camera.to_screen(robot.point.position), reach));

@@ -69,7 +69,8 @@ EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out(std::move(commands));
 }
 
-// How much larger all is than usually: more than 1 before a room.
+// Whether it is shown before a room, and how much larger all is then.
+EMSCRIPTEN_KEEPALIVE int page_presenting() { return app().state.presenting ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE double page_zoom() { return app().state.screen.zoom; }
 
 // The reader left full screen.

@@ -251,9 +251,7 @@ EMSCRIPTEN_KEEPALIVE void page_cover(double left, double below) {
   left /= state.screen.zoom;
   below /= state.screen.zoom;
   state.screen.side = left;
-  state.screen.window_at_foot = below > 0;
-  state.screen.foot = 0;
-  if (below > 0) state.screen.foot = std::max(0.0, layout(state).free.bottom - below);
+  state.screen.window_foot = below > 0 ? std::max(0.0, state.screen.height - below) : 0;
   frame_view(state);
   browser::request_frame();
 }

@@ -109,6 +109,14 @@ void draw_rail(const Ui& ui) {
 
 constexpr float handle_height = 24;
 
+// The sheet so many steps further open than now; without a half it is closed or open as far as it goes.
+Sheet opened_further(const AppState& state, int by) {
+  auto wanted = static_cast<Sheet>(std::clamp(static_cast<int>(state.sheet) + by, 0, 2));
+  if (wanted == Sheet::half && !has_half_sheet(state))
+    wanted = by > 0 ? Sheet::full : Sheet::closed;
+  return wanted;
+}
+
 // The handle of the sheet. A press opens the sheet further or closes it; a drag pulls it up or
 // down.
 void draw_handle(const Ui& ui) {
@@ -120,12 +128,9 @@ void draw_handle(const Ui& ui) {
   const float dragged = ImGui::GetIO().MousePos.y - ImGui::GetIO().MouseClickedPos[0].y;
   if (ImGui::IsItemDeactivated() && std::abs(dragged) > 24) {
     const int step = std::abs(dragged) > 260 ? 2 : 1;
-    const int wanted = static_cast<int>(ui.state.sheet) + (dragged < 0 ? step : -step);
-    ui.push(SetSheet{static_cast<Sheet>(std::clamp(wanted, 0, 2))});
+    ui.push(SetSheet{opened_further(ui.state, dragged < 0 ? step : -step)});
   } else if (pressed) {
-    ui.push(SetSheet{ui.state.sheet == Sheet::closed ? Sheet::half
-                     : ui.state.sheet == Sheet::half ? Sheet::full
-                                                     : Sheet::closed});
+    ui.push(SetSheet{ui.state.sheet == Sheet::full ? Sheet::closed : opened_further(ui.state, 1)});
   }
 }
 

@@ -19,9 +19,10 @@ Rect room_in(const Rect& free, double beside, double above, double below) {
           free.bottom - std::min(below, most)};
 }
 
-// Two pictures share the free room above a card at its foot; each has a caption at its top.
-void split(Layout& l, double foot, bool compared, double beside, double above, double below) {
-  l.free.bottom -= foot;
+// Two pictures share the free room above a window and a card at its foot; each has a caption at its top.
+void split(Layout& l, const Screen& screen, bool compared, double beside, double above,
+           double below) {
+  l.free.bottom = std::min(l.free.bottom, screen.height - screen.window_foot) - screen.foot;
   l.first = l.free;
   if (!compared) {
     l.room = room_in(l.free, beside, above, below);
@@ -60,7 +61,7 @@ Layout embedded(const AppState& state) {
   seat_player(l, screen.width - l.margin,
               walkthrough_is_open(state) ? std::min(screen.height * 0.52, most)
                                          : l.control + 2 * l.bar_padding);
-  split(l, screen.foot, false, 72, 44, 48);
+  split(l, screen, false, 72, 44, 48);
   return l;
 }
 
@@ -79,7 +80,7 @@ Layout presenting(const AppState& state) {
   } else {
     seat_player(l, screen.width - l.margin, screen.height * 0.42);
   }
-  split(l, screen.foot, false, 64, 44, 56);
+  split(l, screen, false, 64, 44, 56);
   return l;
 }
 
@@ -102,8 +103,17 @@ Layout wide(const AppState& state) {
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   if (state.tool == Tool::transform)
     l.free.top += l.control + 60;  // the tool's bar, and the turning knob
-  split(l, screen.foot, state.second_method.has_value(), 88, 56, 84);
+  split(l, screen, state.second_method.has_value(), 88, 56, 84);
   return l;
+}
+
+// A sheet that leaves the drawing its room.
+double half_sheet_height(const Screen& screen) { return screen.height * 0.47; }
+
+double closed_sheet_height(const AppState& state) {
+  // In a lesson the same at every step, so that the drawing stands still; longer words scroll.
+  const double height = walkthrough_is_open(state) ? 296 : state.closed_sheet_height;
+  return std::min(height, half_sheet_height(state.screen));
 }
 
 Layout narrow(const AppState& state) {
@@ -113,10 +123,8 @@ Layout narrow(const AppState& state) {
   l.control = 44;
   l.margin = 8;
   l.bar_padding = 2;
-  const double most = screen.height * 0.47;  // of a sheet that leaves the drawing its room
-  double height = std::min(state.closed_sheet_height, most);
-  // The same at every step of a lesson, so that the drawing stands still; longer words scroll.
-  if (walkthrough_is_open(state)) height = std::min(296.0, most);
+  const double most = half_sheet_height(screen);
+  double height = closed_sheet_height(state);
   if (state.sheet == Sheet::half) height = most;
   if (state.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};
@@ -131,9 +139,9 @@ Layout narrow(const AppState& state) {
              screen.width - l.margin, l.panel.top - l.margin};
   // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots; a window would cover them.
   l.low = screen.height < least_height_beside_sheet;
-  if (l.low || state.sheet != Sheet::closed || state.second_method || screen.window_at_foot)
+  if (l.low || state.sheet != Sheet::closed || state.second_method || screen.window_foot > 0)
     l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
-  split(l, screen.foot, state.second_method.has_value(), 60, 52, 52);
+  split(l, screen, state.second_method.has_value(), 60, 52, 52);
   return l;
 }
 
@@ -147,6 +155,10 @@ Layout in_mode(const AppState& state) {
 }
 
 }  // namespace
+
+bool has_half_sheet(const AppState& state) {
+  return half_sheet_height(state.screen) - closed_sheet_height(state) > 24;
+}
 
 Layout layout(const AppState& state) {
   Layout l = in_mode(state);
@@ -193,15 +205,15 @@ Camera fitting_camera(const AppState& state) {
 }
 
 Rect card_seat(const AppState& state) {
-  const Layout l = in_mode(state);
+  const Layout l = layout(state);
   constexpr double least = 520;  // beside the tools of the view
-  const double right = l.free.right - l.margin;
-  if (state.screen.embed || state.presenting)
-    return {l.margin, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
-  if (!l.wide) return {l.margin, l.free.top, l.tools.left - l.margin, l.tools.bottom};
+  const double left = l.free.left + l.margin, right = l.free.right - l.margin;
+  if (state.screen.embed || state.presenting || state.screen.window_foot > 0)
+    return {left, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
+  if (!l.wide) return {left, l.free.top, l.tools.left - l.margin, l.tools.bottom};
   if (right - l.tools.right - l.margin >= least)
     return {l.tools.right + l.margin, l.free.top, right, l.tools.bottom};
-  return {l.margin, l.free.top, right, l.tools.top - l.margin / 2};
+  return {left, l.free.top, right, l.tools.top - l.margin / 2};
 }
 
 }  // namespace evenlift::view

@@ -52,12 +52,12 @@ struct Screen {
   double ratio = 1;  // device pixels per pixel
   bool dark = false;
   bool reduced_motion = false;
-  bool embed = false;           // the page is in an <iframe>, and shows no panels for editing
-  bool finger = false;          // the main pointer is a finger, so controls are larger
-  bool touch = false;           // the last pointer was a finger, which hovers over nothing
-  double foot = 0;              // covered by the page at the foot of the drawing, in pixels
-  double side = 0;              // and at its left
-  bool window_at_foot = false;  // what covers the foot is as wide as the screen
+  bool embed = false;      // the page is in an <iframe>, and shows no panels for editing
+  bool finger = false;     // the main pointer is a finger, so controls are larger
+  bool touch = false;      // the last pointer was a finger, which hovers over nothing
+  double foot = 0;         // covered by a card of the page at the foot of the drawing, in pixels
+  double side = 0;         // covered by a window at the left
+  double window_foot = 0;  // covered from below by a window that is as wide as the screen
   Rect area() const { return {0, 0, width, height}; }
 };
 

@@ -66,9 +66,10 @@ void ask(Walkthrough& walk, std::uint32_t step) {
 }
 
 void set_predict(AppState& state, bool on) {
-  if (on && !state.walkthrough.predict) state.walkthrough.guesses = {};
+  if (on == state.walkthrough.predict) return;
+  if (on) state.walkthrough.guesses = {};
   state.walkthrough.predict = on;
-  if (!on) withdraw_question(state);
+  show_step_again(state);  // a challenge shows less of some steps
 }
 
 void guess(AppState& state, std::uint32_t answer) {

@@ -52,6 +52,28 @@ void look(Walkthrough& walk, std::uint32_t step) {
   if (scores && !scores->ranking.empty()) show_gain(walk, scores->ranking[0]);
 }
 
+// Whether the numbers of this step would answer the question that comes next.
+bool gives_answer_away(const AppState& state) {
+  const Walkthrough& walk = state.walkthrough;
+  const auto [at, count] = timeline(state);
+  if (!walk.predict || walk.detail.step.kind != StepKind::sections || at + 1 >= count) return false;
+  const std::uint32_t next = step_of(state, at + 1);
+  const std::vector<std::uint32_t>& guessed = walk.guesses.steps;
+  return next == walk.at + 1 && is_choice(*walk.trace, next) &&
+         std::find(guessed.begin(), guessed.end(), next) == guessed.end();
+}
+
+// Shows the present step, and in a challenge nothing of it that is about to be asked.
+void look_at_present(AppState& state) {
+  Walkthrough& walk = state.walkthrough;
+  look(walk, walk.at);
+  if (!gives_answer_away(state)) return;
+  walk.caption = caption_before_choice(*walk.trace, walk.detail);
+  walk.formula.clear();
+  std::erase_if(walk.figures,
+                [](const Figure& figure) { return figure.kind == FigureKind::section_end; });
+}
+
 void remember(Walkthrough& walk) {
   std::vector<Visited>& visited = walk.visited;
   if (!visited.empty() && visited.back().step == walk.at) visited.pop_back();
@@ -85,7 +107,7 @@ void enter(AppState& state, std::uint32_t step) {
   walk.at = std::min(step, walk.trace->size() - 1);
   settle_position(walk);
   if (!walk.script && !is_main(walk, walk.at)) walk.all_steps = true;
-  look(walk, walk.at);
+  look_at_present(state);
   remember(walk);
   publish(state, walk.at);
 }
@@ -207,10 +229,10 @@ void look_before_choice(Walkthrough& walk) {
   });
 }
 
-void withdraw_question(AppState& state) {
-  if (!state.walkthrough.ask) return;
+void show_step_again(AppState& state) {
+  if (!walkthrough_is_open(state)) return;
   forget_step(state.walkthrough);
-  if (walkthrough_is_open(state)) look(state.walkthrough, state.walkthrough.at);
+  look_at_present(state);
 }
 
 void leave_script(AppState& state) {

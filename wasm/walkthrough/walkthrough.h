@@ -31,8 +31,8 @@ void go_to_position(AppState& state, std::uint32_t position);
 // Shows what is known before the choice that is asked for, and of a pair of edges the sections that the
 // question is about, instead of the present step.
 void look_before_choice(Walkthrough& walk);
-// Shows the present step again, without a question.
-void withdraw_question(AppState& state);
+// Shows the present step again, without a question or an answer. Nothing if no walkthrough is open.
+void show_step_again(AppState& state);
 
 void show_all_steps(AppState& state, bool all);
 void measure(AppState& state, std::uint32_t candidate);  // shows what the metric measures for it

@@ -42,18 +42,19 @@ export async function openCard(page, { name, title, body, closed, focus = false,
     if (within) canvas.focus({ preventScroll: true });
     closed?.(byPerson);
   }
-  const place = () => `${page.program.text("page_card_seat")} ${page.program.number("page_zoom")}`;
+  const place = () => `${page.program.text("page_card_seat")} ${page.program.number("page_zoom")} ${page.program.number("page_presenting")}`;
   let placed;
   const seat = () => {
     if (leave.signal.aborted) return;
     placed = place();
-    const [left, right, bottom, zoom] = placed.trim().split(/ +/).map(Number);
+    const [left, right, bottom, zoom, presenting] = placed.trim().split(/ +/).map(Number);
     const width = (right - left) / zoom;
     root.style.scale = zoom;
     root.style.left = `${left}px`;
     root.style.width = `${width}px`;
     root.style.maxHeight = `${(bottom - 8) / zoom}px`;
     root.classList.toggle("in-a-row", width >= 620);
+    root.classList.toggle("before-a-room", presenting === 1);
     const height = root.offsetHeight * zoom;
     root.style.top = `${bottom - height}px`;
     page.program.call("page_make_room", height);

@@ -1,5 +1,5 @@
 // An element for each kind of control. It keeps the control that it stands for in its entry, { element, control }.
-import { plainValue, settingValue } from "./typed.js";
+import { plainValue } from "./typed.js";
 
 function button(entry, actions) {
   const element = document.createElement("button");
@@ -37,7 +37,7 @@ function field(entry, actions) {
   // Returns whether what was typed is now in force.
   const commit = (confirmed = false) => {
     if (element.value === before && !(confirmed && !entry.control.setting)) return true;
-    const done = actions.set(entry.control, settingValue(element.value, entry.control.setting, actions.unit(entry.control)), confirmed);
+    const done = actions.type(entry.control, element.value, confirmed);
     if (done) before = element.value;
     element.setAttribute("aria-invalid", String(!done));
     return done;

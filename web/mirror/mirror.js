@@ -2,7 +2,7 @@
 // the focus. So keyboards and screen readers reach every control, and a number is typed in a field of the browser's own.
 import { createElement, showControl } from "./elements.js";
 import { readControls } from "./controls.js";
-import { unitOf } from "./typed.js";
+import { settingValue, unitOf, unitProblem } from "./typed.js";
 
 // Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for those who cannot see it.
 const cards = new Map([
@@ -39,19 +39,26 @@ export function createMirror(program, field, notice) {
   // Leads back to the drawing.
   const leave = () => canvas.focus({ preventScroll: true });
 
+  // The unit of a field's number; "" if it has none.
+  const unitOfField = ({ setting, name, value }) =>
+    unitOf(value) || (lengths.has(setting || name) ? program.text("page_length_unit") : "");
+
   const actions = {
     leave,
     press: ({ card, name }) => program.call("page_ask_control", press, card, name, 0),
     choose: ({ card, name }, index) => program.call("page_ask_control", choose, card, name, index),
     move: ({ card, name }, value) => program.call("page_ask_control", move, card, name, value),
     reveal: ({ card, name }) => program.call("page_ask_control", reveal, card, name, 0),
-    // The unit of a field's number; "" if it has none.
-    unit({ setting, name, value }) {
-      return unitOf(value) || (lengths.has(setting || name) ? program.text("page_length_unit") : "");
-    },
-    // Returns whether the setting was changed.
+    // What was typed into a field. Returns whether it is in force now; if not, a notice says why.
     // A number that is no setting is handed to the control itself; `confirmed` says that Enter was pressed.
-    set({ setting, card, name }, value, confirmed) {
+    type(control, typed, confirmed) {
+      const { setting, card, name } = control, unit = unitOfField(control);
+      const wrong = unitProblem(typed, unit);
+      if (wrong) {
+        notice(`${wrong}.`, true);
+        return false;
+      }
+      const value = settingValue(typed, setting, unit);
       if (!setting) {
         const number = Number(value);
         if (value === "" || !Number.isFinite(number)) {

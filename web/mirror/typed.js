@@ -17,9 +17,10 @@ const twoWithUnits = new RegExp(`^\\(?\\s*(${number})\\s*(${unit})(?:\\s*[;,]\\s
 
 // In mm and in kg, each as a fraction so that nothing is rounded here. 9.80665 N is what 1 kg weighs.
 const kinds = [
-  { m: [1000, 1], cm: [10, 1], mm: [1, 1], in: [25.4, 1] },
-  { kg: [1, 1], t: [1000, 1], N: [1, 9.80665], lb: [0.45359237, 1] },
+  { name: "length", units: { m: [1000, 1], cm: [10, 1], mm: [1, 1], in: [25.4, 1] } },
+  { name: "weight", units: { kg: [1, 1], t: [1000, 1], N: [1, 9.80665], lb: [0.45359237, 1] } },
 ];
+const kindOf = (unit) => kinds.find(({ units }) => Object.hasOwn(units, unit));
 
 const point = (text) => text.replace(",", ".");
 
@@ -31,19 +32,32 @@ export function unitOf(shown) {
 // A number that was typed with a unit, in the unit of its field; undefined if the field has none, or one of another kind.
 function converted(typed, from, to) {
   if (from === to) return point(typed);
-  const kind = kinds.find((each) => Object.hasOwn(each, from));
-  if (!Object.hasOwn(kind, to)) return undefined;
-  const [times, by] = kind[from], [per, of] = kind[to];
+  const { units } = kindOf(from);
+  if (!Object.hasOwn(units, to)) return undefined;
+  const [times, by] = units[from], [per, of] = units[to];
   // As exact as what was typed, and nine digits at least: 200 N are 20.3943243 kg, and 20 in decimals is not 20.000000000000004.
   const digits = point(typed).replace(/e.*$/i, "").replace(/\D/g, "").replace(/^0+/, "").length;
   return String(Number((Number(point(typed)) * times * of / (by * per)).toPrecision(Math.min(12, Math.max(9, digits)))));
+}
+
+const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
+
+// Why a number cannot be set because of the unit that was typed after it, as a sentence without its full stop; "" if that
+// is not the reason. `own` is as below.
+export function unitProblem(typed, own) {
+  const text = tidied(typed);
+  const found = one.exec(text)?.slice(2) ?? twoWithUnits.exec(text)?.filter((_, i) => i === 2 || i === 4) ?? [];
+  const from = found.find((each) => each && !(own && kindOf(each) === kindOf(own)) && each !== own);
+  if (!from) return "";
+  if (!own) return `“${text}” has the unit ${from}, but this number has none: type the number alone`;
+  return `“${text}” is a ${kindOf(from).name}, but this number is a ${kindOf(own).name} in ${own}`;
 }
 
 // A number may have a unit and a decimal comma; two are parted by a comma, a semicolon or a space. `own` is the unit of the
 // field, "" if it has none. What is neither the program refuses with a sentence, and so a unit that the field cannot have:
 // without it the number would be another one.
 export function settingValue(typed, setting = "", own = "") {
-  const text = typed.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
+  const text = tidied(typed);
   if (setting === "no_go") return text.replaceAll(" ", "").toLowerCase() || "none";  // edges: "3,5" is no number
   const single = one.exec(text);
   if (single) return single[2] ? converted(single[1], single[2], own) ?? text : point(single[1]);

@@ -8,14 +8,15 @@ import { openReadyMade } from "./lesson_source.js";
 
 const seenKey = "evenlift.lessons";
 
-// The names of the ready-made lessons that were played to their end.
+// The names of the ready-made lessons that were played to their end, in that order; of one that was played again, the last time counts.
 export function seenLessons() {
   return new Set(read(lasting, seenKey).split(" ").filter(Boolean));
 }
 
 function markSeen(name) {
   const seen = seenLessons();
-  if (!name || seen.has(name)) return;
+  if (!name) return;
+  seen.delete(name);
   write(lasting, seenKey, [...seen, name].join(" "));
 }
 
@@ -62,7 +63,8 @@ function questionOf(program, of) {
   const answer = el("div", { role: "status" });
   const told = (attributes) => paragraphs(program.text("page_lesson_answer"), { class: "second", ...attributes });
   const show = () => answer.replaceChildren(...told());
-  const words = [...paragraphs(program.text("page_lesson_question"), { class: "question" }), answer];
+  const byKeys = el("p", { class: "second by-keys" }, "To try it here: T and Shift+T change the number of robots, C can be dragged, and Esc brings all settings.");
+  const words = [...paragraphs(program.text("page_lesson_question"), { class: "question" }), byKeys, answer];
   if (of.answered) {
     show();
     return { words };

@@ -88,7 +88,11 @@ async function load(page, list, choose) {
   }
   const seen = seenLessons();
   const open = openLessonOf(page.program)?.name;
-  const next = lessons.findIndex(({ name }) => !seen.has(name));
+  // After the one that was seen last, or else the first that was not.
+  const last = lessons.findIndex(({ name }) => name === [...seen].at(-1));
+  const unseen = ({ name }, i) => !seen.has(name) && i > last;
+  const later = lessons.findIndex(unseen);
+  const next = later >= 0 ? later : lessons.findIndex(({ name }) => !seen.has(name));
   const about = (lesson, i) => [`about ${minutes(lesson)} min`, lesson.name === open ? "open now" : seen.has(lesson.name) ? "seen" : seen.size > 0 && i === next ? "next" : ""].filter(Boolean).join(" · ");
   const total = lessons.reduce((sum, lesson) => sum + minutes(lesson), 0);
   list.replaceChildren(

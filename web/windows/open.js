@@ -127,7 +127,8 @@ export async function show(page, { edited } = {}) {
     apply();
   });
   const choose = button("Choose a file …", { onclick: () => file.click() }, "file");
-  const help = el("p", { class: "second" }, edited === undefined ? `Drop a file anywhere on the page, or paste here: ${formats}.` : "Settings stay as they are. An optional first line CoM:(x,y) is the centre of mass.");
+  const bring = matchMedia("(hover: none)").matches ? "Choose a file below" : "Drop a file anywhere on the page";
+  const help = el("p", { class: "second" }, edited === undefined ? `${bring}, or paste here: ${formats}.` : "Settings stay as they are. An optional first line CoM:(x,y) is the centre of mass.");
   await openWindow({
     name: "open",
     title: edited === undefined ? "Open a polygon" : "Edit as text",

@@ -18,6 +18,10 @@ std::string_view title(Chapter chapter);
 // One to three sentences about a step. O(1) besides numbers(); of `slopes` and `duplicates` linear.
 std::string caption(const Trace& trace, const StepDetail& detail);
 
+// The caption of the step `sections` for a learner who is going to be asked which end is more even: it
+// leaves the load ratios out. O(1).
+std::string caption_before_choice(const Trace& trace, const StepDetail& detail);
+
 // The step's formula with the numbers filled in, "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty
 // where there is nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);

@@ -137,11 +137,17 @@ std::string StepCaptions::edges() const {
               {counted_from_1(detail_.pair->pair.a), counted_from_1(detail_.pair->pair.b)});
 }
 
-std::string StepCaptions::sections() const {
+std::string StepCaptions::sections_before_choice() const {
   return fill(
-      "Pair # of #: # face each other across C. The parts that do, the sections, end at two chords with load ratios # and #.",
-      {counted_from_1(item_), whole(trace_.pairs.size()), edges(),
-       ratio(detail_.pair->ends[0].ratio), ratio(detail_.pair->ends[1].ratio)});
+      "Pair # of #: # face each other across C. The parts that do, the sections, end at two chords.",
+      {counted_from_1(item_), whole(trace_.pairs.size()), edges()});
+}
+
+std::string StepCaptions::sections() const {
+  std::string said = sections_before_choice();
+  said.pop_back();
+  return said + fill(" with load ratios # and #.",
+                     {ratio(detail_.pair->ends[0].ratio), ratio(detail_.pair->ends[1].ratio)});
 }
 
 std::string StepCaptions::outcome() const {

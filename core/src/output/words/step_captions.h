@@ -22,6 +22,7 @@ class StepCaptions : LookedAtStep {
   std::string ray() const;
   std::string slopes() const;
   std::string sections() const;
+  std::string sections_before_choice() const;
   std::string outcome() const;
   std::string opposite() const;
   std::string duplicates() const;

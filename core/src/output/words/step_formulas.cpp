@@ -112,6 +112,8 @@ std::string StepFormulas::scores() const {
 
 std::string StepFormulas::base() const {
   const std::size_t before = detail_.base_before.size(), now = detail_.base.size();
+  if (before == now)
+    return now == 2 ? "H is still a segment" : fill("H still has #", {corners(detail_.base)});
   return fill("H #; now it #",
               {before == 0   ? Piece("was empty")
                : before == 2 ? Piece("was a segment")

@@ -124,6 +124,10 @@ std::string caption(const Trace& trace, const StepDetail& detail) {
   return (StepCaptions(trace, detail).*row_of(detail).caption)();
 }
 
+std::string caption_before_choice(const Trace& trace, const StepDetail& detail) {
+  return StepCaptions(trace, detail).sections_before_choice();
+}
+
 std::string formula(const Trace& trace, const StepDetail& detail) {
   return (StepFormulas(trace, detail).*row_of(detail).formula)();
 }
