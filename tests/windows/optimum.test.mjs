@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, axe, evenlift, idle, load, press, root, set, sharedBrowser } from "../page/browser.mjs";
+import { asset, axe, evenlift, idle, load, press, root, set, sharedBrowser, state } from "../page/browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -28,7 +28,14 @@ test("the optimum stands beside the greedy choice, with its picture and its team
     assert.ok(optimum.proved);
     const expected = [greedy, optimum].map(({ coverage, taken }) => [`${(100 * coverage).toFixed(2)} %`, taken.map((i) => i + 1).join(", ")]);
     const shown = await rows(page);
-    assert.deepEqual(shown.map(([, ...rest]) => rest), expected);
+    assert.deepEqual(shown.map(([, covers, , , candidates]) => [covers, candidates]), expected);
+    const { loads, closure } = await state(page);
+    assert.equal(shown[0][2], name === "guitar" ? `${loads.min.toFixed(1)}–${loads.max.toFixed(1)} kg` : shown[0][2]);
+    for (const [, , carries, holds] of shown) {
+      assert.match(carries, /^[\d.]+(–[\d.]+)? kg$/);
+      assert.match(holds, /^(yes|no|second order)$/);
+    }
+    assert.equal(shown[0][3] === "yes", closure.form_closure);
     assert.deepEqual(shown.map(([first]) => first), ["Greedy, by area", "The optimum"]);
     assert.match(await text(page), /It is proved: no choice of so many teams covers more\./);
     assert.match(await text(page), optimum.coverage - greedy.coverage > 1e-9 ? /The greedy choice is [\d.]+ points behind it\./ : /The greedy choice is the best one\./);
@@ -62,7 +69,7 @@ test("methods that do not choose among candidates are compared by area", async (
   await openOptimum(page);
   assert.match(await text(page), /The method balanced does not choose among candidates, so as many teams are chosen by area here\./);
   const { optimum } = JSON.parse(evenlift("optimum", path.join(root, "assets/polygons/guitar.txt"), "--teams", 2, "--json"));
-  assert.equal((await rows(page))[1][2], optimum.taken.map((i) => i + 1).join(", "));
+  assert.equal((await rows(page))[1][4], optimum.taken.map((i) => i + 1).join(", "));
   await page.done();
 });
 
@@ -73,6 +80,6 @@ test("robots with a size do not get into each other's way in the optimum either"
   await idle(page);
   await openOptimum(page);
   const { optimum } = JSON.parse(evenlift("optimum", path.join(root, "assets/polygons/square.txt"), "--teams", 2, "--robot", "r=100,gap=60", "--json"));
-  assert.equal((await rows(page))[1][2], optimum.taken.map((i) => i + 1).join(", "));
+  assert.equal((await rows(page))[1][4], optimum.taken.map((i) => i + 1).join(", "));
   await page.done();
 });

@@ -64,7 +64,10 @@ std::string row(const std::string& name, const Placement& placement) {
   std::string teams;
   for (const std::uint32_t i : placement.team_candidates)
     teams += (teams.empty() ? "" : ", ") + std::to_string(i + 1);
-  return line("row", name + '\t' + percentage(placement.coverage, 2) + '\t' + teams);
+  const LoadSummary& loads = *placement.loads;
+  return line("row", name + '\t' + percentage(placement.coverage, 2) + '\t' +
+                         load_in_words(loads.min, loads.max, loads.max, placement.settings.units) +
+                         '\t' + form_closure_in_words(placement.closure) + '\t' + teams);
 }
 
 std::string how_sure(const Compared& compared) {
@@ -113,8 +116,8 @@ std::string in_lines(const Compared& compared, Method asked) {
 extern "C" {
 
 // Compares the teams of a link with the best choice of as many, for so many seconds at most. Returns lines
-// with tabs: `row` with a name, a coverage and the candidates taken; `said` with a sentence; or only
-// `problem` with why there is nothing to compare.
+// with tabs: `row` with a name, the coverage, the loads, whether the robots hold the object, and the candidates
+// taken; `said` with a sentence; or only `problem` with why there is nothing to compare.
 EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double seconds) {
   using namespace evenlift;
   last().reset();

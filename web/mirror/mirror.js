@@ -40,8 +40,10 @@ export function createMirror(program, field, notice) {
   const leave = () => canvas.focus({ preventScroll: true });
 
   // The unit of a field's number; "" if it has none.
-  const unitOfField = ({ setting, name, value }) =>
-    unitOf(value) || (lengths.has(setting || name) ? program.text("page_length_unit") : "");
+  function unitOfField({ setting, name, value }) {
+    const unit = unitOf(value) || (lengths.has(setting || name) ? program.text("page_length_unit") : "");
+    return unit === "none" ? "" : unit;
+  }
 
   const actions = {
     leave,

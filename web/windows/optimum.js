@@ -21,7 +21,7 @@ function readLines(text) {
 
 function table(rows) {
   const cells = (kind, texts) => el("tr", {}, ...texts.map((text) => el(kind, {}, text)));
-  return el("table", { class: "numbers" }, el("thead", {}, cells("th", ["Choice", "Covers", "Candidates"])),
+  return el("table", { class: "numbers" }, el("thead", {}, cells("th", ["Choice", "Covers", "Each carries", "Holds", "Candidates"])),
     el("tbody", {}, ...rows.map((row) => cells("td", row))));
 }
 
