@@ -331,6 +331,20 @@ async function editor(page) {
   return { root, text: root.locator("textarea"), problem: root.locator(".problem") };
 }
 
+for (const [how, options] of [["beside it", {}], ["above it on a phone", { viewport: phone, hasTouch: true, isMobile: true }], ["above it on a small phone", { viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true }]]) {
+  test(`the editor does not cover the card at the lesson's end, which stands ${how}`, async () => {
+    const page = await browser.open(options);
+    const { root, text } = await editor(page);
+    await text.press("Control+End");
+    await end(page).waitFor();
+    await idle(page);
+    const [card, window] = [await end(page).boundingBox(), await root.boundingBox()];
+    assert.ok(card.x >= window.x + window.width || card.y + card.height <= window.y, JSON.stringify({ card, window }));
+    assert.ok(card.y >= 0 && card.x + card.width <= page.viewportSize().width);
+    await page.done();
+  });
+}
+
 const stepOf = (page) => page.evaluate(() => evenlift.view.control("timeline") && document.getElementById("summary").textContent);
 
 test("the editor shows the lesson at the step of the cursor, and its problems with their lines, and undo takes all of it back", async () => {

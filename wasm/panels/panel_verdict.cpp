@@ -64,9 +64,10 @@ void draw_lower_ratio(const Ui& ui, double best) {
 
 }  // namespace
 
-// Always as high, so that the controls below stay where they are when the result changes.
-void draw_verdict(const Ui& ui) {
-  const Verdict v = verdict(ui.state);
+namespace {
+
+// Two lines high.
+void draw_headline(const Ui& ui, const Verdict& v) {
   const Sign sign = sign_of(ui.theme, v.mood);
   // A tick says that all is as asked for. While a robot fails that is not the question: there the sign is that of the row below.
   const bool plain_disc = failing(ui.state) && v.mood == Mood::good;
@@ -78,13 +79,26 @@ void draw_verdict(const Ui& ui) {
     list.AddCircle(ImVec2(at.x + 11, at.y + 14), 14, ui.theme.accent.packed(), 32, 1.5f);
   if (!plain_disc) draw_icon(list, sign.icon, ImVec2(at.x + 11, at.y + 14), 15, ui.theme.panel);
 
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y));
   // The fold button stands to the right of the headline.
   const float free = width - 32 - (ui.layout.wide ? ui.control() - 8 : 0);
   constexpr Face large[] = {Face::verdict, Face::strong, Face::strong_label};
   draw_fitting(ui.theme.text, v.headline, free, large, 2);
   ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + 4));
+}
+
+}  // namespace
+
+// Always as high, so that the controls below stay where they are when the result changes.
+void draw_verdict(const Ui& ui) {
+  const Verdict v = verdict(ui.state);
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  draw_headline(ui, v);
+  if (ui.layout.brief) {
+    ImGui::Dummy(ImVec2(width, 0));
+    return ImGui::PopStyleVar();
+  }
   constexpr Face small[] = {Face::text, Face::label};
   // What is wrong comes first.
   draw_fitting(ui.theme.second_text, overload_in_brief(ui.state) + v.detail, width, small,

@@ -180,7 +180,7 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
     draw_formula(ui, faces);
     draw_left_out(ui, faces);
   }
-  ImGui::EndChild();
+  end_scrolling_box(ui);
   ImGui::PopStyleVar();
 }
 
@@ -284,7 +284,7 @@ void draw_walkthrough_code(const Ui& ui) {
       browser::request_frame();
     }
   }
-  ImGui::EndChild();
+  end_scrolling_box(ui);
   ImGui::PopStyleVar();
 }
 

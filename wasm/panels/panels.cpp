@@ -168,7 +168,9 @@ void draw_sheet(const Ui& ui) {
   begin_at_head(ui);
   draw_handle(ui);
   ImGui::PushID("closed");
-  if (walkthrough_is_open(ui.state) && ui.state.sheet == Sheet::closed) {
+  if (walkthrough_is_open(ui.state) && ui.layout.brief) {
+    draw_player_row(ui);
+  } else if (walkthrough_is_open(ui.state) && ui.state.sheet == Sheet::closed) {
     draw_step_and_row(ui);
   } else if (walkthrough_is_open(ui.state)) {
     draw_player_row(ui);
@@ -181,7 +183,8 @@ void draw_sheet(const Ui& ui) {
   const double closed = static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y +
                                             ImGui::GetScrollY()) +
                         16;
-  if (!walkthrough_is_open(ui.state) && std::abs(closed - ui.state.closed_sheet_height) > 0.5)
+  if (!walkthrough_is_open(ui.state) && !ui.layout.brief &&
+      std::abs(closed - ui.state.closed_sheet_height) > 0.5)
     ui.push(MeasureSheet{closed});
   if (ui.state.sheet != Sheet::closed) {
     rule(ui);

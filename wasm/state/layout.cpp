@@ -8,6 +8,9 @@ namespace {
 constexpr double panel_width = 344, rail_width = 48;
 // Below these heights the tools of the view would cover the object; they are in the toolbar's menu.
 constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
+constexpr double least_room_above_card = 165;
+// A sheet with its handle and the row of the player, or the headline of the verdict and one row (panels.cpp).
+constexpr double brief_row = 88, brief_verdict = 152;
 
 // A bar with one row of controls.
 double bar_height(const Layout& l) { return l.control + 2 * l.bar_padding; }
@@ -125,6 +128,9 @@ Layout narrow(const AppState& state) {
   l.bar_padding = 2;
   const double most = half_sheet_height(screen);
   double height = closed_sheet_height(state);
+  const double left = screen.height - bar_height(l) - 2 * l.margin - height - screen.foot;
+  l.brief = state.sheet == Sheet::closed && screen.foot > 0 && left < least_room_above_card;
+  if (l.brief) height = std::min(height, walkthrough_is_open(state) ? brief_row : brief_verdict);
   if (state.sheet == Sheet::half) height = most;
   if (state.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};

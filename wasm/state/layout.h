@@ -14,7 +14,8 @@ struct Layout {
   double margin = 16;      // between panels and the canvas's edge
   double bar_padding = 8;  // between the controls of a bar and its edge
   bool low = false;        // little height: what is asked for seldom is in the toolbar's menu
-  Rect panel;              // panel or sheet
+  bool brief = false;  // the closed sheet shows its first lines only, since a card needs the room
+  Rect panel;          // panel or sheet
   // While the walkthrough is open; on a narrow screen it is in the sheet; in an <iframe> always.
   Rect player;
   // Left and top count; it is as wide as its content. Empty in an <iframe> and before a room.

@@ -32,6 +32,18 @@ void draw_scroll_bar(const Ui& ui) {
       (held || hovered ? ui.theme.second_text : ui.theme.quiet).packed(), 3);
 }
 
+// Fades what is at the foot of the window, `inset` from its sides, as long as there is more below.
+void shade_foot(const Ui& ui, float inset) {
+  if (ImGui::GetScrollY() > ImGui::GetScrollMaxY() - 1) return;
+  constexpr float height = 36;
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const float bottom = low.y + size.y - 1;
+  const ImU32 clear = ui.theme.panel.at(0).packed(), full = ui.theme.panel.packed();
+  ImGui::GetWindowDrawList()->AddRectFilledMultiColor(ImVec2(low.x + inset, bottom - height),
+                                                      ImVec2(low.x + size.x - inset, bottom), clear,
+                                                      clear, full, full);
+}
+
 }  // namespace
 
 void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options) {
@@ -94,6 +106,11 @@ void begin_scrolling_box(const Ui& ui, const char* id, float height) {
   scroll_by_finger(ui);
 }
 
+void end_scrolling_box(const Ui& ui) {
+  shade_foot(ui, 0);
+  ImGui::EndChild();
+}
+
 int in_last_frame(const char* id, int now, int at_first) {
   int& seen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID(id), at_first);
   return std::exchange(seen, now);
@@ -121,6 +138,7 @@ bool tapped(const Ui& ui, bool pressed) {
 
 void end_card(const Ui& ui) {
   const bool scrolls = ImGui::GetStateStorage()->GetBool(ImGui::GetID("scrolls"));
+  if (scrolls) shade_foot(ui, ImGui::GetStyle().WindowPadding.x);
   if (scrolls && ImGui::GetScrollMaxY() > 0) draw_scroll_bar(ui);
   scroll_by_finger(ui);
   ImGui::End();

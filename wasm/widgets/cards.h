@@ -23,9 +23,10 @@ void scroll_by_finger(const Ui& ui);
 // Call this after laying out an item that follows the pointer: while it is held, a finger scrolls nothing.
 void take_way_of_finger();
 
-// A box of constant height, in which what is longer scrolls; ImGui::EndChild() ends it. The scroll bar lies in the padding
+// A box of constant height, in which what is longer scrolls. End with end_scrolling_box(). The scroll bar lies in the padding
 // of the card, so that the text breaks into the same lines with it and without it.
 void begin_scrolling_box(const Ui& ui, const char* id, float height);
+void end_scrolling_box(const Ui& ui);
 
 // What was given here in the last frame, by the window and the id; `at_first` in the first one.
 int in_last_frame(const char* id, int now, int at_first);
