@@ -118,6 +118,16 @@ TEST_CASE("labels cover neither each other nor what they name", "[svg]") {
   CHECK(found > asked * 3 / 4);
 }
 
+TEST_CASE("a picture shows in which direction nothing stops the object", "[svg]") {
+  const std::string slides =
+      placement_svg(placed(corpus::polygon("u-channel"), Method::distributed, 4));
+  check_picture(slides);
+  CHECK(occurrences(slides, "class=\"slide\"") == 1);
+  CHECK(occurrences(slides, ">can slide this way<") == 1);
+  const std::string held = placement_svg(placed(corpus::polygon("grand-piano"), Method::area));
+  CHECK(occurrences(held, "slide") == 0);
+}
+
 TEST_CASE("loads keep clear of robots' bodies, and the key explains what is seen",
           "[svg][stands]") {
   Document document = corpus::polygon("worktop");

@@ -496,7 +496,9 @@ test("the handout has a picture and the words for each stop of the lesson, and o
   assert.match(await page.locator("#handout .paper-question").textContent(), /A question.*Do the even chords stay even\?.*an even chord moves along with C/);
   assert.match(await figures.first().textContent(), /Eight vertices, no corner that points inwards/);
   assert.equal(await page.locator("#handout figure svg .object").count(), await figures.count());
+  assert.match(await figures.nth(3).locator("svg").textContent(), /edge 4.*edge 1|edge 1.*edge 4/, "what its caption speaks of");
   const last = figures.last().locator("svg");
+  assert.match(await last.textContent(), /16\.7\u00A0kg/);
   assert.equal(await last.locator(".robot").count(), 6, "three teams at the end");
   assert.deepEqual(await violations(page), []);
   await page.emulateMedia({ media: "print" });

@@ -16,6 +16,7 @@
 #include "evenlift/main_steps.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/trace_words.h"
+#include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/trace.h"
 #include "page/hand_over.h"
@@ -78,7 +79,8 @@ void append_known(const Trace& trace, const StepDetail& detail, std::string& tex
     const Team& team = teams_at(trace, known)[t];
     text += "team\t" + in_text(chord_of(team));
     if (t < known.shares)
-      for (const Robot& robot : team.robots) text += '\t' + shortest(robot.load);
+      for (const Robot& robot : team.robots)
+        text += '\t' + load_in_words(robot.load, placement.loads->max, placement.settings.units);
     text += '\n';
   }
 }
@@ -126,7 +128,7 @@ extern "C" {
 // A line for each thing, with tabs between its parts; coordinates have spaces between them:
 //   polygon, centre                               once
 //   step NUMBER CHAPTER CAPTION FORMULA WORDS     begins a step; what follows is its picture:
-//   base, candidate, team CHORD [LOAD LOAD]       what is known by then
+//   base, candidate, team CHORD [LOAD LOAD]       what is known by then; loads in words
 //   figure KIND ITEM VALUE POINTS                 what the step is about
 //   question WORDS, answer WORDS                  at the end of a lesson that has them
 //   problem SENTENCE                              instead of all of it

@@ -34,8 +34,8 @@ function readHandout(text) {
     else if (what === "step") handout.steps.push(readStep(parts));
     else if (what === "base") step.base = points(parts[0]);
     else if (what === "candidate") step.candidates.push(points(parts[0]));
-    else if (what === "team") step.teams.push({ ends: points(parts[0]), loads: parts.slice(1).map(Number) });
-    else if (what === "figure") step.figures.push({ kind: parts[0], value: Number(parts[2]), points: points(parts[3]) });
+    else if (what === "team") step.teams.push({ ends: points(parts[0]), loads: parts.slice(1) });
+    else if (what === "figure") step.figures.push({ kind: parts[0], item: parts[1] && Number(parts[1]), value: Number(parts[2]), points: points(parts[3]) });
   }
   return handout;
 }
@@ -74,7 +74,25 @@ function robot(team, end, load, [cx, cy], place) {
   const parts = [svgEl("circle", { cx: x, cy: y, r: 8, class: "robot" }), svgEl("text", { x, y: y + 3.5, class: "team-number" }, String(team + 1))];
   if (load === undefined) return parts;
   const at = { x: x + (x - cx) / away * 18, y: y + (y - cy) / away * 15 + 3.5 };
-  return [...parts, svgEl("text", { ...at, class: "load" }, String(Number(load.toPrecision(3))))];
+  return [...parts, svgEl("text", { ...at, class: "load" }, load)];
+}
+
+// Twice the area of a polygon, negative if it runs clockwise.
+const turn = (polygon) => polygon.reduce((sum, [x, y], i) => {
+  const [u, v] = polygon[(i + 1) % polygon.length];
+  return sum + x * v - u * y;
+}, 0);
+
+// The name of an edge or a vertex that the step is about, on the outer side of it.
+function partName({ polygon, centre }, { kind, item, points }, place) {
+  if (item === "" || !["edge", "vertex"].includes(kind)) return [];
+  const [from, to] = kind === "edge" ? points : [centre[0], points[0]];
+  const [x, y] = kind === "edge" ? [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2] : points[0];
+  const side = kind === "edge" ? Math.sign(turn(polygon)) : 1;
+  const [u, v] = kind === "edge" ? [side * (to[1] - from[1]), side * (from[0] - to[0])] : [to[0] - from[0], to[1] - from[1]];
+  const name = `${kind} ${item + 1}`, beside = 10 + 2.8 * name.length;  // half of its width, and a little
+  const long = Math.hypot(u, v) || 1, [px, py] = place([x, y]);
+  return [svgEl("text", { x: px + u / long * beside, y: py - v / long * 13 + 3.5, class: "load" }, name)];
 }
 
 // A picture of a step. `place` maps polygon coordinates to the paper.
@@ -88,6 +106,8 @@ function picture({ polygon, centre }, step, place) {
     ...step.figures.filter(({ kind, points }) => points.length && kind !== "robot").map((figure) => drawnFigure(figure, place)),
     ...step.teams.flatMap(({ ends, loads }, team) => ends.flatMap((end, i) => robot(team, end, loads[i], [cx, cy], place))),
     svgEl("circle", { cx, cy, r: 3.5, class: "centre" }),
+    svgEl("text", { x: cx + 9, y: cy - 6, class: "load" }, "C"),
+    ...step.figures.flatMap((figure) => partName({ polygon, centre }, figure, place)),
   ];
   // Lines and regions that go on beyond the paper are cut off by it.
   return svgEl("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": step.caption, class: "paper" }, ...parts);

@@ -44,6 +44,7 @@ class Drawing {
     for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
       drawing += drawn(shape);
     if (placement_.stands) drawing += stands();
+    drawing += slide();
     drawing += robots();
     drawing += loads();
     const Caption caption = make_caption(placement_, shown_, paper_.height, paper_.width);
@@ -165,6 +166,18 @@ class Drawing {
     for (const UnusablePart& part : rules.unusable())
       (part.why == WhyUnusable::no_go ? shown_.no_go : shown_.unusable) = true;
     return unusable_boundary(placement_, paper_) + bodies(sized_, rules.robot(), paper_);
+  }
+
+  // From C in a direction in which nothing stops the object.
+  std::string slide() {
+    const Closure& closure = placement_.closure;
+    shown_.slide = closure.translation_free && closure.translation && !placement_.teams.empty();
+    if (!shown_.slide) return "";
+    const Vec2 along(closure.translation->x(), -closure.translation->y());
+    const Vec2 centre = paper_(placement_.centre_of_mass);
+    const Vec2 tail = centre + along * 14, head = centre + along * 58;
+    chords_.emplace_back(tail, head);
+    return "<g class=\"slide\">\n" + arrow(tail, head, slide_colour) + "</g>\n";
   }
 
   std::string robots() const {

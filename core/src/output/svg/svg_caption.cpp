@@ -52,6 +52,7 @@ std::vector<KeyEntry> key(const Shown& shown) {
   if (shown.counterclockwise)
     entries.push_back({swatch(region_fill(false), counterclockwise_colour),
                        "can turn counter-clockwise about here"});
+  if (shown.slide) entries.push_back({arrow({-9, 0}, {9, 0}, slide_colour), "can slide this way"});
   entries.push_back({centre_mark(Vec2(0, 0), 6), "centre of mass"});
   if (shown.body)
     entries.push_back(

@@ -9,7 +9,7 @@ namespace evenlift::svg {
 
 struct Shown {
   bool hull = false, clockwise = false, counterclockwise = false;
-  bool no_go = false, unusable = false, body = false, overload = false;
+  bool no_go = false, unusable = false, body = false, overload = false, slide = false;
 };
 
 struct Caption {

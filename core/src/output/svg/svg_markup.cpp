@@ -28,6 +28,20 @@ std::string path(const Points& points, bool closed) {
   return attribute("d", data + (closed ? "Z" : ""));
 }
 
+std::string arrow(const Vec2& tail, const Vec2& head, std::string_view colour) {
+  const Vec2 along = (head - tail).normalized(), across(-along.y(), along.x());
+  const Vec2 neck = head - 9 * along;
+  const auto line = [&](std::string_view stroke, double width) {
+    return element("path", path({tail, neck}, false) + attribute("stroke", stroke) +
+                               attribute("stroke-width", width) +
+                               attribute("stroke-linecap", "round"));
+  };
+  return line("#FFFFFF", 6) + line(colour, 3) +
+         element("path", path({head, neck + 5.5 * across, neck - 5.5 * across}, true) +
+                             attribute("fill", colour) + attribute("stroke", "#FFFFFF") +
+                             attribute("paint-order", "stroke") + attribute("stroke-width", 2));
+}
+
 std::string text(const Vec2& at, double size, std::string_view words, std::string_view attributes) {
   return "<text" + attribute("x", at.x()) + attribute("y", at.y()) + attribute("font-size", size) +
          std::string(attributes) + ">" + escaped(words) + "</text>\n";

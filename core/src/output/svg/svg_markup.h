@@ -19,6 +19,9 @@ std::string element(std::string_view tag, std::string_view attributes);  // <tag
 
 std::string path(const Points& points, bool closed);  // the attribute d
 
+// An arrow, on a white border that parts it from what lies below.
+std::string arrow(const Vec2& tail, const Vec2& head, std::string_view colour);
+
 // Text with its baseline at `at`.
 std::string text(const Vec2& at, double size, std::string_view words,
                  std::string_view attributes = "");
