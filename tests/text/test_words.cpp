@@ -37,6 +37,15 @@ Placement three_teams() {
 
 }  // namespace
 
+TEST_CASE("marked parts of the boundary are named while they are few", "[words]") {
+  CHECK(no_go_in_words({}).empty());
+  CHECK(plainly(no_go_in_words({{2, 0, 1}})) == "No robot touches edge 3.");
+  CHECK(plainly(no_go_in_words({{0, 0.3088, 0.7576}, {2, 0, 1}})) ==
+        "No robot touches edge 1 between 31 % and 76 % of its length, nor edge 3.");
+  CHECK(no_go_in_words(std::vector<EdgePart>(4)) ==
+        "No robot touches 4 marked parts of the boundary.");
+}
+
 TEST_CASE("the verdict is a few plain sentences", "[words]") {
   Placement placement = three_teams();
   CHECK(verdict(placement) ==

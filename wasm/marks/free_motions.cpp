@@ -24,9 +24,9 @@ void draw_name(const Painter& painter, const CanvasView& view, const Vec2& at, c
   draw_text(list, Face::strong_label, vec(place->left + 6, place->top + 3), colour, name);
 }
 
-// From the middle of the window to the nearest point of a convex region, in pixels; nothing if a part of it is seen.
-std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Points& region) {
-  const Rect window = view.uncovered();
+// From the middle of the window to the nearest point of a convex region, in pixels; nothing if a part of it is seen there.
+std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Rect& window,
+                                     const Points& region) {
   Points seen;
   for (const Vec2& corner : region) seen.push_back(view.camera.to_screen(corner));
   const Vec2 middle = window.middle();
@@ -53,8 +53,9 @@ Rect without_tools(const CanvasView& view) {
 void draw_far_region(const Painter& painter, const CanvasView& view, const Points& region,
                      Colour colour, const std::string& name, Occupied* occupied) {
   constexpr double from_edge = 22, arrow = 44;
-  const std::optional<Vec2> way = region.empty() ? std::nullopt : way_out_of_sight(view, region);
   const Rect window = without_tools(view);
+  const std::optional<Vec2> way =
+      region.empty() ? std::nullopt : way_out_of_sight(view, window, region);
   const Vec2 room(window.width() / 2 - from_edge, window.height() / 2 - from_edge);
   if (!way || !(room.x() > arrow) || !(room.y() > arrow)) return;
   // To the edge of the room, wherever the way leaves it.

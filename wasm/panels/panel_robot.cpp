@@ -90,15 +90,17 @@ void draw_marks_row(const Ui& ui) {
     action(ActionId::mark).run(ui.state, ui.commands);
 }
 
-// How much of the boundary is left.
+// What is marked, and how much of the boundary is left.
 std::string left_in_words(const Placement& placement) {
+  std::string marked = no_go_in_words(placement.settings.no_go);
+  if (!marked.empty()) marked += ' ';
   double all = 0, lost = 0;
   for (std::size_t edge = 0; edge < placement.polygon.size(); ++edge)
     all += length(placement.polygon.edge_end(edge) - placement.polygon.edge_start(edge));
   for (const UnusablePart& part : placement.stands->unusable())
     lost += part.part.to - part.part.from;
-  if (lost == 0) return "All of the boundary can be used.";
-  return percentage(std::clamp(1 - lost / all, 0.0, 1.0)) +
+  if (lost == 0) return marked + "All of the boundary can be used.";
+  return marked + percentage(std::clamp(1 - lost / all, 0.0, 1.0)) +
          " of the boundary can be used. Point at the rest to see why not.";
 }
 

@@ -7,6 +7,7 @@
 #include "formats/readers.h"
 #include "import/gathering.h"
 #include "import/readers.h"
+#include "import/unit_words.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -159,22 +160,6 @@ LengthUnit unit_of_column(std::string_view field) {
   return LengthUnit::none;
 }
 
-const char* words_of(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::m:
-      return "metres";
-    case LengthUnit::cm:
-      return "centimetres";
-    case LengthUnit::mm:
-      return "millimetres";
-    case LengthUnit::in:
-      return "inches";
-    case LengthUnit::none:
-      break;
-  }
-  return "";
-}
-
 bool has_field(const Fields& fields, std::string_view name) {
   return std::any_of(fields.begin(), fields.end(),
                      [&](std::string_view field) { return same_word(field, name); });
@@ -325,7 +310,7 @@ Result<Import> ColumnReader::read() {
                       joined({"this text is in no format that is known here: ", known_formats}),
                       {}};
   }
-  if (unit_ != LengthUnit::none) gathering_.import.unit = words_of(unit_);
+  if (unit_ != LengthUnit::none) gathering_.import.unit = in_full(unit_);
   if (more_columns_ && !named_)
     gathering_.note("the first two columns with numbers were taken as x and y");
   if (gathering_.import.shapes.size() > 1) gathering_.note("blank lines part the shapes");

@@ -10,6 +10,7 @@
 #include "import/chains.h"
 #include "import/gathering.h"
 #include "import/readers.h"
+#include "import/unit_words.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -64,31 +65,33 @@ class Groups {
   bool broken_ = false;
 };
 
-// A unit of $INSUNITS: its name, and evenlift's label for it where there is one.
+// A unit of $INSUNITS: evenlift's own, or the name of one that it has no label for; neither if the drawing has none.
 struct DrawingUnit {
-  const char* name = "";
   LengthUnit label = LengthUnit::none;
+  const char* other = "";
+  const char* name() const { return label == LengthUnit::none ? other : in_full(label); }
 };
 
 DrawingUnit unit_of(double number) {
+  constexpr LengthUnit none = LengthUnit::none;
   static constexpr DrawingUnit units[] = {{},
-                                          {"inches", LengthUnit::in},
-                                          {"feet"},
-                                          {"miles"},
-                                          {"millimetres", LengthUnit::mm},
-                                          {"centimetres", LengthUnit::cm},
-                                          {"metres", LengthUnit::m},
-                                          {"kilometres"},
-                                          {"microinches"},
-                                          {"mils"},
-                                          {"yards"},
-                                          {"angstroms"},
-                                          {"nanometres"},
-                                          {"micrometres"},
-                                          {"decimetres"},
-                                          {"decametres"},
-                                          {"hectometres"},
-                                          {"gigametres"}};
+                                          {LengthUnit::in},
+                                          {none, "feet"},
+                                          {none, "miles"},
+                                          {LengthUnit::mm},
+                                          {LengthUnit::cm},
+                                          {LengthUnit::m},
+                                          {none, "kilometres"},
+                                          {none, "microinches"},
+                                          {none, "mils"},
+                                          {none, "yards"},
+                                          {none, "angstroms"},
+                                          {none, "nanometres"},
+                                          {none, "micrometres"},
+                                          {none, "decimetres"},
+                                          {none, "decametres"},
+                                          {none, "hectometres"},
+                                          {none, "gigametres"}};
   const auto count = static_cast<double>(std::size(units));
   if (!(number >= 0) || number >= count || number != std::floor(number)) return {};
   return units[static_cast<std::size_t>(number)];
@@ -464,7 +467,7 @@ Result<Import> DxfReader::read() {
   if (blocks_ > 0 && !gathering_.import.shapes.empty())
     gathering_.note(
         "blocks (INSERT) are not put together: explode them in the CAD program to have them");
-  gathering_.import.unit = unit_.name;
+  gathering_.import.unit = unit_.name();
   for (ImportedShape& shape : gathering_.import.shapes)
     shape.document.settings.units.length = unit_.label;
   return gathering_.finish(nothing_found());

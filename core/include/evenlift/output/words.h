@@ -106,6 +106,10 @@ std::string verdict(const Placement& placement);
 // the size that is in the way.
 std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Units& units);
 
+// "No robot touches edge 1 between 31 % and 76 % of its length, nor edge 3." Empty if all of the boundary is
+// allowed. O(1): many parts are only counted.
+std::string no_go_in_words(const std::vector<EdgePart>& no_go);
+
 // Which robots carry more than one can, and how many robots are needed if the plan for that is
 // known. O(teams).
 std::string capacity_in_words(const Placement& placement, double capacity,

@@ -93,6 +93,22 @@ std::string loads_in_words(const Placement& placement) {
          with_weight_unit(plain(placement.settings.weight), placement.settings.units) + " in all).";
 }
 
+std::string no_go_in_words(const std::vector<EdgePart>& no_go) {
+  constexpr std::size_t most_named = 3;
+  if (no_go.empty()) return {};
+  if (no_go.size() > most_named)
+    return "No robot touches " + std::to_string(no_go.size()) + " marked parts of the boundary.";
+  std::string text = "No robot touches ";
+  for (std::size_t i = 0; i < no_go.size(); ++i) {
+    const EdgePart& part = no_go[i];
+    text += (i == 0 ? "edge " : ", nor edge ") + std::to_string(part.edge + 1);
+    if (part.from != 0 || part.to != 1)
+      text +=
+          " between " + percentage(part.from) + " and " + percentage(part.to) + " of its length";
+  }
+  return text + ".";
+}
+
 std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Units& units) {
   const auto size = [&](double value) { return with_length_unit(plain(value), units); };
   switch (why) {

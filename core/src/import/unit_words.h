@@ -1,0 +1,25 @@
+// Units of length in full.
+#pragma once
+
+#include "evenlift/document.h"
+
+namespace evenlift {
+
+// "millimetres", or nothing without a unit.
+inline const char* in_full(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::m:
+      return "metres";
+    case LengthUnit::cm:
+      return "centimetres";
+    case LengthUnit::mm:
+      return "millimetres";
+    case LengthUnit::in:
+      return "inches";
+    case LengthUnit::none:
+      break;
+  }
+  return "";
+}
+
+}  // namespace evenlift
