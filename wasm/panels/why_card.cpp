@@ -33,9 +33,11 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
                top = free.top + margin, bottom = free.bottom - margin;
   const bool low = spot.y() >= free.middle().y();
   if (!ui.layout.wide) {
-    constexpr double least = 180;  // what does not fit scrolls
-    const double foot = ui.state.screen.height - margin;
-    return {{left, std::clamp(spot.y() + away, top, foot - least), right, foot}, true};
+    constexpr double least = 240;  // what does not fit scrolls
+    const double foot = ui.state.screen.height - 4;
+    const double head =
+        std::max(spot.y() + away, free.bottom);  // the loads above the sheet stay in sight
+    return {{left, std::clamp(head, top, foot - least), right, foot}, true};
   }
   const double width = std::min(widest, right - left);
   const double before = spot.x() - away - width, behind = spot.x() + away;
@@ -77,12 +79,26 @@ void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
 }
 
 // Lets the robot of the card fail, or brings it back.
-void draw_fail_button(const Ui& ui, std::size_t robot) {
+void draw_fail_button(const Ui& ui, std::size_t robot, float width) {
   const Failure* failure = failing(ui.state);
   const bool failed = failure && failure->robot == robot;
-  if (flat_button(ui, "fail", failed ? "Back to work" : "Let it fail",
-                  ImGui::GetContentRegionAvail().x))
+  if (flat_button(ui, "fail", failed ? "Back to work" : "Let it fail", width))
     ui.push(Fail{failed ? std::nullopt : std::optional<std::size_t>(robot)});
+}
+
+// What one can do about it: below each other, or on a narrow screen, where height is precious, beside each other if
+// there is room.
+void draw_buttons(const Ui& ui, const Explanation& explanation) {
+  constexpr float gap = 6, padding = 16;
+  constexpr char lesson[] = "Show in the lesson";
+  const bool can_fail = explanation.robot && !walkthrough_is_open(ui.state);
+  const float width = ImGui::GetContentRegionAvail().x, half = (width - gap) / 2;
+  const bool beside = can_fail && explanation.step && !ui.layout.wide &&
+                      text_size(Face::text, lesson).x + padding <= half;
+  if (can_fail) draw_fail_button(ui, *explanation.robot, beside ? half : width);
+  if (beside) ImGui::SameLine(0, gap);
+  if (explanation.step && flat_button(ui, "show in lesson", lesson, beside ? half : width))
+    ui.push(ShowInLesson{*explanation.step});
 }
 
 }  // namespace
@@ -91,7 +107,8 @@ void draw_why_card(const Ui& ui) {
   if (!ui.state.explanation || !ui.state.placement || ui.state.screen.embed) return;
   const Explanation& explanation = *ui.state.explanation;
   const CardPlace place = place_of(ui, spot_of(ui, explanation));
-  begin_card(ui, "why here", place.rect, {.at_bottom = place.at_bottom, .padding = 14});
+  begin_card(ui, "why here", place.rect,
+             {.at_bottom = place.at_bottom, .padding = ui.layout.wide ? 14.0f : 10.0f});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
@@ -108,10 +125,7 @@ void draw_why_card(const Ui& ui) {
     for (const Explanation::Row& row : explanation.rows) draw_row(ui, row);
     if (!explanation.reason.empty()) text_block(Face::label, ui.theme.text, explanation.reason);
   }
-  if (explanation.robot && !walkthrough_is_open(ui.state)) draw_fail_button(ui, *explanation.robot);
-  if (explanation.step &&
-      flat_button(ui, "show in lesson", "Show in the lesson", ImGui::GetContentRegionAvail().x))
-    ui.push(ShowInLesson{*explanation.step});
+  draw_buttons(ui, explanation);
   ImGui::PopStyleVar();
   end_card(ui);
 }
