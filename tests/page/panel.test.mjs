@@ -70,6 +70,8 @@ test("a number with another unit of the same kind is converted, not taken as it 
   await set(page, { unit: "mm" });
   await type(page, "com", "60 cm, 20 cm");
   assert.deepEqual((await state(page)).centre_of_mass, [600, 200]);
+  await type(page, "com", "610,205");
+  assert.deepEqual((await state(page)).centre_of_mass, [610, 205], "one number is no centre of mass, so its comma parts two");
   await page.done();
 });
 
@@ -78,9 +80,11 @@ test("a unit of another kind is refused, and so is one where numbers have none",
   await press(page, "robot size");
   await set(page, { unit: "none" });
   const before = await state(page);
-  for (const [name, typed, why] of [["robot radius", "5 mm", /^“5 mm” has the unit mm, but this number has none: type the number alone\.$/],
+  for (const [name, typed, why] of [["robot radius", "5 mm", /^“5 mm” has the unit mm, but lengths have none here: type the number alone, or choose their unit under More settings\.$/],
     ["weight", "5 mm", /^“5 mm” is a length, but this number is a weight in kg\.$/], ["teams", "4 kg", /^“4 kg” has the unit kg, but this number has none/],
-    ["min ratio", "0.5 m", /^“0\.5 m” has the unit m,/], ["com", "300 mm, 250 mm", /^“300 mm, 250 mm” has the unit mm,/], ["weight", "heavy", /^The weight is a number greater than 0/]]) {
+    ["min ratio", "0.5 m", /^“0\.5 m” has the unit m,/], ["com", "300 mm, 250 mm", /^“300 mm, 250 mm” has the unit mm,/], ["weight", "heavy", /^The weight is a number greater than 0/],
+    ["weight", "500 g", /^“g” is no unit that is known here: lengths are in m, cm, mm or in, and weights in kg, t, N or lb\.$/],
+    ["weight", "1,000", /^“1,000” may be 1000 or 1\.000: type it like one of these\.$/]]) {
     await type(page, name, typed);
     assert.match(await page.locator("#alert").textContent(), why);
     await page.keyboard.press("Escape");

@@ -201,7 +201,8 @@ TEST_CASE("too many robots are not looked at each", "[view][failing]") {
   CHECK(verdict(state).headline.find("Robot 130 fails: ") == 0);
 }
 
-TEST_CASE("a doubt makes ranges where they are exact, and sentences that say so", "[view][doubt]") {
+TEST_CASE("a doubt makes the program's ranges, and sentences that say how far they hold",
+          "[view][doubt]") {
   AppState state = state_of(Method::area);
   CHECK(doubt_words(state).empty());
   give(state, SetComRadius{20});
@@ -215,9 +216,20 @@ TEST_CASE("a doubt makes ranges where they are exact, and sentences that say so"
   }
   CHECK(summary(state).find(doubt_in_words(models, robustness(*state.placement), 20)) !=
         std::string::npos);
-  give(state, SetComRadius{models.springs.same_within * 1.5});
-  for (const LoadRange& load : state.outlook.loads) CHECK(load.least == load.greatest);
+  const double beyond = models.springs.same_within * 1.5;
+  give(state, SetComRadius{beyond});
+  const auto wider = load_ranges(planned_loads(state.placement->teams), models.springs, beyond);
+  for (std::size_t i = 0; i < wider.size(); ++i) {
+    CHECK(state.outlook.loads[i].least == wider[i].least);
+    CHECK(state.outlook.loads[i].greatest == wider[i].greatest);
+  }
   CHECK(state.history.depth() == 2);
+  const double tips = robustness(*state.placement).tipping_distance;
+  CHECK(verdict(state).detail.find("It can tip") == std::string::npos);
+  give(state, SetComRadius{tips * 1.1});
+  CHECK(verdict(state).mood == Mood::not_quite);
+  CHECK(verdict(state).detail.find("It can tip: the centre of mass may be off by ") == 0);
+  give(state, Undo{});
   give(state, Undo{});
   CHECK(settings(state).com_radius == 20);
 }

@@ -53,7 +53,7 @@ bool can_redo(const AppState& s) {
 
 bool can_teach(const AppState& s) { return s.placement && !s.refusal && s.tool != Tool::draw; }
 
-bool can_present(const AppState& s) { return in_walkthrough(s) && editing(s); }
+bool can_present(const AppState& s) { return editing(s) && (in_walkthrough(s) || can_teach(s)); }
 
 bool can_go_on(const AppState& s) {
   const Timeline t = timeline(s);

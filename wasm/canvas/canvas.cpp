@@ -63,11 +63,7 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
   const Colour object = view.theme.object.at(view.state.backdrop ? 0.6f : 1);
   painter.fill(shape.points, view.scene.triangles, object);
   painter.fill(rows, object);
-  if (!view.scene.shows_heat()) return;
-  for (const HeatBand& band : view.scene.heat) {
-    painter.triangles(band.triangles, heat_colour(view.theme, band.share));
-    painter.fill(rows, heat_colour(view.theme, band.share), band.region);
-  }
+  if (view.scene.shows_heat()) painter.heat(view.scene.heat, rows, view.theme);
 }
 
 void draw_shape(const Painter& painter, const CanvasView& view, const Shape& shape,

@@ -129,7 +129,6 @@ std::string name_of_choice(const Ask& ask, std::uint32_t choice) {
 // The numbers of the choices, beyond their ends, clear of robots and of each other.
 void draw_names_of_choices(const Painter& painter, const CanvasView& view, const Ask& ask,
                            double reach, Occupied& occupied) {
-  if (ask.choices.size() > most_valued) return;
   const Vec2 middle = view.camera.to_screen(view.placement->centre_of_mass);
   std::vector<LabelRequest> requests;
   for (const std::uint32_t choice : ask.choices) {
@@ -152,6 +151,20 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
   }
 }
 
+// After a guess the numbers stay, so that one finds the answer and what one has guessed, which is marked if it was wrong.
+void draw_answered(const Painter& painter, const CanvasView& view, double reach,
+                   Occupied& occupied) {
+  const std::optional<Answered>& answered = view.state.walkthrough.answered;
+  if (!answered) return;
+  const Ask& ask = answered->ask;
+  if (answered->guess != ask.question.answer)
+    draw_chord(
+        painter,
+        chord_of_choice(*view.state.walkthrough.trace, ask.detail, ask.question, answered->guess),
+        view.theme.amber_on_object, 3);
+  draw_names_of_choices(painter, view, ask, reach, occupied);
+}
+
 // The choices of a question; the one that the buttons point at is stronger.
 void draw_choices(const Painter& painter, const CanvasView& view, double reach,
                   Occupied& occupied) {
@@ -162,19 +175,22 @@ void draw_choices(const Painter& painter, const CanvasView& view, double reach,
     return chord_of_choice(*view.state.walkthrough.trace, ask->detail, ask->question,
                            ask->choices[i]);
   };
-  // Very many would hide the one that is pointed at, which comes last.
-  const bool many = ask->choices.size() > most_valued;
   for (std::size_t i = 0; i < ask->choices.size(); ++i)
-    draw_chord(painter, chord(i), view.theme.accent_on_object.at(many ? 0.2f : 0.45f),
-               many ? 1.0f : 2.5f);
+    draw_chord(painter, chord(i), view.theme.accent_on_object.at(0.45f), 2.5f);
   if (ask->choices.size() > 3)
-    draw_chord(painter, chord(ask->pointed), view.theme.accent_on_object, many ? 5.0f : 4.0f);
+    draw_chord(painter, chord(ask->pointed), view.theme.accent_on_object, 4);
   draw_names_of_choices(painter, view, *ask, reach, occupied);
 }
 
 }  // namespace
 
 namespace {
+
+// The pushes that tip are known where the last lifting base is.
+bool shows_heat(const CanvasView& view) {
+  const StepKind kind = view.state.walkthrough.detail.step.kind;
+  return view.scene.shows_heat() && (kind == StepKind::coverage || kind == StepKind::result);
+}
 
 // What the step is about, over what is known so far.
 void draw_step(const Painter& painter, const CanvasView& view) {
@@ -204,7 +220,13 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   const Placement& placement = walk.trace->placement;
   const bool shows_step = !asks_of_other_robots(view.state);
   painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);
-  if (walk.base.size() >= 3 && shows_step) painter.fill_convex(walk.base, view.theme.hull);
+  const bool heat = shows_heat(view);
+  if (heat) {
+    const bool by_rows = view.scene.triangles.empty();
+    painter.heat(view.scene.heat, by_rows ? painter.rows(placement.vertices()) : RowFill{},
+                 view.theme);
+  }
+  if (walk.base.size() >= 3 && shows_step && !heat) painter.fill_convex(walk.base, view.theme.hull);
   painter.outline(placement.vertices(), view.theme.object_outline, 2);
   if (walk.known.stands) draw_unusable(painter, placement, view.theme);
   if (shows_step) draw_step(painter, view);
@@ -215,6 +237,7 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   const double reach = static_cast<double>(mark_radius(view.placement->teams));
   Occupied occupied = occupied_by_marks(view, reach);
   draw_choices(painter, view, reach, occupied);
+  draw_answered(painter, view, reach, occupied);
   draw_part_names(painter, view, occupied);
 }
 

@@ -53,7 +53,16 @@ void draw_part_names(const Painter& painter, const CanvasView& view, Occupied& o
     requests.push_back(request);
     names.push_back(std::move(name));
   };
+  const Vec2 c = view.placement->centre_of_mass;
   for (const Figure& figure : view.state.walkthrough.figures) {
+    if (figure.kind == FigureKind::centroid &&
+        length(figure.points[0] - c) * view.camera.scale > 2 * ring) {
+      const Vec2 at = view.camera.to_screen(figure.points[0]);
+      occupied.disc(at, ring);
+      add({at, Vec2(1, -1) / std::numbers::sqrt2, Vec2::Zero(), ring}, "centroid");
+    }
+    if (figure.kind == FigureKind::reflected && figure.item)
+      add(beside_edge(view, figure.points), "image of edge " + std::to_string(*figure.item + 1));
     if (figure.kind == FigureKind::edge && figure.item)
       add(beside_edge(view, figure.points), "edge " + std::to_string(*figure.item + 1));
     if (figure.kind == FigureKind::vertex && figure.item)

@@ -22,8 +22,7 @@ Outlook outlook_of(const AppState& state, const Placement& placement) {
   const double radius = settings(state).com_radius;
   const LoadModel model = state.load_model;
   if (model != LoadModel::plan || radius > 0) outlook.models = model_loads(placement);
-  const bool exact = outlook.models && radius <= outlook.models->springs.same_within;
-  outlook.loads = loads_by(model, placement, outlook.models, exact ? radius : 0);
+  outlook.loads = loads_by(model, placement, outlook.models, radius);
   outlook.greatest = greatest_of(outlook.loads);
   return outlook;
 }
@@ -35,7 +34,7 @@ Outlook outlook_of(const AppState& state, const Failure& failure) {
   const double radius = settings(state).com_radius;
   const auto springs = radius > 0 ? springs_without(*state.placement, failure.robot) : std::nullopt;
   const std::vector<double> loads = planned_loads(failure.placement.teams);
-  if (springs && radius <= springs->same_within)
+  if (springs)
     outlook.loads = load_ranges(loads, *springs, radius);
   else
     outlook.loads = loads_by(LoadModel::plan, failure.placement, std::nullopt, 0);

@@ -183,6 +183,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_weight_unit() {
   return hand_over(std::string(name(app().state.placed.settings.units.weight)));
 }
 
+// Whether a polygon is being drawn.
+EMSCRIPTEN_KEEPALIVE int page_is_drawing() { return app().state.tool == Tool::draw ? 1 : 0; }
+
 // The unit of coordinates and distances; "none" without one.
 EMSCRIPTEN_KEEPALIVE const char* page_length_unit() {
   return hand_over(std::string(name(app().state.placed.settings.units.length)));

@@ -17,7 +17,7 @@ struct MethodWords {
   const char* about;
 };
 inline constexpr MethodWords methods[] = {
-    {Method::area, "Area", "each team adds most area to the base"},
+    {Method::area, "Area", "each team adds the most area to the base"},
     {Method::circle, "Circle", "each team fits the largest circles"},
     {Method::distance, "Distance", "each team shortens the tipping arms most"},
     {Method::distributed, "Distributed", "teams at equal angles, to compare"},

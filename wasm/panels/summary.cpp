@@ -20,9 +20,13 @@ Verdict of_placement(const AppState& state) {
   const Placement& placement = *state.placement;
   const bool as_asked =
       !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
+  const std::string tips =
+      placement.teams.empty() ? std::string()
+                              : tipping_in_words(state.outlook.robustness,
+                                                 settings(state).com_radius, settings(state).units);
   const bool good = as_asked && placement.coverage >= good_coverage && is_held(placement) &&
-                    !is_overloaded(state);
-  std::string detail = detail_in_words(placement);
+                    !is_overloaded(state) && tips.empty();
+  std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(placement);
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " So the goal, to hold, is not reached.";
   return {good ? Mood::good : Mood::not_quite, loads_in_words(placement), std::move(detail)};

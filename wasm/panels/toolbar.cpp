@@ -173,6 +173,7 @@ void draw_view_tools(const Ui& ui) {
 // The way back to an object that was moved out of the window.
 void draw_way_back(const Ui& ui) {
   if (ui.state.camera_follows || ui.state.tool == Tool::draw || !ui.state.placement) return;
+  if (!ui.layout.wide && ui.state.sheet == Sheet::full) return;  // it covers the drawing
   const Box box = bounding_box(ui.state.placement->vertices());
   const Vec2 low = ui.state.camera.to_screen(box.low), high = ui.state.camera.to_screen(box.high);
   const Rect& free = ui.layout.free;

@@ -81,6 +81,14 @@ void Painter::fill(const RowFill& rows, Colour colour, const Points& within) con
   }
 }
 
+void Painter::heat(const std::vector<HeatBand>& bands, const RowFill& rows,
+                   const Theme& theme) const {
+  for (const HeatBand& band : bands) {
+    triangles(band.triangles, heat_colour(theme, band.share));
+    fill(rows, heat_colour(theme, band.share), band.region);
+  }
+}
+
 void Painter::triangles(const std::vector<Vec2>& corners, Colour colour) const {
   // In pieces, as Dear ImGui's indices may have 16 bits.
   constexpr std::size_t most = 3 * 4096;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "picture/fill_rows.h"
+#include "picture/heat.h"
 #include "state/camera.h"
 #include "ui/theme.h"
 
@@ -32,6 +33,8 @@ class Painter {
   RowFill rows(const Points& polygon) const;
   void fill(const RowFill& rows, Colour colour, const Points& within = {}) const;
   void triangles(const std::vector<Vec2>& corners, Colour colour) const;
+  // The heat map, by its triangles or, of a large polygon, by rows.
+  void heat(const std::vector<HeatBand>& bands, const RowFill& rows, const Theme& theme) const;
   void fill_convex(const Points& counter_clockwise, Colour colour) const;
   void outline(const Points& polygon, Colour colour, float width, bool closed = true) const;
   void line(const Vec2& a, const Vec2& b, Colour colour, float width) const;

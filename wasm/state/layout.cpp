@@ -148,6 +148,9 @@ Layout narrow(const AppState& state) {
   if (l.low || state.sheet != Sheet::closed || state.second_method || screen.window_foot > 0)
     l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
   split(l, screen, state.second_method.has_value(), 60, 52, 52);
+  // Beside the tools: a corner of the frame is no use under them.
+  if (state.tool == Tool::transform && l.tools.height() > 0)
+    l.room.right = std::max(l.room.middle().x(), l.tools.left - 30);
   return l;
 }
 

@@ -46,6 +46,12 @@ struct Ask {
   std::size_t pointed = 0;             // index of the choice that the buttons point at
 };
 
+// A question that was just answered.
+struct Answered {
+  Ask ask;
+  std::uint32_t guess;  // one of its choices
+};
+
 struct Visited {
   std::uint32_t step;
   std::string caption;
@@ -87,7 +93,8 @@ struct Walkthrough {
 
   bool predict = false;
   std::optional<Ask> ask;
-  std::string verdict;  // whether the last guess was right
+  std::optional<Answered> answered;  // at the step that shows the answer
+  std::string verdict;               // whether the last guess was right
   bool was_right = false;
   Guesses guesses;
 

@@ -12,11 +12,31 @@
 namespace evenlift::view {
 namespace {
 
-// Whether there is nothing to guess: one candidate only, or two ends that are as even as each other.
-bool is_trivial(const Ask& asked) {
+constexpr std::size_t most_offered = 6;  // choices of a question
+
+// Whether there is nothing to guess: one candidate only, or two ends that are as even as each other, or that look like one.
+bool is_trivial(const Trace& trace, const Ask& asked) {
   if (asked.question.kind != QuestionKind::nearer_end) return asked.choices.size() < 2;
-  const auto& ends = asked.detail.pair->ends;
-  return ratio_in_words(ends[0].ratio) == ratio_in_words(ends[1].ratio);
+  constexpr double apart = 1.0 / 80;  // of the object's size
+  const PairDetail& pair = *asked.detail.pair;
+  const double longer = std::max(length(pair.a[1] - pair.a[0]), length(pair.b[1] - pair.b[0]));
+  return longer < apart * trace.polygon.diagonal() ||
+         ratio_in_words(pair.ends[0].ratio) == ratio_in_words(pair.ends[1].ratio);
+}
+
+// The answer and some others, as far apart in their order as possible: of very many choices nobody could tell one from
+// the next in the drawing.
+std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& choices,
+                                   std::uint32_t answer) {
+  const std::size_t n = choices.size();
+  if (n <= most_offered) return choices;
+  const auto at =
+      static_cast<std::size_t>(std::find(choices.begin(), choices.end(), answer) - choices.begin());
+  std::vector<std::uint32_t> some;
+  for (std::size_t i = 0; i < most_offered; ++i)
+    some.push_back(choices[(at + i * n / most_offered) % n]);
+  std::sort(some.begin(), some.end());
+  return some;
 }
 
 // Whether the question is one of the few of its kind; if not, the choice is told.
@@ -56,8 +76,8 @@ void ask(Walkthrough& walk, std::uint32_t step) {
   asked.question = *question;
   asked.text = question_text(trace, asked.detail, *question);
   // In their order, as a ranking would give the answer away.
-  asked.choices = choices(trace, asked.detail, *question);
-  if (is_trivial(asked) || !may_ask(walk, asked)) return;
+  asked.choices = some_of(choices(trace, asked.detail, *question), question->answer);
+  if (is_trivial(trace, asked) || !may_ask(walk, asked)) return;
   asked.pointed = first_offered(asked);
   walk.ask = std::move(asked);
   walk.playing = false;
@@ -95,6 +115,7 @@ void guess(AppState& state, std::uint32_t answer) {
   if (walk.script && timeline(state).at + 1 < timeline(state).count)
     walk.script->position = timeline(state).at + 1;
   go_to_step(state, asked.step);
+  walk.answered = {asked, answer};
   walk.verdict = verdict;
   walk.was_right = right;
   browser::announce(verdict);

@@ -22,6 +22,7 @@ constexpr std::size_t most_visited = 60;
 // Forgets what belonged to the previous step.
 void forget_step(Walkthrough& walk) {
   walk.ask.reset();
+  walk.answered.reset();
   walk.verdict.clear();
   walk.asked.reset();
   walk.asked_places.clear();

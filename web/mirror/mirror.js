@@ -2,7 +2,7 @@
 // the focus. So keyboards and screen readers reach every control, and a number is typed in a field of the browser's own.
 import { createElement, showControl } from "./elements.js";
 import { readControls } from "./controls.js";
-import { settingValue, unitOf, unitProblem } from "./typed.js";
+import { settingValue, typedProblem, unitOf } from "./typed.js";
 
 // Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for those who cannot see it.
 const cards = new Map([
@@ -10,8 +10,8 @@ const cards = new Map([
   ["player", "Player"], ["why here", "Why here?"], ["tools", "View"], ["way back", "View"], ["notice", "Notice"],
 ]);
 
-// Lengths whose fields do not always show their unit: settings, and the field of an edge that is drawn, by its name.
-const lengths = new Set(["com", "apart", "edge length"]);
+// Lengths, whose fields do not always show their unit: settings, and the field of an edge that is drawn, by its name.
+const lengths = new Set(["com", "apart", "com_radius", "robot_radius", "robot_reach", "robot_depth", "robot_width", "robot_gap", "edge length"]);
 
 // Hidden while it is empty.
 function createGroup(name) {
@@ -55,7 +55,7 @@ export function createMirror(program, field, notice) {
     // A number that is no setting is handed to the control itself; `confirmed` says that Enter was pressed.
     type(control, typed, confirmed) {
       const { setting, card, name } = control, unit = unitOfField(control);
-      const wrong = unitProblem(typed, unit);
+      const wrong = typedProblem(typed, setting, unit, lengths.has(setting || name));
       if (wrong) {
         notice(`${wrong}.`, true);
         return false;

@@ -42,13 +42,27 @@ function converted(typed, from, to) {
 
 const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
 
-// Why a number cannot be set because of the unit that was typed after it, as a sentence without its full stop; "" if that
-// is not the reason. `own` is as below.
-export function unitProblem(typed, own) {
+const grouped = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?:\s*[a-z]+)?$/i;
+const strange = new RegExp(`^${number}\\s*([A-Za-zµ"'′″]+)$`);
+
+// Why a number cannot be set because of how it was typed: the unit after it, or a comma that may part thousands. A sentence
+// without its full stop; "" if that is not the reason. `setting` and `own` are as below; `isLength` says that the number is
+// a length, even if it has no unit.
+export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
+  if (setting === "no_go") return "";
+  if (setting !== "com" && grouped.test(text)) {
+    const digits = text.replace(/\s*[a-z]+$/i, ""), whole = digits.replaceAll(",", ""), groups = digits.split(",").length;
+    return groups > 2 ? `“${text}” has commas between its digits: type ${whole}`
+      : `“${text}” may be ${whole} or ${digits.replace(",", ".")}: type it like one of these`;
+  }
+  const unknown = one.test(text) ? undefined : strange.exec(text)?.[1];
+  if (unknown) return `“${unknown}” is no unit that is known here: lengths are in m, cm, mm or in, and weights in kg, t, N or lb`;
   const found = one.exec(text)?.slice(2) ?? twoWithUnits.exec(text)?.filter((_, i) => i === 2 || i === 4) ?? [];
   const from = found.find((each) => each && !(own && kindOf(each) === kindOf(own)) && each !== own);
   if (!from) return "";
+  if (!own && isLength && kindOf(from).name === "length")
+    return `“${text}” has the unit ${from}, but lengths have none here: type the number alone, or choose their unit under More settings`;
   if (!own) return `“${text}” has the unit ${from}, but this number has none: type the number alone`;
   return `“${text}” is a ${kindOf(from).name}, but this number is a ${kindOf(own).name} in ${own}`;
 }
@@ -59,7 +73,7 @@ export function unitProblem(typed, own) {
 export function settingValue(typed, setting = "", own = "") {
   const text = tidied(typed);
   if (setting === "no_go") return text.replaceAll(" ", "").toLowerCase() || "none";  // edges: "3,5" is no number
-  const single = one.exec(text);
+  const single = setting === "com" ? null : one.exec(text);  // "10,20" are its two numbers
   if (single) return single[2] ? converted(single[1], single[2], own) ?? text : point(single[1]);
   const pair = two.exec(text);
   if (pair) return `${point(pair[1])},${point(pair[2])}`;

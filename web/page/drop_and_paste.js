@@ -15,7 +15,10 @@ export function connectDropAndPaste(page) {
     underWay(take(event.clipboardData, "pasted"));
   });
 
-  const opens = (event) => event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain") &&
+  let own = false;  // a text of this page is dragged: it is no polygon
+  addEventListener("dragstart", () => { own = true; });
+  addEventListener("dragend", () => { own = false; });
+  const opens = (event) => !own && event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain") &&
     (event.dataTransfer.types.includes("Files") || !event.target.closest?.(typesIn));
   addEventListener("dragover", (event) => {
     if (!opens(event)) return;

@@ -9,6 +9,7 @@ export function connectInput(program, { embed }) {
 
   canvas.addEventListener("pointerdown", (event) => {
     root.classList.remove("by-key");
+    getSelection().removeAllRanges();  // as a press anywhere does elsewhere; else Ctrl+C would copy that text
     // Preventing mousedown's default, as SDL does, also prevents the focus; and without capture a drag ends at the
     // window's edge.
     canvas.focus({ preventScroll: true });

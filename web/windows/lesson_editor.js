@@ -75,7 +75,7 @@ export async function show(page) {
     name: "editor",
     title: "Write a lesson",
     modal: false,
-    body: [el("div", { class: "row" }, editor.beginWith, editor.aboutSample), editor.field, editor.problem, editor.status, el("footer", {}, editor.help, editor.save)],
+    body: [el("div", { class: "row" }, editor.beginWith, editor.aboutSample), editor.field, editor.problem, editor.toLine, editor.status, el("footer", {}, editor.help, editor.save)],
     focus: editor.field,
     closed: () => editor.close(),
   });
@@ -95,6 +95,8 @@ class Editor {
     this.field = el("textarea", { class: "field", spellcheck: "true", "aria-label": "The lesson’s text", "aria-describedby": "editor-problem", wrap: "soft" });
     this.field.value = read(lasting, draftKey) || template(page.program);
     this.problem = problemLine({ id: "editor-problem", role: "status" });
+    // Long lines wrap, so nobody can count them.
+    this.toLine = button("", { class: "button to-line", hidden: "", onclick: () => this.#goToLine() });
     this.status = el("p", { class: "second status", role: "status" });
     this.beginWith = this.#beginWith(lessons);
     this.aboutSample = el("select", { class: "field", "aria-label": "Sample polygon", onchange: () => this.#insertSample() },
@@ -185,12 +187,22 @@ class Editor {
   // Says what is wrong with the text, or with "" that nothing is.
   #say(problem) {
     this.problem.say(problem);
+    this.line = Number(/^line (\d+)/i.exec(problem)?.[1] ?? 0);
+    this.toLine.hidden = !this.line;
+    this.toLine.textContent = `Go to line ${this.line}`;
     if (problem) {
       this.status.textContent = "The drawing shows the last version without a mistake.";
       this.field.setAttribute("aria-invalid", "true");
     } else {
       this.field.removeAttribute("aria-invalid");
     }
+  }
+
+  // Selects the line that the problem is about.
+  #goToLine() {
+    const lines = this.field.value.split("\n"), before = lines.slice(0, this.line - 1).join("\n").length + (this.line > 1 ? 1 : 0);
+    this.field.focus();
+    this.field.setSelectionRange(before, before + (lines[this.line - 1] ?? "").length);
   }
 
   // Returns why the lesson cannot be opened, or nothing.

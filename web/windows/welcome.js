@@ -33,7 +33,9 @@ export async function show(page, { first = false } = {}) {
     },
   });
   // Whoever has begun needs it no more. The program tells of a change in the midst of it, so this waits for its end.
-  document.addEventListener("evenlift-change", () => queueMicrotask(() => card.close()), { signal: leave.signal });
+  const done = () => queueMicrotask(() => card.close());
+  document.addEventListener("evenlift-change", done, { signal: leave.signal });
+  page.pictures.addEventListener("drawn", () => page.program.number("page_is_drawing") && done(), { signal: leave.signal });
 }
 
 export const welcome = (page) => show(page);

@@ -147,6 +147,7 @@ class Reader {
       {"positions", &Reader::take_setting, Setting::positions},
       {"robot", &Reader::take_setting, Setting::robot},
       {"no-go", &Reader::take_setting, Setting::no_go},
+      {"overlays", &Reader::take_setting, Setting::overlays},
       {"predict", &Reader::take_predict, {}},
   };
 

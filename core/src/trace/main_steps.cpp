@@ -12,10 +12,21 @@ constexpr std::uint32_t exchanges_shown = 3;
 
 // The pair that stands for all.
 std::uint32_t telling_pair(const Trace& trace) {
+  constexpr std::uint32_t most_looked_at = 200;
+  constexpr double as_long = 1 + 1e-6;  // of copies of one shape the same pair tells
   const auto pairs = static_cast<std::uint32_t>(trace.pairs.size());
-  for (std::uint32_t i = 0; i < pairs; ++i)
-    if (trace.candidate_of_source[i] != no_index) return i;
-  return 0;
+  std::uint32_t telling = 0, looked_at = 0;
+  double longest = 0;
+  for (std::uint32_t i = 0; i < pairs && looked_at < most_looked_at; ++i) {
+    if (trace.candidate_of_source[i] == no_index) continue;
+    ++looked_at;
+    const PairDetail pair = look_at_pair(trace, i);
+    const double sections = length(pair.a[1] - pair.a[0]) + length(pair.b[1] - pair.b[0]);
+    if (looked_at > 1 && sections <= longest * as_long) continue;
+    telling = i;
+    longest = sections;
+  }
+  return telling;
 }
 
 // The exchanges that gain the most coverage, in their order.

@@ -15,6 +15,9 @@ namespace evenlift {
 // Robots 2 and 5 let go." Empty for the plan, of which loads_in_words speaks. Robots count from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
+// "It can tip: the centre of mass may be off by 200 mm, and from 177 mm on the object tips." Empty if it cannot. O(1).
+std::string tipping_in_words(const Robustness& robustness, double com_radius, const Units& units);
+
 // How the loads change while C is anywhere within the radius, from where on the object tips, and
 // whether some robot lets go before.
 std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness, double com_radius,

@@ -438,6 +438,9 @@ std::string StepCaptions::cut() const {
   std::string text = fill(
       "Contact #, # on edge #. It pushes along its normal line: the object can turn clockwise only about points to the right of it, counter-clockwise only to the left. ",
       {counted_from_1(item_), robot_of_contact(trace_, contact), counted_from_1(contact.edge)});
+  if (detail_.clockwise.has_area && detail_.counterclockwise.has_area)
+    return text +
+           "It can still turn clockwise about some points, and counter-clockwise about others.";
   return text + left("clockwise", detail_.clockwise, detail_.clockwise_before) + " " +
          left("counter-clockwise", detail_.counterclockwise, detail_.counterclockwise_before);
 }
@@ -446,7 +449,7 @@ std::string StepCaptions::left(const char* sense, const FreeRegion& region, bool
   if (!region.exists)
     return fill(before ? "No point is left to turn # about." : "Turning # is out already.",
                 {sense});
-  if (region.has_area) return fill("A region is left to turn # about.", {sense});
+  if (region.has_area) return fill("It can still turn # about some points.", {sense});
   return fill(region.clipped.size() == 1 ? "A single point is left to turn # about."
                                          : "A line is left to turn # about.",
               {sense});
