@@ -235,6 +235,8 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
     const Ask ask = *page.app.state.walkthrough.ask;
     CHECK_FALSE(ask.text.empty());
     CHECK(ask.choices.size() > 1);
+    CHECK(ask.choices.size() <= 6);
+    CHECK(std::count(ask.choices.begin(), ask.choices.end(), ask.question.answer) == 1);
     CHECK(ask.choices[ask.pointed] != ask.question.answer);  // what is offered gives nothing away
     page.frame();
     ++asked;

@@ -509,6 +509,21 @@ test("the handout has a picture and the words for each stop of the lesson, and o
   await page.done();
 });
 
+test("the printed handout begins at the head of its first page", async () => {
+  const page = await browser.open();
+  await begin(page, "convex");
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: "Handout" }).click();
+  await page.locator("#handout figure").first().waitFor();
+  await idle(page);
+  await page.emulateMedia({ media: "print" });
+  const [title, first] = [await page.locator("#handout .paper-title").boundingBox(), await page.locator("#handout figure").first().boundingBox()];
+  assert.ok(title.y >= 0 && title.y < 40, `the title is ${title.y} pixels from the paper's head`);
+  assert.ok(first.y > title.y, "and the first step is below it");
+  await page.emulateMedia({ media: "screen" });
+  await page.done();
+});
+
 test("without a lesson the handout has the main steps of the polygon", async () => {
   const page = await browser.open();
   await load(page, asset("arrow"));
