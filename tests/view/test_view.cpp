@@ -376,6 +376,18 @@ TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leav
   CHECK(layout(state).room.right < layout(state).panel.left);
 }
 
+TEST_CASE("what a huge disc covers is found at once, and is what it covers of the window",
+          "[view]") {
+  const Rect window{0, 0, 800, 600};
+  Occupied occupied(window);
+  occupied.disc(Vec2(400, 600 + 1e12), 1e12 + 300);  // its top is in the middle of the window
+  CHECK_FALSE(occupied.free({390, 320, 410, 340}));
+  CHECK_FALSE(occupied.free({10, 320, 30, 340}));
+  CHECK(occupied.free({390, 200, 410, 220}));
+  occupied.disc(Vec2(400, 300), 1e300);
+  CHECK_FALSE(occupied.free({390, 200, 410, 220}));
+}
+
 TEST_CASE("each press of the sheet's handle shows more of it, until it is closed again", "[view]") {
   Page page;
   AppState& state = page.app.state;
