@@ -196,8 +196,8 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
   assert.match(await page.locator("#shapes .second").first().textContent(), /^Outlines inside another .* not supported\. 1 text, 1 copy \(<use>\) and 1 hidden element were left out\.$/);
   assert.equal((await polygon()).length, 12, "nothing is opened yet");
   assert.match(await page.locator("#shapes").textContent(), /“layers\.svg” has 4 shapes\. Choose the one to open\..*Keep edges within of the curves, in units of the drawing/s);
-  assert.equal(await focused(page), "0");
-  for (const [key, at] of [["ArrowRight", "1"], ["End", "3"], ["Home", "0"], ["ArrowLeft", "0"], ["ArrowRight", "1"]]) {
+  assert.equal(await focused(page), "2", "the largest, which holes and letters are not");
+  for (const [key, at] of [["ArrowLeft", "1"], ["End", "3"], ["Home", "0"], ["ArrowLeft", "0"], ["ArrowRight", "1"]]) {
     await page.keyboard.press(key);
     assert.equal(await focused(page), at, key);
   }

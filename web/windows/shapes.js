@@ -14,6 +14,13 @@ function picture(points) {
   return svgEl("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" }, svgEl("polygon", { points: placed }));
 }
 
+// Of these shapes the one with the largest box: holes and letters are smaller than the object.
+function largest(shapes) {
+  const size = (points) => [0, 1].map((axis) => points.map((point) => point[axis])).map((all) => all.reduce((a, b) => Math.max(a, b)) - all.reduce((a, b) => Math.min(a, b)));
+  const areas = shapes.map((shape) => size(shape.outline()).reduce((a, b) => a * b));
+  return areas.indexOf(areas.reduce((a, b) => Math.max(a, b)));
+}
+
 // The name, the kind, and vertices and size, each on a line; the words are "NAME", KIND, VERTICES, SIZE.
 function inWords({ name, description }) {
   const parts = description.slice(name ? name.length + 4 : 0).split(", ");
@@ -58,10 +65,11 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     more.hidden = left === 0;
     more.textContent = `Show ${number(Math.min(left, atOnce))} more of ${number(left)}`;
   }
+  const likely = () => list.querySelectorAll("button")[largest(found.shapes.slice(0, atOnce))];
   function fill() {
     list.replaceChildren();
     show(atOnce);
-    list.querySelector("button").tabIndex = 0;
+    likely().tabIndex = 0;
     const { unit, shapes } = found;
     notes.textContent = sentences([...(unit ? [`lengths are in ${unit}`] : []), ...found.notes]);
     const flattened = shapes.filter((shape) => shape.tolerance).map((shape) => shape.tolerance);
@@ -92,7 +100,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     title: several ? "Which shape?" : "Flatten curves",
     body: [el("div", { class: "scroll" }, el("p", {}, several ? `${what} has ${number(found.shapes.length)} shapes. Choose the one to open.` : `${what} has curves, and a polygon has straight edges.`),
       notes, list, more), problem, el("footer", {}, form)],
-    focus: list.querySelector("button"),
+    focus: likely(),
   });
 }
 
