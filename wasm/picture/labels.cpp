@@ -95,7 +95,9 @@ void Occupied::disc(const Vec2& middle, double radius) {
   // Of a disc that is far larger than the window only the rows within it have cells.
   const double first = std::max(-radius, window_.top - middle.y() - cell),
                last = std::min(radius, window_.bottom - middle.y() + cell);
-  for (double y = first; y < last; y += cell) {
+  const int rows = static_cast<int>(std::ceil((last - first) / cell));
+  for (int row = 0; row < rows; ++row) {
+    const double y = first + row * cell;
     const double inner = std::min(std::fabs(y), std::fabs(y + cell)),
                  half = y < 0 && y + cell > 0 ? radius : std::sqrt(radius * radius - inner * inner);
     box({middle.x() - half, middle.y() + y, middle.x() + half, middle.y() + y + cell});

@@ -195,7 +195,9 @@ void Painter::dashes(const Vec2& a, const Vec2& b, Colour colour, float width) c
   const double all = length(to - from);
   const Vec2 along = (to - from) / std::max(all, 1e-9);
   const ImU32 packed = colour.at(strength_).packed();
-  for (double s = 0; s < all; s += period) {
+  const int dashes = static_cast<int>(std::ceil(all / period));
+  for (int i = 0; i < dashes; ++i) {
+    const double s = i * period;
     list_.AddLine(vec(from + along * s), vec(from + along * std::min(s + dash, all)), packed,
                   width);
   }
@@ -248,7 +250,10 @@ void Painter::hatch_convex(const Points& counter_clockwise, bool rising, Colour 
   constexpr double period = 13;
   const double phase = std::fmod(c_of(camera_.to_screen(Vec2(0, 0))), period);
   const ImU32 packed = colour.at(strength_).packed();
-  for (double c = std::floor((low - phase) / period) * period + phase; c <= high; c += period) {
+  const double first = std::floor((low - phase) / period) * period + phase;
+  const int lines = static_cast<int>(std::floor((high - first) / period)) + 1;
+  for (int k = 0; k < lines; ++k) {
+    const double c = first + k * period;
     Points ends;
     for (std::size_t i = 0; i < area.size() && ends.size() < 2; ++i) {
       const Vec2 &a = area[i], &b = area[i + 1 == area.size() ? 0 : i + 1];
