@@ -297,9 +297,9 @@ TEST_CASE("a label stands beyond the body of a robot with a size", "[view]") {
   const Vec2 nearest(std::clamp(stand.x(), place->left, place->right),
                      std::clamp(stand.y(), place->top, place->bottom));
   CHECK(length(nearest - stand) > radius);
-  CHECK_FALSE(occupied.free({stand.x() - 5, stand.y() - radius + 4, stand.x() + 5, stand.y()}));
-  CHECK(occupied.free({stand.x() - radius, stand.y() - radius, stand.x() - radius + 8,
-                       stand.y() - radius + 8}));  // the corner of its box
+  CHECK_FALSE(occupied.is_free({stand.x() - 5, stand.y() - radius + 4, stand.x() + 5, stand.y()}));
+  CHECK(occupied.is_free({stand.x() - radius, stand.y() - radius, stand.x() - radius + 8,
+                          stand.y() - radius + 8}));  // the corner of its box
 }
 
 TEST_CASE("a label avoids lines, and is left out where that is not possible", "[view]") {
@@ -381,11 +381,11 @@ TEST_CASE("what a huge disc covers is found at once, and is what it covers of th
   const Rect window{0, 0, 800, 600};
   Occupied occupied(window);
   occupied.disc(Vec2(400, 600 + 1e12), 1e12 + 300);  // its top is in the middle of the window
-  CHECK_FALSE(occupied.free({390, 320, 410, 340}));
-  CHECK_FALSE(occupied.free({10, 320, 30, 340}));
-  CHECK(occupied.free({390, 200, 410, 220}));
+  CHECK_FALSE(occupied.is_free({390, 320, 410, 340}));
+  CHECK_FALSE(occupied.is_free({10, 320, 30, 340}));
+  CHECK(occupied.is_free({390, 200, 410, 220}));
   occupied.disc(Vec2(400, 300), 1e300);
-  CHECK_FALSE(occupied.free({390, 200, 410, 220}));
+  CHECK_FALSE(occupied.is_free({390, 200, 410, 220}));
 }
 
 TEST_CASE("each press of the sheet's handle shows more of it, until it is closed again", "[view]") {

@@ -118,7 +118,7 @@ void Occupied::line(const Vec2& a, const Vec2& b) {
   }
 }
 
-bool Occupied::free(const Rect& wanted) const {
+bool Occupied::is_free(const Rect& wanted) const {
   if (wanted.left < window_.left || wanted.right > window_.right || wanted.top < window_.top ||
       wanted.bottom > window_.bottom)
     return false;
@@ -151,7 +151,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
         const Rect box = around(beside(request.robot, turned(request.outward, turn), request.size,
                                        std::max(reach, request.reach) + farther),
                                 request.size);
-        if (!occupied.free(box)) continue;
+        if (!occupied.is_free(box)) continue;
         const int crossed = occupied.crossed(box);
         if (crossed >= fewest) continue;
         fewest = crossed;

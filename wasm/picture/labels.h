@@ -29,8 +29,8 @@ class Occupied {
   void box(const Rect& taken);
   void disc(const Vec2& middle, double radius);
   void line(const Vec2& a, const Vec2& b);
-  bool free(const Rect& wanted) const;    // inside the window, and clear of boxes
-  int crossed(const Rect& wanted) const;  // cells with a line in it
+  bool is_free(const Rect& wanted) const;  // inside the window, and clear of boxes
+  int crossed(const Rect& wanted) const;   // cells with a line in it
 
  private:
   struct Cells {
