@@ -444,6 +444,8 @@ test("what the editor says about an unknown setting names every one that a lesso
   const listed = table.flatMap((line) => [...line.split("|")[1].matchAll(/`([a-z-]+)`/g)].map(([, name]) => name));
   const said = /^Line 2: unknown setting; there are (.+)\.$/.exec(await problem.textContent())[1];
   assert.deepEqual(said.split(/, | and /).sort(), listed.sort());
+  await page.getByRole("button", { name: "Go to line 2" }).click();
+  assert.equal(await text.evaluate((field) => field.value.slice(field.selectionStart, field.selectionEnd)), "colour: red");
   await page.done();
 });
 

@@ -56,6 +56,15 @@ test("the card goes with the first edit, and does not come back", async () => {
   await page.done();
 });
 
+test("the card goes when one begins to draw", async () => {
+  const page = await browser.open({ first: true });
+  await card(page).waitFor();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("d");
+  await card(page).waitFor({ state: "detached" });
+  await page.done();
+});
+
 test("closed without an edit, it does not come back either; its key brings it back, with the focus", async () => {
   const page = await browser.open({ first: true });
   await idle(page);

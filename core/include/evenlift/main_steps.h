@@ -13,12 +13,12 @@ namespace evenlift {
 inline constexpr std::uint32_t most_main_steps = 22;
 
 // Numbers of steps, increasing; the first is the polygon, the last the result. Of what is done again and
-// again one example stands for all: the first ray; of the pairs of edges that led to a candidate (of the first 200 of them) the one with
-// the longest sections, so that they can be seen (or else the first pair; without any, the first
-// opposite vertices); the first range; the scores and choices
-// of the first three teams, then the last team and the base that it completes; the first three exchanges
-// of teams; of balanced robots the last set of the start, and the three exchanges that widen the coverage
-// the most. What is done once is in the list, except the centroid, radial edges, duplicates, the search
+// again one example stands for all: the first ray; of the first 200 pairs of edges that led to a candidate
+// the one with the longest sections, so that they can be seen (if none did, the first pair; without any
+// pair, the first opposite vertices); the first range; the scores and choices of the first three teams,
+// then the last team and the base that it completes; the first three exchanges of teams; of balanced
+// robots the last set of the start, and the three exchanges that widen the coverage the most. What is
+// done once is in the list, except the centroid, radial edges, duplicates, the search
 // for a direction to slide, and the contacts of balanced robots. O(pairs), and with balanced robots
 // balanced_keys() for each exchange.
 std::vector<std::uint32_t> main_steps(const Trace& trace);
