@@ -107,7 +107,8 @@ std::string for_people(const Placement& placement, bool with_candidates,
                        const RobustnessAsked& asked) {
   const RobustnessKnown known(placement, asked);
   const auto limit = capacity ? std::optional<double>(capacity->limit) : std::nullopt;
-  std::string sentences = verdict(placement) + "\n", tables;
+  const LoadModel model = known.models ? asked.model : LoadModel::plan;
+  std::string sentences = verdict(placement, model) + "\n", tables;
   std::vector<double> greatest;
   if (!placement.teams.empty()) {
     const ShownLoads shown = shown_loads(placement, known);
@@ -116,8 +117,7 @@ std::string for_people(const Placement& placement, bool with_candidates,
   }
   if (capacity)
     sentences += capacity_in_words(placement, capacity->limit, &capacity->plan,
-                                   overloaded_robots(greatest, capacity->limit),
-                                   known.models ? asked.model : LoadModel::plan) +
+                                   overloaded_robots(greatest, capacity->limit), model) +
                  "\n";
   sentences += robustness_lines(known, limit, placement.settings.units);
   if (asked.failures && !placement.teams.empty()) tables += failure_table(placement, known) + "\n";

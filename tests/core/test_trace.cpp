@@ -465,7 +465,7 @@ TEST_CASE("why a team stands here is said without the algorithm's own words", "[
   CHECK(
       why("puzzle-piece", Method::area, 1, LengthUnit::mm) ==
       "Team 2 takes the chord that adds the most area to the lifting base: the wider the base, "
-      "the harder the object is to tip. It adds 329625\u00A0mm²; the next best chord would add 328147\u00A0mm².");
+      "the harder the object is to tip. It adds an area of 329625\u00A0mm²; the next best chord would add 328147\u00A0mm².");
   CHECK(why("square", Method::circle, 1, LengthUnit::none)
             .starts_with("Team 2 takes the chord beyond whose ends"));
   for (const char* name : {"thesis-sample-centroid", "square", "horseshoe", "cross"})

@@ -76,7 +76,7 @@ test("a number with another unit of the same kind is converted, not taken as it 
 });
 
 test("a unit of another kind is refused, and so is one where numbers have none", async () => {
-  const page = await browser.open();
+  const page = await browser.open({ viewport: { width: 1280, height: 1200 } });  // all settings are in sight at once
   await press(page, "robot size");
   await set(page, { unit: "none" });
   const before = await state(page);
@@ -344,7 +344,7 @@ test("a robot that is pressed says why it stands there, and leads into the lesso
   });
   await page.mouse.click(x, y);
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^Team 2: robot [34] of 6\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* It adds \d+; the next best chord would add \d+\.$/);
+  assert.match(await page.locator("#alert").textContent(), /^Team 2: robot [34] of 6\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* It adds an area of \d+; the next best chord would add \d+\.$/);
   await press(page, "show in lesson");
   await idle(page);
   assert.match(await page.locator("#summary").textContent(), /Team 2 takes candidate/);
@@ -372,6 +372,20 @@ test("on a phone the card that says why stands below the robot, whichever was ta
     assert.ok(asked >= 4, String(asked));
     await page.done();
   }
+});
+
+test("the verdict stays in sight while the settings below it scroll", async () => {
+  const page = await browser.open();
+  const before = await control(page, "failures");
+  const settings = await control(page, "teams");
+  await press(page, "robot size");
+  await page.mouse.move(settings.x, settings.y + 60);
+  await page.mouse.wheel(0, 4000);
+  await idle(page);
+  const after = await control(page, "failures");
+  assert.deepEqual([after.x, after.y], [before.x, before.y]);
+  assert.ok((await control(page, "teams")).y < settings.y - 100, "the settings scrolled");
+  await page.done();
 });
 
 test("the wheel over a value scrolls the panel, and leaves the drawing where it is", async () => {

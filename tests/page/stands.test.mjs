@@ -16,8 +16,8 @@ test("set() gives robots a size and marks edges, and the placement is the progra
   await idle(page);
   assert.deepEqual(await state(page), points, "one step of undo");
   assert.match(await thrown(page, "set", { robot: "r=-1" }), /^The size of a robot is none, or some of/);
-  assert.match(await thrown(page, "set", { robot: "depth=5000" }), /^robot: no edge has room for a hand of depth 5000 and width 0/);
-  assert.match(await thrown(page, "set", { no_go: "99" }), /^no_go: there is no edge 99; the polygon has 38/);
+  assert.match(await thrown(page, "set", { robot: "depth=5000" }), /^No edge has room for a hand of depth 5000 and width 0/);
+  assert.match(await thrown(page, "set", { no_go: "99" }), /^There is no edge 99; the polygon has 38/);
   await page.done();
 });
 

@@ -247,7 +247,11 @@ TEST_CASE("errors of stands name the setting and say why", "[stands][errors]") {
         "no edge has room for a hand of depth 2 and width 0.1");
   settings.robot = sized(0.1, 0, 2, 0.1);
   CHECK(make_stands(square(), settings).error().message ==
-        "no edge has room for a robot of radius 0.1");
+        "no edge has room for a robot of radius 0.1, with a hand of depth 2 and width 0.1");
+  settings.robot = sized(0.1, 5, 2, 0);
+  CHECK(
+      make_stands(square(), settings).error().message ==
+      "no edge has room for a robot of radius 0.1 and reach 5, with a hand of depth 2 and width 0");
 }
 
 TEST_CASE("the size of a robot and marked edges are read from text and written as text",

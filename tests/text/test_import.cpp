@@ -207,10 +207,12 @@ TEST_CASE("SVG: layers, labels, holes, and what is left out", "[import][svg]") {
                                  "\"wheel\", circle, 64 vertices, 80 x 80",
                                  "\"Layer 1, part 1\", path, 57 vertices, 130.8 x 122",
                                  "\"Layer 1, part 2\", path, 3 vertices, 5 x 5"});
-  CHECK(import.notes ==
-        std::vector<std::string>{
-            "outlines inside another are shapes of their own, since holes are not supported",
-            "1 text, 1 copy (<use>) and 1 hidden element were left out"});
+  CHECK(
+      import.notes ==
+      std::vector<std::string>{
+          "outlines inside another are shapes of their own, since holes are not supported: the shape "
+          "around them and its centre of mass are those without a hole",
+          "1 text, 1 copy (<use>) and 1 hidden element were left out"});
   CHECK(import.shapes[0].tolerance == 0.1);
   CHECK(import.shapes[1].tolerance == 0.05);
   CHECK_FALSE(import.shapes[3].tolerance);
@@ -547,12 +549,13 @@ TEST_CASE("GeoJSON: every polygon of a collection, by its name", "[import][geojs
                                  "\"Lake with an island\", polygon, 3 vertices, 4 x 4",
                                  "\"17\", polygon, 3 vertices, 6 x 6"});
   CHECK(import.shapes[2].document.centre_of_mass == Vec2(1, 1));
-  CHECK(import.notes ==
-        std::vector<std::string>{
-            "1 hole was left out, since holes are not supported: the shape is what the outer ring "
-            "encloses",
-            "coordinates beyond x and y were left out",
-            "1 Point and 1 feature without a geometry were left out"});
+  CHECK(
+      import.notes ==
+      std::vector<std::string>{
+          "1 hole was left out, since holes are not supported: the shape and its centre of mass are those of "
+          "what the outer ring encloses",
+          "coordinates beyond x and y were left out",
+          "1 Point and 1 feature without a geometry were left out"});
   CHECK(refusal(R"({"type":"Point","coordinates":[1,2]})") ==
         "this GeoJSON has no polygon, only 1 Point");
   CHECK(refusal("{}").find("neither GeoJSON") != std::string::npos);

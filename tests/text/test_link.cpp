@@ -520,7 +520,8 @@ TEST_CASE("a link may come with its address and white space around", "[link]") {
   for (const std::string& text :
        {link, "#" + link, " \n" + link + "\r\n", "https://example.org/evenlift/index.html#" + link,
         "https://example.org/e/index.html?embed=1#" + link, "\tfile:///home/a/index.html#" + link,
-        "index.html#" + link, "#" + link + " "}) {
+        "index.html#" + link, "#" + link + " ",
+        "https://example.org/e/#" + link + "&utm_source=mail&x=%20"}) {
     CHECK(same_document(decode(text), thesis_sample()));
     CHECK(looks_like_link(text));
   }

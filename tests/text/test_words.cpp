@@ -162,6 +162,40 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
         "more.");
 }
 
+TEST_CASE("a capacity says of which loads and of which robots it speaks", "[words][capacity]") {
+  const Placement placement = three_teams();
+  const CapacityPlan plan{true, 4, 12.48, 4}, none{false, 0, 0, 9};
+  const auto words = [&](LoadModel model, const std::vector<std::size_t>& robots,
+                         const CapacityPlan& needed, std::optional<std::size_t> failed = {}) {
+    return plainly(capacity_in_words(placement, 17, &needed, robots, model, failed));
+  };
+  CHECK(
+      words(LoadModel::springs, {0, 3}, plan) ==
+      "2 of 6 robots are overloaded, with more than 17 kg: teams 1 and 2. As planned, this method "
+      "needs 8 robots, with at most 12.5 kg each.");
+  CHECK(
+      words(LoadModel::worst, {}, none) ==
+      "No robot carries more than 17 kg. As planned, not even all 18 robots that find a place are "
+      "enough.");
+  // While one fails, discs have the robots' numbers, and the one that fails carries nothing.
+  CHECK(
+      words(LoadModel::springs, {2, 3, 5}, plan, 1) ==
+      "3 of the other 5 robots are overloaded, with more than 17 kg: robots 3, 4 and 6. While none "
+      "fails, this method needs 8 robots, with at most 12.5 kg each.");
+  CHECK(words(LoadModel::springs, {0, 2, 3, 4, 5}, plan, 1)
+            .starts_with(
+                "All the other 5 robots are overloaded, with more than 17 kg: robots 1, 3, 4, "
+                "5 and 6. "));
+}
+
+TEST_CASE("loads that a model only bounds are not shown as if they were known", "[words]") {
+  const LoadRange range{15.2, 18.06}, bound{18.06, 18.06};
+  CHECK(plainly(load_in_words(LoadModel::plan, range, 20, {})) == "15.2–18.1 kg");
+  CHECK(plainly(load_in_words(LoadModel::springs, bound, 20, {})) == "18.1 kg");
+  CHECK(plainly(load_in_words(LoadModel::best, bound, 20, {})) == "≤ 18.1 kg");
+  CHECK(plainly(load_in_words(LoadModel::worst, bound, 20, {})) == "≤ 18.1 kg");
+}
+
 TEST_CASE("a number is rounded as its shortest decimal, a half away from zero", "[words]") {
   CHECK(fixed(2.345, 2) == "2.35");  // its double is a little less
   CHECK(fixed(1.005, 2) == "1.01");
@@ -281,6 +315,14 @@ TEST_CASE("an error is a sentence that begins with its place", "[words]") {
 TEST_CASE("what is said of a setting does not name it twice", "[words]") {
   CHECK(sentence(setting_error(Setting::weight)) == "The weight is a number greater than 0");
   CHECK(sentence(setting_error(Setting::goal)) == "The goal is cover or hold");
+  CHECK(sentence(setting_error(Setting::robot, "no edge has room for a robot of radius 9")) ==
+        "No edge has room for a robot of radius 9");
+  CHECK(sentence(setting_error(Setting::no_go, "there is no edge 9; the polygon has 4")) ==
+        "There is no edge 9; the polygon has 4");
+  const Place link{Place::Kind::link, 0, 0, {}}, character{Place::Kind::link, 7, 0, {}};
+  CHECK(sentence({ErrorCode::bad_link, "the link is cut off", link}) == "The link is cut off");
+  CHECK(sentence({ErrorCode::bad_link, "'.' cannot be in a link", character}) ==
+        "Link, character 7: '.' cannot be in a link");
 }
 
 TEST_CASE("how firmly an object is held is a number only where it is held", "[words]") {

@@ -284,5 +284,23 @@ TEST_CASE("the loads of each model are shown, and what they presume is said", "[
     for (std::size_t i = 0; i < expected.size(); ++i)
       CHECK(state.outlook.loads[i].greatest == expected[i].greatest);
     CHECK(model_words(state) == model_in_words(model, models));
+    // The headline tells the plan's loads: beside others it says so.
+    CHECK(verdict(state).headline.starts_with("As planned, ") == (model != LoadModel::plan));
   }
+}
+
+TEST_CASE("while a robot fails, a capacity speaks of the others by their numbers",
+          "[view][failing][capacity]") {
+  AppState state = state_of(Method::area);
+  give(state, SetCapacity{16.0});
+  REQUIRE(state.plan);
+  give(state, Fail{1});
+  REQUIRE(failing(state));
+  const std::string words = need_in_words(state);
+  CHECK(words.find("the other 5 robots") != std::string::npos);
+  CHECK(words.find("team") == std::string::npos);
+  CHECK(words.find(state.plan->possible ? "While none fails, this method needs"
+                                        : "While none fails, not even") != std::string::npos);
+  give(state, Fail{});
+  CHECK(need_in_words(state).find("While none fails") == std::string::npos);
 }

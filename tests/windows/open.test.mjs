@@ -193,7 +193,7 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
   await idle(page);
   assert.deepEqual(await shapes(page).allTextContents(), ["plate rectangle with round corners 20 vertices, 100 × 50", "wheel circle 64 vertices, 80 × 80",
     "Layer 1, part 1 path 57 vertices, 130.8 × 122", "Layer 1, part 2 path 3 vertices, 5 × 5"]);
-  assert.match(await page.locator("#shapes .second").first().textContent(), /^Outlines inside another .* not supported\. 1 text, 1 copy \(<use>\) and 1 hidden element were left out\.$/);
+  assert.match(await page.locator("#shapes .second").first().textContent(), /^Outlines inside another .* without a hole\. 1 text, 1 copy \(<use>\) and 1 hidden element were left out\.$/);
   assert.equal((await polygon()).length, 12, "nothing is opened yet");
   assert.match(await page.locator("#shapes").textContent(), /“layers\.svg” has 4 shapes\. Choose the one to open\..*Keep edges within of the curves, in units of the drawing/s);
   assert.equal(await focused(page), "2", "the largest, which holes and letters are not");

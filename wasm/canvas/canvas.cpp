@@ -69,6 +69,23 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
   if (view.scene.shows_heat()) painter.heat(view.scene.heat, rows, view.theme);
 }
 
+void draw_chord(const Painter& painter, const CanvasView& view, const Shape& shape) {
+  const Theme& theme = view.theme;
+  constexpr std::size_t many =
+      60;  // so many chords are thin and faint: else the object could not be seen
+  const std::size_t teams = view.placement->teams.size();
+  // What joins a balanced robot with C is no chord.
+  const bool thin = view.placement->settings.method == Method::balanced || teams > many;
+  const float width = thin ? 1.0f : 2.0f;
+  if (named(view, shape.team)) {
+    painter.line(shape.points[0], shape.points[1], theme.accent_on_object, width + 1);
+    return;
+  }
+  const float strength =
+      teams > many ? std::max(0.08f, static_cast<float>(many) / static_cast<float>(teams)) : 1.0f;
+  painter.line(shape.points[0], shape.points[1], theme.chord.at(strength), width);
+}
+
 void draw_shape(const Painter& painter, const CanvasView& view, const Shape& shape,
                 std::size_t candidates) {
   const Theme& theme = view.theme;
@@ -88,15 +105,9 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
     case Role::candidate:
       painter.candidate(shape.points[0], shape.points[1], theme.candidate, candidates);
       break;
-    case Role::chord: {
-      const bool hovered = named(view, shape.team);
-      // What joins a balanced robot with C is no chord.
-      const bool thin = view.placement->settings.method == Method::balanced;
-      const float width = thin ? 1.0f : 2.0f;
-      painter.line(shape.points[0], shape.points[1], hovered ? theme.accent_on_object : theme.chord,
-                   hovered ? width + 1 : width);
+    case Role::chord:
+      draw_chord(painter, view, shape);
       break;
-    }
     case Role::robot:
     case Role::centre_of_mass:
       break;  // marks: they come on top, and do not grow with the view

@@ -68,7 +68,7 @@ std::string hint_of_failing(const Failure& failure, const Pick& at) {
   if (robot == failure.robot) return name + " fails · Esc brings it back";
   const LoadRange& load = failure.outlook.loads[robot];
   return name + " · " +
-         (failure.rest ? load_in_words(load.least, load.greatest, failure.outlook.greatest,
+         (failure.rest ? load_in_words(failure.outlook.model, load, failure.outlook.greatest,
                                        failure.placement.settings.units)
                        : std::string("cannot carry the object")) +
          " while robot " + std::to_string(failure.robot + 1) + " fails";

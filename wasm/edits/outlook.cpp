@@ -22,6 +22,7 @@ Outlook outlook_of(const AppState& state, const Placement& placement) {
   const double radius = settings(state).com_radius;
   const LoadModel model = state.load_model;
   if (model != LoadModel::plan || radius > 0) outlook.models = model_loads(placement);
+  if (outlook.models) outlook.model = model;
   outlook.loads = loads_by(model, placement, outlook.models, radius);
   outlook.greatest = greatest_of(outlook.loads);
   return outlook;
@@ -30,6 +31,7 @@ Outlook outlook_of(const AppState& state, const Placement& placement) {
 // The others share the weight by springs, whichever model is shown.
 Outlook outlook_of(const AppState& state, const Failure& failure) {
   Outlook outlook;
+  outlook.model = LoadModel::springs;
   outlook.robustness.tipping_distance = failure.rest ? failure.rest->tipping_distance : 0;
   const double radius = settings(state).com_radius;
   const auto springs = radius > 0 ? springs_without(*state.placement, failure.robot) : std::nullopt;

@@ -96,8 +96,8 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
 }
 
 void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
-                const std::vector<LoadRange>& loads, double greatest, Occupied& occupied) {
-  if (greatest == 0) return;
+                const Outlook& outlook, Occupied& occupied) {
+  if (outlook.greatest == 0) return;
   const Placement& placement = *view.placement;
   const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
   const bool few = pairs_of(placement.teams) <= 8;
@@ -108,14 +108,15 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
   std::size_t number = 0;
   for (const Team& team : placement.teams) {
     for (const Robot& robot : team.robots) {
-      const LoadRange& load = loads[number++];
+      const LoadRange& load = outlook.loads[number++];
       const bool failed = view.failure() && view.failure()->robot + 1 == number;
       const Vec2 lifts = view.camera.to_screen(robot.point.position);
       if (failed || !view.window.contains(lifts)) continue;
       const bool body = !bodies.empty();
       const Vec2 at = body ? view.camera.to_screen(bodies[number - 1].stand) : lifts;
       const Vec2 away = at - middle;
-      texts.push_back(load_in_words(load.least, load.greatest, greatest, placement.settings.units));
+      texts.push_back(
+          load_in_words(outlook.model, load, outlook.greatest, placement.settings.units));
       over.push_back(view.overloads(load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6),
@@ -133,6 +134,15 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
     draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3),
               over[i] ? view.theme.amber : view.theme.text, texts[i]);
   }
+}
+
+void draw_planned_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
+                        Occupied& occupied) {
+  const Placement& placement = *view.placement;
+  Outlook outlook;
+  outlook.loads = loads_by(LoadModel::plan, placement, std::nullopt, 0);
+  outlook.greatest = placement.loads->max;
+  draw_loads(painter, view, size, outlook, occupied);
 }
 
 void draw_ratio(const Painter& painter, const CanvasView& view) {

@@ -16,7 +16,11 @@ Occupied occupied_by_marks(const CanvasView& view, double reach);
 
 // Writes beside the robots what they bear; nothing at one that fails, nor where nobody bears anything.
 void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
-                const std::vector<LoadRange>& loads, double greatest, Occupied& occupied);
+                const Outlook& outlook, Occupied& occupied);
+
+// The same of what they bear as planned, with nothing in doubt: the loads of a lesson.
+void draw_planned_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
+                        Occupied& occupied);
 
 // The load ratio of the chord that is pointed at, on it, where there is room.
 void draw_ratio(const Painter& painter, const CanvasView& view);

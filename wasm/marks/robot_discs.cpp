@@ -27,7 +27,7 @@ std::size_t robots_of(const std::vector<Team>& all, std::size_t teams) {
 std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
                                    std::size_t teams) {
   std::vector<RobotSize> sizes(robots_of(all, teams), robot_size(pairs_of(all)));
-  if (pairs_of(all) <= 16 || pairs_of(all) > most_labelled) return sizes;
+  if (pairs_of(all) <= 8 || pairs_of(all) > most_labelled) return sizes;
   Points robots;
   for (std::size_t i = 0; i < teams; ++i)
     for (const Robot& robot : all[i].robots)

@@ -15,13 +15,16 @@
 namespace evenlift::view {
 namespace {
 
-// The chain with the edge under way.
+// The chain with the edge under way. While the pointer is in the fields of the bar, the edge that they tell of stays.
 Points chain_with_cursor(const AppState& state, bool closing) {
-  Points chain = state.drawing.points;
+  const Drawing& drawing = state.drawing;
+  const std::optional<Vec2>& end =
+      drawing.cursor || state.screen.touch ? drawing.cursor : drawing.last_cursor;
+  Points chain = drawing.points;
   if (closing)
     chain.push_back(chain.front());
-  else if (state.drawing.cursor)
-    chain.push_back(*state.drawing.cursor);
+  else if (end)
+    chain.push_back(*end);
   return chain;
 }
 
@@ -137,7 +140,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   } else if (const auto other = edge_crossed_by_last(chain)) {
     draw_word(painter.list(), spot, window, theme, theme.amber,
               "This edge would cross edge " + std::to_string(*other + 1));
-  } else {
+  } else if (*drawing.cursor != drawing.points.back()) {
     draw_word(painter.list(), spot, window, theme, theme.second_text,
               given_point(*drawing.cursor) + " · " +
                   edge_in_words(state, drawing.points.back(), *drawing.cursor));

@@ -54,8 +54,7 @@ void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view
     CanvasView found = view;
     found.placement = &walk.trace->placement;
     Occupied occupied = occupied_by_marks(found, static_cast<double>(size.ring) + 2);
-    draw_loads(painter, found, size, loads_by(LoadModel::plan, *found.placement, std::nullopt, 0),
-               found.placement->loads->max, occupied);
+    draw_planned_loads(painter, found, size, occupied);
   }
   for (const Figure& figure : walk.figures)
     if (figure.kind == FigureKind::left) draw_left(painter, view, figure);
@@ -76,8 +75,7 @@ void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) 
   if (known.shares > 0 && known.shares == placement.teams.size() && known.shares <= most_labelled) {
     const RobotSize size = robot_size(placement.teams.size());
     Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
-    draw_loads(painter, view, size, loads_by(LoadModel::plan, placement, std::nullopt, 0),
-               placement.loads->max, occupied);
+    draw_planned_loads(painter, view, size, occupied);
   }
   for (std::size_t i = known.teams; i-- > 0;) {
     std::size_t number = robots_of(teams, i);

@@ -24,7 +24,7 @@ std::string load_text(const Ui& ui, std::size_t number) {
   if (failure && failure->robot == number) return "fails";
   const Outlook& outlook = shown_outlook(ui.state);
   if (outlook.greatest == 0) return "–";
-  return amounts(outlook.loads[number].least, outlook.loads[number].greatest, outlook.greatest);
+  return amounts(outlook.model, outlook.loads[number], outlook.greatest);
 }
 
 Columns columns(const Ui& ui, float left, float width) {

@@ -106,7 +106,8 @@ void draw_verdict(const Ui& ui) {
   ImGui::Dummy(ImVec2(width, 0));
   if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
   ImGui::PopStyleVar();
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 4);  // words may fill their room
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() +
+                       (ui.layout.wide ? 8 : 4));  // words may fill their room
   draw_failures(ui);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "actions/actions.h"
 #include "panels/summary.h"
@@ -87,14 +88,37 @@ void begin_at_head(const Ui& ui) {
   if (in_last_frame("shows", shown, shown) != shown) ImGui::SetScrollY(0);
 }
 
-void draw_side_panel(const Ui& ui) {
-  begin_card(ui, "panel", ui.layout.panel);
+// The verdict stays in sight while what is below it scrolls, so that whoever changes a setting sees what follows.
+void draw_below_verdict(const Ui& ui) {
+  draw_verdict(ui);
+  rule(ui);
+  const float padding = ImGui::GetStyle().WindowPadding.y,
+              room =
+                  static_cast<float>(ui.layout.panel.height()) - ImGui::GetCursorPosY() - padding;
+  float& content = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("content"), room);
+  begin_scrolling_box(ui, "below the verdict", std::min(content, room));
   begin_at_head(ui);
-  if (walkthrough_is_open(ui.state))
+  draw_sections(ui, 1);
+  const float now = ImGui::GetCursorPosY();
+  if (std::exchange(content, now) != now) browser::request_frame();
+  end_scrolling_box(ui);
+}
+
+void draw_side_panel(const Ui& ui) {
+  // So high that most settings have room below the verdict.
+  constexpr double least_height = 560;
+  const bool lesson = walkthrough_is_open(ui.state),
+             stays = !lesson && ui.layout.panel.height() >= least_height;
+  begin_card(ui, "panel", ui.layout.panel, {.scrolls = !stays});
+  if (!stays) begin_at_head(ui);
+  if (lesson)
     draw_close_button(ui);
   else
     draw_fold_button(ui, Icon::fold, false, "Fold the panel away (P)");
-  draw_sections(ui, 0);
+  if (stays)
+    draw_below_verdict(ui);
+  else
+    draw_sections(ui, 0);
   end_card(ui);
 }
 

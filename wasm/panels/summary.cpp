@@ -29,7 +29,8 @@ Verdict of_placement(const AppState& state) {
   std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(placement);
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " So the goal, to hold, is not reached.";
-  return {good ? Mood::good : Mood::not_quite, loads_in_words(placement), std::move(detail)};
+  return {good ? Mood::good : Mood::not_quite, loads_in_words(placement, state.outlook.model),
+          std::move(detail)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
@@ -77,7 +78,7 @@ std::string loads_while_failing(const Failure& failure) {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (i == failure.robot) continue;
     text += " Robot " + std::to_string(i + 1) + " carries " +
-            load_in_words(loads[i].least, loads[i].greatest, failure.outlook.greatest,
+            load_in_words(failure.outlook.model, loads[i], failure.outlook.greatest,
                           failure.placement.settings.units) +
             ".";
   }
@@ -107,11 +108,13 @@ std::string news_of_drawing(const AppState& state) {
 std::string need_in_words(const AppState& state) {
   const std::optional<double>& capacity = settings(state).capacity;
   if (!capacity || !state.placement) return {};
+  const Outlook& outlook = shown_outlook(state);
   std::vector<double> greatest;
-  for (const LoadRange& range : shown_outlook(state).loads) greatest.push_back(range.greatest);
+  for (const LoadRange& range : outlook.loads) greatest.push_back(range.greatest);
+  const Failure* failure = failing(state);
   return capacity_in_words(*state.placement, *capacity, state.plan ? &*state.plan : nullptr,
-                           overloaded_robots(greatest, *capacity),
-                           shown_outlook(state).models ? state.load_model : LoadModel::plan);
+                           overloaded_robots(greatest, *capacity), outlook.model,
+                           failure ? std::optional(failure->robot) : std::nullopt);
 }
 
 std::string overload_in_brief(const AppState& state) {

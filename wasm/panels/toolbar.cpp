@@ -100,9 +100,8 @@ void draw_menu(const Ui& ui, const Look& look) {
   if (!has_tools(ui) || !ui.layout.wide)
     for (const ActionId id : {ActionId::zoom_in, ActionId::zoom_out}) action_row(ui, id);
   if (snaps_in_menu(ui)) draw_snap_choices(ui);
-  if (walkthrough_is_open(ui.state)) action_row(ui, ActionId::present);
-  for (const ActionId id : {ActionId::walkthrough, ActionId::experiment, ActionId::glossary,
-                            ActionId::help, ActionId::about})
+  for (const ActionId id : {ActionId::walkthrough, ActionId::present, ActionId::experiment,
+                            ActionId::glossary, ActionId::help, ActionId::about})
     action_row(ui, id);
   end_choices(ui);
 }

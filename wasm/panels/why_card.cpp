@@ -72,7 +72,7 @@ void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
   }
   const LoadRange& load = failure.outlook.loads[robot];
   draw_row(ui, {"It carries now",
-                failure.rest ? load_in_words(load.least, load.greatest, failure.outlook.greatest,
+                failure.rest ? load_in_words(failure.outlook.model, load, failure.outlook.greatest,
                                              settings(ui.state).units)
                              : std::string("nothing")});
   draw_row(ui, {"Robot " + std::to_string(failure.robot + 1), "fails"});

@@ -39,7 +39,7 @@ void split(Layout& l, const Screen& screen, bool compared, double beside, double
   l.caption = l.wide ? 64 : 34;
   Rect below_caption = l.first;
   below_caption.top += l.caption;
-  l.room = room_in(below_caption, beside * 0.8, above, below * 0.8);
+  l.room = room_in(below_caption, beside * 0.8, above, l.wide ? below : below * 0.8);
 }
 
 // Puts the player at the foot of the free room, and the tools of the view above it.
@@ -106,6 +106,7 @@ Layout wide(const AppState& state) {
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   if (state.tool == Tool::transform)
     l.free.top += l.control + 60;  // the tool's bar, and the turning knob
+  if (state.tool == Tool::mark && l.low) l.free.top += l.control + 24;  // the boundary is wanted
   split(l, screen, state.second_method.has_value(), 88, 56, 84);
   return l;
 }
@@ -139,7 +140,8 @@ Layout narrow(const AppState& state) {
   // move.
   const double below = std::min(height, most);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
-  if (state.tool == Tool::transform) l.free.top += l.control + 24;  // the tool's bar
+  if (state.tool == Tool::transform || state.tool == Tool::mark)
+    l.free.top += l.control + 24;  // the tool's bar
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};

@@ -12,9 +12,10 @@ namespace evenlift::view {
 
 // Robots are counted from 0, team after team.
 struct Outlook {
-  std::vector<LoadRange> loads;  // of each robot, by the model that is shown
-  double greatest = 0;           // of these loads
-  Robustness robustness;         // see placed_robots.h
+  std::vector<LoadRange> loads;  // of each robot, by `model`
+  LoadModel model = LoadModel::plan;
+  double greatest = 0;    // of these loads
+  Robustness robustness;  // see placed_robots.h
   std::optional<ModelLoads>
       models;  // only if another model than the plan is shown, or a doubt about C
 };

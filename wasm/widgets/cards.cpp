@@ -32,12 +32,12 @@ void draw_scroll_bar(const Ui& ui) {
       (held || hovered ? ui.theme.second_text : ui.theme.quiet).packed(), 3);
 }
 
-// Fades what is at the foot of the window, `inset` from its sides, as long as there is more below.
-void shade_foot(const Ui& ui, float inset) {
+// Fades what is at the foot of the window, `inset` from its sides and above its border, as long as there is more below.
+void shade_foot(const Ui& ui, float inset, float border) {
   if (ImGui::GetScrollY() > ImGui::GetScrollMaxY() - 1) return;
   constexpr float height = 36;
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  const float bottom = low.y + size.y - 1;
+  const float bottom = low.y + size.y - border;
   const ImU32 clear = ui.theme.panel.at(0).packed(), full = ui.theme.panel.packed();
   ImGui::GetWindowDrawList()->AddRectFilledMultiColor(ImVec2(low.x + inset, bottom - height),
                                                       ImVec2(low.x + size.x - inset, bottom), clear,
@@ -97,17 +97,17 @@ void take_way_of_finger() {
 }
 
 void begin_scrolling_box(const Ui& ui, const char* id, float height) {
-  constexpr float bar = 6;
+  constexpr float bar = 6, gap = 4;
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, bar);
   ImGui::SetNextWindowContentSize(ImVec2(width, 0));
-  ImGui::BeginChild(id, ImVec2(width + bar, height));
+  ImGui::BeginChild(id, ImVec2(width + gap + bar, height));
   ImGui::PopStyleVar();
   scroll_by_finger(ui);
 }
 
 void end_scrolling_box(const Ui& ui) {
-  shade_foot(ui, 0);
+  shade_foot(ui, 0, 0);
   ImGui::EndChild();
 }
 
@@ -138,7 +138,7 @@ bool tapped(const Ui& ui, bool pressed) {
 
 void end_card(const Ui& ui) {
   const bool scrolls = ImGui::GetStateStorage()->GetBool(ImGui::GetID("scrolls"));
-  if (scrolls) shade_foot(ui, ImGui::GetStyle().WindowPadding.x);
+  if (scrolls) shade_foot(ui, ImGui::GetStyle().WindowPadding.x, 1);
   if (scrolls && ImGui::GetScrollMaxY() > 0) draw_scroll_bar(ui);
   scroll_by_finger(ui);
   ImGui::End();

@@ -48,9 +48,10 @@ function followAddress(program, say, opened) {
   });
 }
 
-// The reason names its place, which is the link.
+// The reason may name its place, which is the link.
 function refused(problem) {
-  return `This link cannot be opened: ${problem.replace(/^link: /i, "")}.`;
+  const why = problem.replace(/^Link, /, "");
+  return `This link cannot be opened: ${why.charAt(0).toLowerCase()}${why.slice(1)}.`;
 }
 
 // Loads the module.

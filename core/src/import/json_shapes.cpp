@@ -415,9 +415,10 @@ Result<Import> JsonShapes::read() {
   gathering_.import.format = "GeoJSON";
   geojson(0, "", {});
   if (holes_ > 0)
-    gathering_.note(counted(holes_, "hole was", "holes were") +
-                    " left out, since holes are not supported: the shape is what the outer ring "
-                    "encloses");
+    gathering_.note(
+        counted(holes_, "hole was", "holes were") +
+        " left out, since holes are not supported: the shape and its centre of mass are "
+        "those of what the outer ring encloses");
   if (heights_ > 0) gathering_.note("coordinates beyond x and y were left out");
   const std::string found = gathering_.left_out.list();
   return gathering_.finish(

@@ -2,6 +2,7 @@
 // payload.
 #include "evenlift/link.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -103,6 +104,8 @@ Span find_link(std::string_view text) {
   while (span.address < span.end && is_white_space(text[span.address])) ++span.address;
   const std::size_t hash = text.substr(0, span.end).find('#', span.address);
   span.begin = hash == std::string_view::npos ? span.address : hash + 1;
+  // What others append to an address, as those who count visits do, is not the link's.
+  span.end = std::min(span.end, text.find('&', span.begin));
   return span;
 }
 

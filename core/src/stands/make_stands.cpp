@@ -10,16 +10,20 @@
 namespace evenlift {
 namespace {
 
+// All of its size is named, since it need not be the radius that is in the way.
 InputError no_room(const Settings& settings) {
   const RobotSize& robot = settings.robot;
-  if (robot.radius > 0)
-    return setting_error(Setting::robot,
-                         "no edge has room for a robot of radius " + shortest(robot.radius));
-  if (robot.depth > 0 || robot.width > 0)
-    return setting_error(Setting::robot, "no edge has room for a hand of depth " +
-                                             shortest(robot.depth) + " and width " +
-                                             shortest(robot.width));
-  return setting_error(Setting::no_go, "no edge is left that a robot may touch");
+  const bool hand = robot.depth > 0 || robot.width > 0;
+  if (robot.radius == 0 && robot.reach == 0 && !hand)
+    return setting_error(Setting::no_go, "no edge is left that a robot may touch");
+  std::string text = "no edge has room for a ";
+  if (robot.radius > 0 || robot.reach > 0)
+    text += "robot of radius " + shortest(robot.radius) +
+            (robot.reach > 0 ? " and reach " + shortest(robot.reach) : "") +
+            (hand ? ", with a " : "");
+  if (hand)
+    text += "hand of depth " + shortest(robot.depth) + " and width " + shortest(robot.width);
+  return setting_error(Setting::robot, text);
 }
 
 }  // namespace

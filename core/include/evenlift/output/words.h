@@ -45,6 +45,12 @@ std::string load_in_words(double value, double largest, const Units& units);
 // The same of a range: "15.2–18.1 kg".
 std::string load_in_words(double low, double high, double largest, const Units& units);
 
+// What a robot bears by a model, without and with its unit: such a range, or "≤ 18.1" where the model only bounds
+// it from above (at best and at worst).
+std::string amounts(LoadModel model, const LoadRange& load, double largest);
+std::string load_in_words(LoadModel model, const LoadRange& load, double largest,
+                          const Units& units);
+
 // A number that is a weight or a length already, with its unit: "100 kg", "2.5 mm". Lengths may have
 // none: "2.5".
 std::string with_weight_unit(const std::string& number, const Units& units);
@@ -74,8 +80,9 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // --- A placement. O(1) unless stated otherwise.
 
 // "6 robots carry 15.2–18.1 kg each (100 kg in all).", of balanced robots "6 robots carry
-// 16.7 kg each, all the same (100 kg in all).", or "No team can be placed."
-std::string loads_in_words(const Placement& placement);
+// 16.7 kg each, all the same (100 kg in all).", or "No team can be placed." The loads are the plan's: where
+// those of another model are `shown`, it begins with "As planned".
+std::string loads_in_words(const Placement& placement, LoadModel shown = LoadModel::plan);
 
 // Why there are no teams, and what could help; or that there are fewer than were asked for; else
 // empty.
@@ -100,7 +107,7 @@ inline constexpr double good_coverage = 0.5;
 std::string detail_in_words(const Placement& placement);
 
 // The whole result in a few sentences: loads_in_words and detail_in_words.
-std::string verdict(const Placement& placement);
+std::string verdict(const Placement& placement, LoadModel shown = LoadModel::plan);
 
 // Why a robot cannot stand at a part of the boundary: "a robot of radius 60 mm does not fit here", with
 // the size that is in the way.
@@ -115,9 +122,11 @@ std::string no_go_in_words(const std::vector<EdgePart>& no_go);
 std::string capacity_in_words(const Placement& placement, double capacity,
                               const CapacityPlan* plan);
 
-// The same where other robots are overloaded than by plan: those by this model of the loads.
+// The same where other robots are overloaded than by plan: those by this model of the loads, or those of the
+// others while the robot `failed` (from 0) fails. The plan knows neither, and the words say so.
 std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
-                              const std::vector<std::size_t>& overloaded, LoadModel model);
+                              const std::vector<std::size_t>& overloaded, LoadModel model,
+                              const std::optional<std::size_t>& failed = std::nullopt);
 
 // One of the numbers that describe a result, with a few words on what it means.
 struct Fact {

@@ -23,9 +23,10 @@ inline std::string listed(const std::vector<std::size_t>& numbers, const std::st
 }
 
 // "2, 4 and 5" for robots, teams or candidates that are numbered from 0.
-inline std::string numbers_from_1(const std::vector<std::uint32_t>& numbers) {
+template <class Number>
+std::string numbers_from_1(const std::vector<Number>& numbers) {
   std::vector<std::size_t> shown;
-  for (const std::uint32_t number : numbers) shown.push_back(number + std::size_t{1});
+  for (const Number number : numbers) shown.push_back(number + std::size_t{1});
   return listed(shown, "and");
 }
 

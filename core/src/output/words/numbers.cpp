@@ -105,6 +105,15 @@ std::string load_in_words(double low, double high, double largest, const Units& 
   return with_weight_unit(amounts(low, high, largest), units);
 }
 
+std::string amounts(LoadModel model, const LoadRange& load, double largest) {
+  return (has_ranges(model) ? "" : "≤\u00A0") + amounts(load.least, load.greatest, largest);
+}
+
+std::string load_in_words(LoadModel model, const LoadRange& load, double largest,
+                          const Units& units) {
+  return with_weight_unit(amounts(model, load, largest), units);
+}
+
 std::string with_weight_unit(const std::string& number, const Units& units) {
   return number + "\u00A0" + std::string(name(units.weight));
 }

@@ -148,10 +148,13 @@ std::vector<Fact> robustness_facts(const Placement& placement, const Robustness&
   const int carried = robustness.failures_carried, steady = robustness.failures_steady;
   std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);
   if (carried > 0 && steady > 0 && steady < carried)
-    may_fail = "any " + std::to_string(steady) + " safely; " + may_fail;
-  if (carried > 0 && steady < carried) may_fail += ", but it can tip then";
+    may_fail =
+        "any " + std::to_string(steady) + " safely, " + std::to_string(carried) + " if it may tip";
+  else if (carried > 0 && steady < carried)
+    may_fail += ", but it can tip then";
   return {{"Robots that may fail", may_fail,
-           "How many may let go at once, whichever they are, so that the others carry the object"},
+           "How many may let go at once, whichever they are, so that the others carry the object, "
+           "however much each of them then bears"},
           {"Centre of mass may be off by",
            length_in_words(robustness.tipping_distance, placement.settings.units),
            "The distance at which the object tips, if robots can only push"}};

@@ -20,7 +20,7 @@ Aim aim_of(Method method) {
     return {"that takes most away from the leverage of weight at the vertices",
             "It takes away #; the next best chord would take ##."};
   return {"that adds the most area to the lifting base",
-          "It adds #; the next best chord would add ##."};
+          "It adds an area of #; the next best chord would add ##."};
 }
 
 // A score with its unit, told apart from `other`.

@@ -19,6 +19,12 @@ std::string joined(std::initializer_list<std::string> sentences) {
   return text;
 }
 
+std::string capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 // "teams 1, 2 and 5".
 std::string teams_of(const Placement& placement, const std::vector<std::size_t>& robots) {
   std::vector<std::size_t> teams;
@@ -29,36 +35,52 @@ std::string teams_of(const Placement& placement, const std::vector<std::size_t>&
   return (teams.size() == 1 ? "team " : "teams ") + listed(teams, "and");
 }
 
+// "robots 3 and 4", numbered from 1.
+std::string robots_of(const std::vector<std::size_t>& robots) {
+  return (robots.size() == 1 ? "robot " : "robots ") + numbers_from_1(robots);
+}
+
 std::string overload_in_words(const Placement& placement, double capacity,
-                              const std::vector<std::size_t>& robots, LoadModel model) {
+                              const std::vector<std::size_t>& robots, LoadModel model,
+                              const std::optional<std::size_t>& failed) {
   if (placement.teams.empty()) return {};
   const std::string limit = with_weight_unit(plain(capacity), placement.settings.units);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
   // At best only the greatest load is known, and not whose it is; at worst not all bear their greatest at once.
   if (model == LoadModel::best)
     return "However the weight is shared, some robot carries more than " + limit + ".";
-  const std::size_t all = count_robots(placement.teams);
-  return (robots.size() == all
-              ? "All " + std::to_string(all) + " robots"
-              : std::to_string(robots.size()) + " of " + std::to_string(all) + " robots") +
-         (model == LoadModel::worst ? " can be"
-          : robots.size() == 1      ? " is"
-                                    : " are") +
-         " overloaded, with more than " + limit +
-         (placement.settings.method == Method::balanced ? "" : ": " + teams_of(placement, robots)) +
-         ".";
+  const std::size_t all = count_robots(placement.teams) - (failed ? 1 : 0);
+  const std::string number = std::to_string(all), others = failed ? "the other " : "";
+  const std::string who = robots.size() == all
+                              ? "All " + others + number
+                              : std::to_string(robots.size()) + " of " + others + number;
+  const std::string verb = model == LoadModel::worst ? " can be"
+                           : robots.size() == 1      ? " is"
+                                                     : " are";
+  // While one fails, discs number the robots and not the teams; balanced robots have no teams.
+  const std::string which = failed ? ": " + robots_of(robots)
+                            : placement.settings.method == Method::balanced
+                                ? std::string()
+                                : ": " + teams_of(placement, robots);
+  return who + " robots" + verb + " overloaded, with more than " + limit + which + ".";
 }
 
-std::string need_in_words(const CapacityPlan& plan, const Settings& settings) {
+// The number is counted by plan, with all robots at work; where other loads are shown, that is said.
+std::string need_in_words(const CapacityPlan& plan, const Settings& settings, LoadModel model,
+                          const std::optional<std::size_t>& failed) {
+  const std::string presumed = failed                     ? "while none fails, "
+                               : model == LoadModel::plan ? ""
+                                                          : "as planned, ";
   if (plan.possible)
-    return "This method needs " + count_of(plan.team_size * plan.teams, "robot", "robots") +
-           ", with at most " +
-           load_in_words(plan.greatest_load, plan.greatest_load, settings.units) + " each.";
+    return capital(presumed + "this method needs " +
+                   count_of(plan.team_size * plan.teams, "robot", "robots") + ", with at most " +
+                   load_in_words(plan.greatest_load, plan.greatest_load, settings.units) +
+                   " each.");
   const std::string tried = std::to_string(plan.team_size * plan.tried);
   if (plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots)
-    return "Even " + tried + " robots are too few.";
+    return capital(presumed + "even " + tried + " robots are too few.");
   if (plan.tried == 0) return {};
-  return "Not even all " + tried + " robots that find a place are enough.";
+  return capital(presumed + "not even all " + tried + " robots that find a place are enough.");
 }
 
 // A margin below 0 says by how much closure is missed, which tells nobody how firm a hold is.
@@ -67,22 +89,17 @@ std::string hold_in_words(const Closure& closure) {
   return closure.second_order ? "by curvature alone" : "not held";
 }
 
-std::string capital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 }  // namespace
 
-std::string loads_in_words(const Placement& placement) {
+std::string loads_in_words(const Placement& placement, LoadModel shown) {
   if (!placement.search_ended && placement.teams.empty())
     return "Places for " + std::to_string(placement.settings.robots) + " robots are not found yet.";
   if (placement.teams.empty())
     return placement.settings.method == Method::balanced ? "No robots can be placed."
                                                          : "No team can be placed.";
   const LoadSummary& loads = *placement.loads;
-  const std::string robots = std::to_string(count_robots(placement.teams)) + " robots";
+  const std::string robots = (shown == LoadModel::plan ? "" : "As planned, ") +
+                             std::to_string(count_robots(placement.teams)) + " robots";
   if (placement.settings.method == Method::balanced)
     return robots + " carry " + load_in_words(loads.max, loads.max, placement.settings.units) +
            " each, all the same (" +
@@ -204,8 +221,8 @@ std::string detail_in_words(const Placement& placement) {
                  closure_first ? coverage : closure});
 }
 
-std::string verdict(const Placement& placement) {
-  return joined({loads_in_words(placement), detail_in_words(placement)});
+std::string verdict(const Placement& placement, LoadModel shown) {
+  return joined({loads_in_words(placement, shown), detail_in_words(placement)});
 }
 
 std::string capacity_in_words(const Placement& placement, double capacity,
@@ -215,9 +232,10 @@ std::string capacity_in_words(const Placement& placement, double capacity,
 }
 
 std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
-                              const std::vector<std::size_t>& overloaded, LoadModel model) {
-  return joined({overload_in_words(placement, capacity, overloaded, model),
-                 plan ? need_in_words(*plan, placement.settings) : std::string()});
+                              const std::vector<std::size_t>& overloaded, LoadModel model,
+                              const std::optional<std::size_t>& failed) {
+  return joined({overload_in_words(placement, capacity, overloaded, model, failed),
+                 plan ? need_in_words(*plan, placement.settings, model, failed) : std::string()});
 }
 
 std::vector<Fact> facts_in_words(const Placement& placement) {
@@ -269,9 +287,12 @@ std::string sentence(const InputError& error) {
   constexpr std::string_view both = "the edges ";
   if (place.starts_with("edges ") && message.starts_with(both))
     return capital(place + " " + message.substr(both.size()));
-  const bool option = error.place.kind == Place::Kind::option;
-  // What is said of a setting mostly begins with what the setting is: then its name would only double that.
-  if (place.empty() || (option && message.starts_with("the "))) return capital(message);
+  const bool option = error.place.kind == Place::Kind::option,
+             whole_link = error.place.kind == Place::Kind::link && error.place.index == 0;
+  // What is said of a setting or a link mostly begins with what it is: then its name would only double that.
+  const bool named = message.starts_with("the ") || message.starts_with("no edge ") ||
+                     message.starts_with("there is no edge ");
+  if (place.empty() || (named && (option || whole_link))) return capital(message);
   // The name of a setting stays as it is written.
   return option ? place + ": " + message : capital(place + ": " + message);
 }
