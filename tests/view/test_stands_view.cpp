@@ -137,7 +137,7 @@ TEST_CASE("every frame with robots of a size can be drawn", "[view][stands]") {
     REQUIRE_FALSE(page.app.state.placement->teams.empty());
     for (const PlacedRobot& robot : placed_robots(*page.app.state.placement))
       CHECK(length(robot.stand - robot.contact) == Approx(20));
-    for (double x = 0; x < 400; x += 7) page.frame(page.at({x, 0}));
+    for (int x = 0; x < 400; x += 7) page.frame(page.at({static_cast<double>(x), 0}));
     give(page, SetTool{Tool::mark});
     page.frame(page.at({100, 0}));
   }
