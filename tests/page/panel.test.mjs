@@ -388,6 +388,39 @@ test("the verdict stays in sight while the settings below it scroll", async () =
   await page.done();
 });
 
+const elementAt = (page, [x, y]) => page.evaluate((at) => document.elementFromPoint(...at).id || document.elementFromPoint(...at).ariaLabel, [x, y]);
+
+test("on a phone a robot's card takes the presses on it, also where a field of the sheet lies below", async () => {
+  const page = await browser.open({ viewport: phone, ...touch });
+  await set(page, { metric: "balanced", robots: 6 });
+  await idle(page);
+  const [first] = (await state(page)).robots;
+  const [x, y] = await toScreen(page, first.at);
+  await page.mouse.click(x, y);
+  const fail = await control(page, "fail");
+  assert.equal(await elementAt(page, fail.middle), "canvas");
+  await press(page, "fail");
+  await idle(page);
+  assert.match(await page.locator("#alert").textContent(), /^Robot 1 fails: /);
+  await page.done();
+});
+
+test("the sheet's handle and headline stay, and no field that scrolls reaches them", async () => {
+  const page = await browser.open({ viewport: phone, ...touch });
+  await tap(page, "handle");
+  const handle = await control(page, "handle"), teams = await control(page, "teams");
+  for (let scrolled = 0; scrolled < 12; ++scrolled) {
+    await page.mouse.move(200, 750);
+    await page.mouse.wheel(0, 25);
+    await idle(page);
+    assert.deepEqual(await control(page, "handle"), handle);
+    for (let down = 0; down < 80; down += 4)
+      assert.equal(await elementAt(page, [handle.middle[0], handle.y + down]), "canvas", `${down} below the sheet's top`);
+  }
+  assert.ok((await control(page, "teams")).y < teams.y - 100, "the rest scrolled");
+  await page.done();
+});
+
 test("the wheel over a value scrolls the panel, and leaves the drawing where it is", async () => {
   const page = await browser.open({ viewport: { width: 1280, height: 560 } });
   const before = await toScreen(page, [0, 0]);

@@ -195,7 +195,7 @@ TEST_CASE("what may go wrong is told in two facts", "[words][robustness]") {
   const auto may_fail = [&](int carried, int steady) {
     return robustness_facts(placement, {carried, steady, 117.2}).at(0).value;
   };
-  CHECK(may_fail(2, 1) == "any 1 safely, 2 if it may tip");
+  CHECK(may_fail(2, 1) == "any 1; any 2 if it may tip");
   CHECK(may_fail(2, 2) == "any 2");
   CHECK(may_fail(1, 0) == "any 1, but it can tip then");
   CHECK(may_fail(0, 0) == "none");

@@ -151,18 +151,21 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
   }
 }
 
-// After a guess the numbers stay, so that one finds the answer and what one has guessed, which is marked if it was wrong.
+// What one has guessed, if it was wrong.
+void draw_wrong_guess(const Painter& painter, const CanvasView& view) {
+  const std::optional<Answered>& answered = view.state.walkthrough.answered;
+  if (!answered || answered->guess == answered->ask.question.answer) return;
+  draw_chord(painter,
+             chord_of_choice(*view.state.walkthrough.trace, answered->ask.detail,
+                             answered->ask.question, answered->guess),
+             view.theme.amber_on_object, 3);
+}
+
+// After a guess the numbers stay, so that one finds the answer and what one has guessed.
 void draw_answered(const Painter& painter, const CanvasView& view, double reach,
                    Occupied& occupied) {
   const std::optional<Answered>& answered = view.state.walkthrough.answered;
-  if (!answered) return;
-  const Ask& ask = answered->ask;
-  if (answered->guess != ask.question.answer)
-    draw_chord(
-        painter,
-        chord_of_choice(*view.state.walkthrough.trace, ask.detail, ask.question, answered->guess),
-        view.theme.amber_on_object, 3);
-  draw_names_of_choices(painter, view, ask, reach, occupied);
+  if (answered) draw_names_of_choices(painter, view, answered->ask, reach, occupied);
 }
 
 // The choices of a question; the one that the buttons point at is stronger.
@@ -231,6 +234,7 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   if (walk.known.stands) draw_unusable(painter, placement, view.theme);
   if (shows_step) draw_step(painter, view);
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
+  draw_wrong_guess(painter, view);
   draw_asked_places(painter, view);
   draw_values(painter, view);
   // As far out as if a robot stood at each end: what is nearer to some would tell the answer.

@@ -45,7 +45,11 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
     painter.fill_convex(hand, theme.robot.at(0.35f));
     painter.outline(hand, theme.robot, 1.5f);
   }
-  if (!is_drawn(view)) return;
+  // An arm that reaches beyond the mark leads to a body, however small.
+  const bool reaches =
+      size.reach > 0 &&
+      way * view.camera.scale > static_cast<double>(mark_radius(view.placement->teams));
+  if (!is_drawn(view) && !reaches) return;
   const auto radius = static_cast<float>(size.radius * view.camera.scale);
   ImDrawList& list = painter.list();
   list.AddCircleFilled(painter.at(robot.stand), radius, theme.robot.at(0.22f).packed(), 64);

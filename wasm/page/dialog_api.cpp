@@ -18,6 +18,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "evenlift/polygon.h"
+#include "evenlift/stands.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/browser.h"
@@ -181,6 +182,11 @@ EMSCRIPTEN_KEEPALIVE double page_min_ratio() { return app().state.placed.setting
 EMSCRIPTEN_KEEPALIVE double page_weight() { return app().state.placed.settings.weight; }
 EMSCRIPTEN_KEEPALIVE const char* page_weight_unit() {
   return hand_over(std::string(name(app().state.placed.settings.units.weight)));
+}
+
+// Whether robots are points that may stand anywhere: they have no size, and no edge is marked.
+EMSCRIPTEN_KEEPALIVE int page_robots_are_points() {
+  return stands_anywhere(app().state.placed.settings) ? 1 : 0;
 }
 
 // Whether a polygon is being drawn.

@@ -17,7 +17,8 @@ struct Row {
   std::array<std::string, 2> values;
 };
 
-std::vector<Row> rows(const Placement& a, const Placement& b) {
+// `failed` robots of the first placement carry nothing.
+std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed) {
   const auto both = [&](auto value) { return std::array<std::string, 2>{value(a), value(b)}; };
   const auto load = [](auto member) {
     return [member](const Placement& p) {
@@ -26,7 +27,8 @@ std::vector<Row> rows(const Placement& a, const Placement& b) {
   };
   const std::string unit = ", " + std::string(name(a.settings.units.weight));
   return {
-      {"Robots", both([](const Placement& p) { return std::to_string(count_robots(p.teams)); })},
+      {"Robots",
+       {std::to_string(count_robots(a.teams) - failed), std::to_string(count_robots(b.teams))}},
       {"Least load" + unit, both(load(&LoadSummary::min))},
       {"Greatest load" + unit, both(load(&LoadSummary::max))},
       {"Difference" + unit, both(load(&LoadSummary::spread))},
@@ -76,10 +78,12 @@ void draw_compare(const Ui& ui) {
 void draw_comparison(const Ui& ui) {
   if (!ui.state.placement) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  const char* first = words_of(ui.state.placement->settings.method).label;
-  draw_row(ui, {"", {first, words_of(*ui.state.second_method).label}}, Face::label,
-           ui.theme.second_text);
-  for (const Row& row : rows(*ui.state.placement, *ui.state.second))
+  const bool fails = failing(ui.state) != nullptr;
+  const std::string first = words_of(ui.state.placement->settings.method).label;
+  draw_row(ui,
+           {"", {first + (fails ? ", one fails" : ""), words_of(*ui.state.second_method).label}},
+           Face::label, ui.theme.second_text);
+  for (const Row& row : rows(shown_placement(ui.state), *ui.state.second, fails ? 1 : 0))
     draw_row(ui, row, Face::strong_label, ui.theme.text);
   ImGui::PopStyleVar();
 }

@@ -28,7 +28,8 @@ void draw_numbers(const Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   for (const Fact& each : facts_in_words(shown_placement(ui.state)))
     fact(ui, each.label, each.value, each.about);
-  for (const Fact& each : robustness_facts(*ui.state.placement, ui.state.outlook.robustness))
+  for (const Fact& each : robustness_facts(*ui.state.placement, shown_outlook(ui.state).robustness,
+                                           failing(ui.state) != nullptr))
     fact(ui, each.label, each.value, each.about);
   ImGui::PopStyleVar();
 }

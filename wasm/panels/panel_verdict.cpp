@@ -64,10 +64,8 @@ void draw_lower_ratio(const Ui& ui, double best) {
 
 }  // namespace
 
-namespace {
-
-// Two lines high.
-void draw_headline(const Ui& ui, const Verdict& v) {
+void draw_headline(const Ui& ui) {
+  const Verdict v = verdict(ui.state);
   const Sign sign = sign_of(ui.theme, v.mood);
   // A tick says that all is as asked for. While a robot fails that is not the question: there the sign is that of the row below.
   const bool plain_disc = failing(ui.state) && v.mood == Mood::good;
@@ -85,20 +83,21 @@ void draw_headline(const Ui& ui, const Verdict& v) {
   constexpr Face large[] = {Face::verdict, Face::strong, Face::strong_label};
   draw_fitting(ui.theme.text, v.headline, free, large, 2);
   ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + 4));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::Dummy(ImVec2(width, 0));
+  ImGui::PopStyleVar();
 }
-
-}  // namespace
 
 // Always as high, so that the controls below stay where they are when the result changes.
 void draw_verdict(const Ui& ui) {
+  draw_headline(ui);
+  if (!ui.layout.brief) draw_verdict_details(ui);
+}
+
+void draw_verdict_details(const Ui& ui) {
   const Verdict v = verdict(ui.state);
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  draw_headline(ui, v);
-  if (ui.layout.brief) {
-    ImGui::Dummy(ImVec2(width, 0));
-    return ImGui::PopStyleVar();
-  }
   constexpr Face small[] = {Face::text, Face::label};
   // What is wrong comes first.
   draw_fitting(ui.theme.second_text, overload_in_brief(ui.state) + v.detail, width, small,

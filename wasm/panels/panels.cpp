@@ -144,11 +144,10 @@ Sheet opened_further(const AppState& state, int by) {
 // The handle of the sheet. A press opens the sheet further or closes it; a drag pulls it up or
 // down.
 void draw_handle(const Ui& ui) {
-  ImGui::SetCursorPosY(4 + ImGui::GetScrollY());  // it stays where the rest scrolls
+  ImGui::SetCursorPosY(4);
   const float width = ImGui::GetContentRegionAvail().x;
   const auto [low, high, pressed, hovered] =
       pressable_row(ui, "handle", "Open the sheet further", width, handle_height);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY());
   const float dragged = ImGui::GetIO().MousePos.y - ImGui::GetIO().MouseClickedPos[0].y;
   if (ImGui::IsItemDeactivated() && std::abs(dragged) > 24) {
     const int step = std::abs(dragged) > 260 ? 2 : 1;
@@ -158,14 +157,11 @@ void draw_handle(const Ui& ui) {
   }
 }
 
-// The handle's bar, over what scrolled up to it.
+// The handle's bar.
 void draw_grip(const Ui& ui) {
   const ImVec2 low = ImGui::GetWindowPos();
-  const float right = low.x + ImGui::GetWindowWidth(), middle = (low.x + right) / 2;
+  const float middle = low.x + ImGui::GetWindowWidth() / 2;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (ImGui::GetScrollY() > 0)
-    list.AddRectFilled(ImVec2(low.x + 1, low.y + 1), ImVec2(right - 1, low.y + 4 + handle_height),
-                       ui.theme.panel.packed(), 10, ImDrawFlags_RoundCornersTop);
   list.AddRectFilled(ImVec2(middle - 20, low.y + 10), ImVec2(middle + 20, low.y + 14),
                      ui.theme.quiet.packed(), 2);
 }
@@ -186,34 +182,44 @@ void draw_row_below_verdict(const Ui& ui) {
   draw_edge_fields(ui, width, width);
 }
 
-void draw_sheet(const Ui& ui) {
-  begin_card(ui, "sheet", ui.layout.panel,
-             {.fixed_height = true, .padding = 16, .scrolls = ui.state.sheet != Sheet::closed});
+void draw_closed_sheet(const Ui& ui) {
+  if (walkthrough_is_open(ui.state))
+    return ui.layout.brief ? draw_player_row(ui) : draw_step_and_row(ui);
+  draw_verdict(ui);
+  draw_row_below_verdict(ui);
+  if (ui.layout.brief) return;
+  const double height =
+      static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y) + 16;
+  if (std::abs(height - ui.state.closed_sheet_height) > 0.5) ui.push(MeasureSheet{height});
+}
+
+// What the result is, or the player, stays in sight while what is below it scrolls.
+void draw_open_sheet(const Ui& ui) {
+  const bool lesson = walkthrough_is_open(ui.state);
+  if (lesson)
+    draw_player_row(ui);
+  else
+    draw_headline(ui);
+  begin_scrolling_box(ui, "below the headline", ImGui::GetContentRegionAvail().y);
   begin_at_head(ui);
-  draw_handle(ui);
-  ImGui::PushID("closed");
-  if (walkthrough_is_open(ui.state) && ui.layout.brief) {
-    draw_player_row(ui);
-  } else if (walkthrough_is_open(ui.state) && ui.state.sheet == Sheet::closed) {
-    draw_step_and_row(ui);
-  } else if (walkthrough_is_open(ui.state)) {
-    draw_player_row(ui);
+  if (lesson) {
     draw_walkthrough_step(ui);
   } else {
-    draw_verdict(ui);
+    draw_verdict_details(ui);
     draw_row_below_verdict(ui);
   }
-  ImGui::PopID();
-  const double closed = static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y +
-                                            ImGui::GetScrollY()) +
-                        16;
-  if (!walkthrough_is_open(ui.state) && !ui.layout.brief &&
-      std::abs(closed - ui.state.closed_sheet_height) > 0.5)
-    ui.push(MeasureSheet{closed});
-  if (ui.state.sheet != Sheet::closed) {
-    rule(ui);
-    draw_sections(ui, 1);
-  }
+  rule(ui);
+  draw_sections(ui, 1);
+  end_scrolling_box(ui);
+}
+
+void draw_sheet(const Ui& ui) {
+  begin_card(ui, "sheet", ui.layout.panel, {.fixed_height = true, .padding = 16, .scrolls = false});
+  draw_handle(ui);
+  if (ui.state.sheet == Sheet::closed)
+    draw_closed_sheet(ui);
+  else
+    draw_open_sheet(ui);
   draw_grip(ui);
   end_card(ui);
 }

@@ -108,7 +108,9 @@ void draw_why_card(const Ui& ui) {
   const Explanation& explanation = *ui.state.explanation;
   const CardPlace place = place_of(ui, spot_of(ui, explanation));
   begin_card(ui, "why here", place.rect,
-             {.at_bottom = place.at_bottom, .padding = ui.layout.wide ? 14.0f : 10.0f});
+             {.at_bottom = place.at_bottom,
+              .fixed_height = !ui.layout.wide,
+              .padding = ui.layout.wide ? 14.0f : 10.0f});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));

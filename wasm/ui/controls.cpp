@@ -86,6 +86,15 @@ Asked list_control(Control control) {
   return asked;
 }
 
+void cover_controls(const Rect& place) {
+  const auto overlaps = [&](const Rect& r) {
+    return r.left < place.right && place.left < r.right && r.top < place.bottom &&
+           place.top < r.bottom;
+  };
+  for (Control& control : listed.of_pass)
+    if (control.card != listed.card && overlaps(control.place)) control.window = {};
+}
+
 const std::vector<Control>& controls() { return listed.of_pass; }
 
 std::string controls_text(double zoom) {

@@ -48,6 +48,9 @@ struct Asked {
 };
 Asked list_control(Control control);
 
+// What was laid out so far in other cards and is overlapped by this place is covered from now on: the pointer does not reach it.
+void cover_controls(const Rect& place);
+
 // The controls of the last pass, in the order in which they were laid out.
 const std::vector<Control>& controls();
 

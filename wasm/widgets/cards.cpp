@@ -141,6 +141,8 @@ void end_card(const Ui& ui) {
   if (scrolls) shade_foot(ui, ImGui::GetStyle().WindowPadding.x, 1);
   if (scrolls && ImGui::GetScrollMaxY() > 0) draw_scroll_bar(ui);
   scroll_by_finger(ui);
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  cover_controls({low.x, low.y, low.x + size.x, low.y + size.y});
   ImGui::End();
   ImGui::PopStyleVar(2);
 }

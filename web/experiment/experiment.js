@@ -50,7 +50,7 @@ class ExperimentWindow {
 
   constructor({ program }, source) {
     this.#polygon = { text: program.text("page_text"), minRatio: program.number("page_min_ratio"), weight: program.number("page_weight"),
-      weightUnit: program.text("page_weight_unit") };
+      weightUnit: program.text("page_weight_unit"), points: program.number("page_robots_are_points") === 1 };
     this.problem = problemLine();
     this.start = button("Compare", { class: "button primary", onclick: () => this.#run() });
     this.cancel = button("Cancel", { onclick: () => this.#stop?.abort(new DOMException("cancelled", "AbortError")) });
@@ -121,7 +121,7 @@ class ExperimentWindow {
 
   // Whether results of a single polygon describe the one that is open now.
   #isOn(of) {
-    return ["text", "minRatio", "weight", "weightUnit"].every((name) => of[name] === this.#polygon[name]);
+    return ["text", "minRatio", "weight", "weightUnit", "points"].every((name) => of[name] === this.#polygon[name]);
   }
 
   close() {
@@ -143,11 +143,12 @@ class ExperimentWindow {
     const random = this.samples.valueAsNumber, mostBalanced = this.balanced.valueAsNumber;
     const upTo = `Balanced robots are measured up to ${number(mostBalanced)}, since the search for more takes longer.`;
     if (this.#chosen === "this") {
-      const { minRatio, weight, weightUnit } = this.#polygon;
+      const { minRatio, weight, weightUnit, points } = this.#polygon;
+      const asPoints = points ? "" : " Robots count as points here: their size and the marked edges are left out.";
       return {
         tasks: thisPolygon(this.#polygon), what: "methods", of: this.#polygon,
         settings: { minRatio, samples: random, weight, weightUnit, mostTeams: this.most.valueAsNumber, mostBalanced },
-        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} ${weightUnit}, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most. ${upTo}`,
+        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} ${weightUnit}, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most.${asPoints} ${upTo}`,
       };
     }
     const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();

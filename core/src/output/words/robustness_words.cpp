@@ -143,15 +143,17 @@ std::string rest_in_words(const Placement& failing) {
   return coverage_in_words(failing) + " " + closure_in_words(failing);
 }
 
-std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness) {
+std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness,
+                                   bool failing) {
   if (placement.teams.empty()) return {};
   const int carried = robustness.failures_carried, steady = robustness.failures_steady;
   std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);
   if (carried > 0 && steady > 0 && steady < carried)
     may_fail =
-        "any " + std::to_string(steady) + " safely, " + std::to_string(carried) + " if it may tip";
+        "any " + std::to_string(steady) + "; any " + std::to_string(carried) + " if it may tip";
   else if (carried > 0 && steady < carried)
     may_fail += ", but it can tip then";
+  if (failing) may_fail = "one fails now";
   return {{"Robots that may fail", may_fail,
            "How many may let go at once, whichever they are, so that the others carry the object, "
            "however much each of them then bears"},
