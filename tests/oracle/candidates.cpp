@@ -81,7 +81,7 @@ bool opposite(const ExactShape& shape, const ExactVec& v, const ExactVec& w, Cal
 /// edge, which the chord meets or misses by little, it is the chord between the two; g stays that of the section.
 Section section_end(const ExactShape& shape, const ExactVec& u, const Edge& a, const Edge& b,
                     Calls& calls) {
-  const Section seen = section_at(u, a, b);
+  Section seen = section_at(u, a, b);
   const bool on_a = u == a.p || u == a.q;
   const ExactVec &w = on_a ? seen.on_a : seen.on_b, &hit = on_a ? seen.on_b : seen.on_a;
   const Edge& other = on_a ? b : a;

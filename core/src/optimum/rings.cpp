@@ -1,6 +1,7 @@
 #include "optimum/rings.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -80,7 +81,7 @@ Closed close(const Triangles& triangles, const Chain& chain, std::uint32_t first
 }
 
 // Both ends of the chord at place 0, and what dynamic programming over the chords in order of slope adds:
-// the state is the last end used on either side and the number of chords used.
+// the state is the last end used on either side and the number of chords used. There must be a chord.
 class BothSides {
  public:
   BothSides(const Triangles& triangles, std::uint32_t first, std::uint32_t teams)
@@ -90,6 +91,7 @@ class BothSides {
         teams_(teams),
         sums_(std::size_t{chords_} * chords_ * teams, impossible),
         before_(sums_.size(), 0) {
+    assert(chords_ > 0 && teams > 0);
     sums_[index(0, 0, 1)] = 0;
     for (std::uint32_t chord = 1; chord < chords_; ++chord) extend(chord);
   }
