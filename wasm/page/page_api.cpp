@@ -271,9 +271,8 @@ EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
   AppState& state = app().state;
   height /= state.screen.zoom;
   const double before = std::exchange(state.screen.foot, 0);
-  const Rect free = layout(state).free, seat = card_seat(state);
-  if (height > 0 && seat.left < free.right)  // otherwise it stands beside the drawing
-    state.screen.foot = std::max(0.0, free.bottom - seat.bottom + height);
+  if (height > 0)
+    state.screen.foot = std::max(0.0, layout(state).free.bottom - card_seat(state).bottom + height);
   if (state.screen.foot == before) return;
   frame_view(state);
   browser::request_frame();

@@ -219,10 +219,6 @@ Rect card_seat(const AppState& state) {
   const Layout l = layout(state);
   constexpr double least = 520;  // beside the tools of the view
   const double left = l.free.left + l.margin, right = l.free.right - l.margin;
-  // Before a room: in the card of the words, above its row of buttons, if it has so much room that both can be read.
-  constexpr double roomy = 420;
-  if (state.presenting && l.wide && l.player.height() >= roomy && state.screen.window_foot == 0)
-    return {l.player.left, l.player.top, l.player.right, l.player.bottom - l.control - 24};
   if (state.screen.embed || state.presenting || state.screen.window_foot > 0)
     return {left, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
   if (!l.wide) return {left, l.free.top, l.tools.left - l.margin, l.tools.bottom};

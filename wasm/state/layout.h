@@ -37,7 +37,7 @@ bool has_half_sheet(const AppState& state);
 // all of that. O(vertices).
 Camera fitting_camera(const AppState& state);
 
-// Where a card of the page may stand, at the foot of this place: it covers no control. It may be beside the free part of the canvas.
+// Where a card of the page may stand, at the foot of this place: it covers no control.
 Rect card_seat(const AppState& state);
 
 }  // namespace evenlift::view
