@@ -70,6 +70,8 @@ class Calls {
   }
   /// A rule that needs nearness to be transitive met a case where it is not.
   void intransitive(const char* what) { closest_ = {0, what}; }
+  /// Rounding in doubles may decide this otherwise, and cannot be blamed.
+  void undecidable(const char* what) { closest_ = {0, what}; }
   const ClosestCall& closest() const { return closest_; }
 
  private:

@@ -2,7 +2,10 @@
 #include "oracle/exact.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
+#include <limits>
 
 namespace oracle {
 namespace {
@@ -85,9 +88,13 @@ Real circle_metric(const RealVec& h1, const RealVec& h2, const RealVec& p) {
   return boost::math::constants::pi<Real>() * radius * radius;
 }
 
+/// Adds to `rounding` by how much the sum may move if each place is off by `unit`: the shorter an edge, the more its line turns.
 Real distance_metric(const ExactShape& shape, const RealVec& h1, const RealVec& h2,
-                     const RealVec& p, Calls& calls) {
+                     const RealVec& p, const Real& unit, Real& rounding, Calls& calls) {
   Real sum = 0;
+  const auto lever = [](const RealVec& v, const RealVec& from, const RealVec& to) {
+    return length(v - from) / length(to - from);
+  };
   const auto arm = [](const RealVec& v, const RealVec& a, const RealVec& b) {
     return std::max<Real>(0, outside(v, a, b));
   };
@@ -98,31 +105,43 @@ Real distance_metric(const ExactShape& shape, const RealVec& h1, const RealVec& 
     sum += arm(v, h1, h2) - (same_direction(p, v, calls) ? std::max<Real>(up_to_p, from_p)
                              : before_p                  ? up_to_p
                                                          : from_p);
+    rounding += unit * (2 + lever(v, h1, h2) + (before_p ? lever(v, h1, p) : lever(v, h2, p)));
   }
   return sum;
 }
 
-/// Keeps those of `remaining` whose key ties with the best.
+/// Keeps those of `remaining` whose key ties with the best. `doubt` is by how much rounding in doubles may move the difference of
+/// two keys.
 using Key = std::function<Real(std::size_t)>;
 using Tie =
     std::function<Real(const Real& best)>;  // by how much a tying key may fall short of the best
 void keep_best(std::vector<std::size_t>& remaining, const Key& key, const Tie& tie, Calls& calls,
-               const char* what) {
+               const char* what, const Real& doubt = 0) {
   std::vector<Real> keys;
   keys.reserve(remaining.size());
   for (std::size_t i : remaining) keys.push_back(key(i));
-  const Real best = *std::max_element(keys.begin(), keys.end());
-  const Real allowed = tie(best);
+  const auto first = std::max_element(keys.begin(), keys.end());
+  const Real best = *first, allowed = tie(best);
   std::vector<std::size_t> kept;
-  for (std::size_t k = 0; k < remaining.size(); ++k)
-    if (calls.within(best - keys[k], allowed, what)) kept.push_back(remaining[k]);
+  for (std::size_t k = 0; k < remaining.size(); ++k) {
+    const Real behind = best - keys[k];
+    if (calls.within(behind, allowed, what)) kept.push_back(remaining[k]);
+    if (keys.begin() + static_cast<std::ptrdiff_t>(k) != first && abs(behind - allowed) < doubt)
+      calls.undecidable(what);
+  }
   remaining = kept;
 }
 
 class Selector {
  public:
   Selector(const Problem& problem, const CandidateList& list)
-      : problem_(problem), shape_(*list.shape), chords_(list.chords->chords) {}
+      : problem_(problem), shape_(*list.shape), chords_(list.chords->chords) {
+    Real largest = 0;
+    for (const Point& vertex : problem.vertices)
+      for (const double coordinate : vertex)
+        largest = std::max<Real>(largest, std::fabs(coordinate));
+    unit_ = largest * std::numeric_limits<double>::epsilon();
+  }
 
   Selection run() {
     for (std::size_t i = 0; i < chords_.size(); ++i) left_.push_back(i);
@@ -170,8 +189,12 @@ class Selector {
       for (const ExactVec& end : chords_[i].ends) points.push_back(end);
     Base base(points, shape_.size, calls_);
     std::vector<Real> scores(chords_.size());
-    for (std::size_t i : left_)
+    Real doubt = 0;
+    for (std::size_t i : left_) {
+      rounding_ = 0;
       scores[i] = gain(base, chords_[i].real_ends[0]) + gain(base, chords_[i].real_ends[1]);
+      doubt = std::max<Real>(doubt, 2 * rounding_);
+    }
 
     const Real& size = shape_.size;
     const Real absolute =
@@ -180,7 +203,7 @@ class Selector {
     keep_best(
         remaining, [&](std::size_t i) { return scores[i]; },
         [&](const Real& best) { return std::max<Real>(tau * abs(best), absolute); }, calls_,
-        "score key");
+        "score key", doubt);
     keep_by_ratio(remaining);
     keep_by_length(remaining);
     take(remaining.front(), static_cast<double>(scores[remaining.front()]));
@@ -204,7 +227,7 @@ class Selector {
       case Metric::distance:
         break;
     }
-    return distance_metric(shape_, h1, h2, p, calls_);
+    return distance_metric(shape_, h1, h2, p, unit_, rounding_, calls_);
   }
 
   void take(std::size_t i, double score) {
@@ -219,6 +242,8 @@ class Selector {
   std::vector<std::size_t> left_;
   Selection result_;
   Calls calls_;
+  Real unit_;          // by which a place may be rounded
+  Real rounding_ = 0;  // by how much that may move the score that is computed
 };
 
 }  // namespace

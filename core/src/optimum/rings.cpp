@@ -91,7 +91,6 @@ class BothSides {
         teams_(teams),
         sums_(std::size_t{chords_} * chords_ * teams, impossible),
         before_(sums_.size(), 0) {
-    assert(chords_ > 0 && teams > 0);
     sums_[index(0, 0, 1)] = 0;
     for (std::uint32_t chord = 1; chord < chords_; ++chord) extend(chord);
   }
@@ -143,6 +142,7 @@ class BothSides {
   }
 
   std::vector<std::uint32_t> ends_of(std::array<std::uint32_t, 3> last) const {
+    assert(chords_ > 0);
     std::vector<std::uint32_t> right{0}, left{0};
     for (std::size_t at = index(last[0], last[1], last[2]); at % teams_ != 0; at = before_[at]) {
       const auto pair = static_cast<std::uint32_t>(at / teams_);
