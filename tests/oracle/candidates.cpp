@@ -342,7 +342,7 @@ std::vector<ExactChord> merged(const std::vector<ExactChord>& chords, const Real
       same.push_back(chords[k]);
       for (std::size_t j : group)
         if (!same_chord(chords[k], chords[j], size, calls))
-          calls.intransitive("chain of duplicate chords");
+          calls.either_is_right("chain of duplicate chords");
     }
     result.push_back(standing_one(same, size, calls));
   }

@@ -63,7 +63,7 @@ void note_folds(const ExactShape& shape, const RealVec& p, std::optional<std::si
     if (dot(u, v) > 0 && abs(cross(u, v)) <= tau) continue;
     if (distance_to_segment(p, shape.real_vertices[edge], shape.real_vertices[(edge + 1) % n]) <=
         tau * shape.size)
-      calls.intransitive("edges nearer to each other than tau L");
+      calls.either_is_right("edges nearer to each other than tau L");
   }
 }
 

@@ -68,10 +68,9 @@ class Calls {
     const double distance = std::fabs(quotient - 1);
     if (distance < closest_.distance) closest_ = {distance, what};
   }
-  /// A rule that needs nearness to be transitive met a case where it is not.
-  void intransitive(const char* what) { closest_ = {0, what}; }
-  /// Rounding in doubles may decide this otherwise, and cannot be blamed.
-  void undecidable(const char* what) { closest_ = {0, what}; }
+  /// A rule that needs nearness to be transitive met a case where it is not, or rounding in doubles reaches so far that it may decide
+  /// otherwise.
+  void either_is_right(const char* what) { closest_ = {0, what}; }
   const ClosestCall& closest() const { return closest_; }
 
  private:

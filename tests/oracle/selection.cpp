@@ -127,7 +127,7 @@ void keep_best(std::vector<std::size_t>& remaining, const Key& key, const Tie& t
     const Real behind = best - keys[k];
     if (calls.within(behind, allowed, what)) kept.push_back(remaining[k]);
     if (keys.begin() + static_cast<std::ptrdiff_t>(k) != first && abs(behind - allowed) < doubt)
-      calls.undecidable(what);
+      calls.either_is_right(what);
   }
   remaining = kept;
 }

@@ -71,8 +71,8 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
 
 void draw_chord(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const Theme& theme = view.theme;
-  constexpr std::size_t many =
-      60;  // so many chords are thin and faint: else the object could not be seen
+  // More chords are thin and faint: else the object could not be seen.
+  constexpr std::size_t many = 60;
   const std::size_t teams = view.placement->teams.size();
   // What joins a balanced robot with C is no chord.
   const bool thin = view.placement->settings.method == Method::balanced || teams > many;

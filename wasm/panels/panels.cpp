@@ -89,7 +89,7 @@ void begin_at_head(const Ui& ui) {
 }
 
 // The verdict stays in sight while what is below it scrolls, so that whoever changes a setting sees what follows.
-void draw_below_verdict(const Ui& ui) {
+void draw_verdict_and_rest(const Ui& ui) {
   draw_verdict(ui);
   rule(ui);
   const float padding = ImGui::GetStyle().WindowPadding.y,
@@ -116,7 +116,7 @@ void draw_side_panel(const Ui& ui) {
   else
     draw_fold_button(ui, Icon::fold, false, "Fold the panel away (P)");
   if (stays)
-    draw_below_verdict(ui);
+    draw_verdict_and_rest(ui);
   else
     draw_sections(ui, 0);
   end_card(ui);
