@@ -379,6 +379,16 @@ test("with predictions on it asks before a choice, and says whether the guess is
   }
 });
 
+test("where no step has a choice, predictions are not switched on, and that is said", async () => {
+  const page = await browser.open({ address: "?lesson=slides" });
+  await idle(page);
+  await page.keyboard.press("q");
+  assert.match(await noticed(page), /^No step of this lesson has a choice to predict\.$/);
+  const predict = page.locator("#mirror").getByRole("switch", { name: "Predict first" });
+  assert.equal(await predict.getAttribute("aria-checked"), "false");
+  await page.done();
+});
+
 test("of two ends, too; and Next shows the answer to those who do not guess", async () => {
   const page = await inLesson("stone-slab", find("outcome", 5) - 1);
   await page.keyboard.press("q");

@@ -493,6 +493,22 @@ test("a limit is typed where it is set, and a section that is opened comes into 
   await page.done();
 });
 
+test("on a phone on its side the card that says why stands over the panel, and covers nothing of the object", async () => {
+  const page = await browser.open({ viewport: { width: 844, height: 390 }, ...touch });
+  const { teams, polygon } = await state(page);
+  const object = await Promise.all(polygon.map((at) => toScreen(page, at)));
+  for (const robot of teams.flatMap(({ ends }) => ends)) {
+    await page.mouse.click(...await toScreen(page, robot));
+    await idle(page);
+    const button = await control(page, "show in lesson");
+    assert.ok(Math.max(...object.map(([x]) => x)) < button.x - 16, JSON.stringify(button));
+    await page.keyboard.press("Escape");  // the card
+    await page.keyboard.press("Escape");  // a vertex that was selected
+    await idle(page);
+  }
+  await page.done();
+});
+
 test("a candidate that is pressed says why it was not taken; Esc closes the card", async () => {
   const page = await browser.open();
   await page.evaluate((text) => {

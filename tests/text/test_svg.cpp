@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/output/label_places.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/placement.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
 #include "kit/texts.h"
-#include "output/svg/label_places.h"
 
 using namespace evenlift;
 using evenlift::testing::occurrences;
@@ -75,6 +75,20 @@ TEST_CASE("with three teams each robot of every sample has its load beside it", 
       const std::string svg = placement_svg(placed(corpus::polygon(name), method, 3));
       CHECK(occurrences(svg, "class=\"load\"") == occurrences(svg, "class=\"robot\""));
     }
+}
+
+TEST_CASE("a sketch has all the robots and loads, and neither caption nor link", "[svg]") {
+  for (const std::string& name : corpus::polygon_names()) {
+    CAPTURE(name);
+    const Placement placement = placed(corpus::polygon(name), Method::area, 2);
+    const std::string picture = placement_svg(placement, "#AbC"),
+                      sketch = placement_sketch(placement);
+    CHECK(well_formed(sketch));
+    CHECK(occurrences(sketch, "class=\"robot\"") == occurrences(picture, "class=\"robot\""));
+    CHECK(occurrences(sketch, "class=\"load\"") == occurrences(sketch, "class=\"robot\""));
+    CHECK(occurrences(sketch, "class=\"centre-of-mass\"") == 1);  // the mark; there is no key
+    CHECK(occurrences(sketch, "<metadata>") == 0);
+  }
 }
 
 TEST_CASE("pictures of extreme shapes are sound", "[svg]") {

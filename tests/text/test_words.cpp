@@ -263,6 +263,15 @@ TEST_CASE("values of a kind have three significant digits of the largest", "[wor
   CHECK(plainly(load_in_words(18.04, 18.02, 18.04, {})) == "18.0 kg");
 }
 
+TEST_CASE("a weight that was converted has six digits, and all of its whole part", "[words]") {
+  const Units units;
+  CHECK(given_weight(100, units) == "100\u00A0kg");
+  CHECK(given_weight(22.6796185, units) == "22.6796\u00A0kg");
+  CHECK(given_weight(2.5, units) == "2.5\u00A0kg");
+  CHECK(given_weight(12345678, units) == "12345678\u00A0kg");
+  CHECK(given_weight(12345678.9, units) == "12345679\u00A0kg");
+}
+
 TEST_CASE("significant digits are rounded to, and zeros at the end are left out", "[words]") {
   CHECK(significant(0.0016666, 3) == "0.00167");
   CHECK(significant(1.6666e-21, 3) == "1.67e−21");

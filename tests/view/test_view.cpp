@@ -22,6 +22,7 @@
 #include "evenlift/plane.h"
 #include "evenlift/stability.h"
 #include "kit/catch.h"
+#include "marks/boxed_text.h"
 #include "panels/summary.h"
 #include "picture/fill_rows.h"
 #include "picture/heat.h"
@@ -315,6 +316,24 @@ TEST_CASE("a label avoids lines, and is left out where that is not possible", "[
     full.line({0, static_cast<double>(y)}, {400, static_cast<double>(y)});
   CHECK(!place_labels(request, full, 15, 4)[0]);
   CHECK(place_labels(request, full, 15, 1000)[0]);
+}
+
+TEST_CASE("texts on lines that cross do not cover each other", "[view]") {
+  const auto apart = [](const Rect& a, const Rect& b) {
+    return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+  };
+  std::vector<Rect> before;
+  const Vec2 size(20, 20);
+  const Rect first = box_on_line({0, 0}, {200, 200}, size, from_middle, before);
+  CHECK(first.middle() == Vec2(100, 100));
+  box_on_line({0, 200}, {200, 0}, size, from_middle, before);
+  box_on_line({0, 100}, {200, 100}, size, from_middle, before);
+  REQUIRE(before.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < i; ++j) CHECK(apart(before[i], before[j]));
+  // Where there is no place left, the first one.
+  for (int i = 0; i < 10; ++i) box_on_line({0, 0}, {30, 0}, size, from_middle, before);
+  CHECK(before.back().middle() == Vec2(15, 0));
 }
 
 TEST_CASE("the zoom is told against what fits: the polygon with a centre of mass beside it",

@@ -172,20 +172,36 @@ test("the card at the end covers no control of the player, wide and on a phone",
   }
 });
 
-test("before a room the card at the end covers none of the words", async () => {
-  const page = await browser.open();
-  await begin(page, order[0]);
-  await goToEnd(page);
-  await end(page).waitFor();
-  await page.locator("#canvas").focus();
-  await page.keyboard.press("Shift+P");
-  // The words stand above the timeline, on one card.
-  await page.waitForFunction(() => {
-    const words = evenlift.view.control("Previous step");
-    return words && document.querySelector(".seat-card").getBoundingClientRect().right < words.x;
+for (const [width, height] of [[1280, 800], [1920, 1080]]) {
+  test(`at ${width} by ${height}, before a room, the card at the end takes its room from the words and not from the drawing, and covers no control`, async () => {
+    const page = await browser.open({ viewport: { width, height }, reducedMotion: "reduce" });
+    await begin(page, "moved");
+    await page.keyboard.press("Shift+P");
+    await idle(page);
+    await page.keyboard.press("End");
+    await page.keyboard.press("ArrowLeft");
+    await idle(page);
+    assert.equal(await end(page).count(), 0);
+    const before = await toScreen(page, [0, 0]);
+    await page.keyboard.press("ArrowRight");
+    await end(page).waitFor();
+    await idle(page);
+    const check = async () => {
+      assert.deepEqual(await toScreen(page, [0, 0]), before, "the drawing stands still");
+      const card = await end(page).boundingBox();
+      assert.ok(card.y + card.height <= height && card.height < 0.6 * height, JSON.stringify(card));
+      for (const name of ["Previous step", "Next step", "timeline", "play"]) {
+        const place = await control(page, name);
+        assert.ok(place.y + place.height <= card.y, `${name}: ${JSON.stringify([card, place])}`);
+      }
+    };
+    await check();
+    await end(page).getByRole("button", { name: "Answer" }).click();
+    await idle(page);
+    await check();
+    await page.done();
   });
-  await page.done();
-});
+}
 
 test("before a room the card at the end is larger, as all else is, and no longer when that ends", async () => {
   const page = await browser.open();
@@ -502,12 +518,34 @@ test("the handout has a picture and the words for each stop of the lesson, and o
   const last = figures.last().locator("svg");
   assert.match(await last.textContent(), /16\.7\u00A0kg/);
   assert.equal(await last.locator(".robot").count(), 6, "three teams at the end");
+  assert.match(await page.locator("#handout .paper-legend").textContent(), /a candidate.*the image of an edge/, "the lines are named");
+  const covered = await figures.evaluateAll((all) => all.flatMap((figure, number) => {
+    const boxes = (selector) => [...figure.querySelectorAll(selector)].map((e) => ({ name: e.textContent || selector, ...e.getBoundingClientRect().toJSON() }));
+    const words = boxes("svg .words"), marks = [...boxes("svg .robot"), ...boxes("svg .centre")];
+    return words.flatMap((a, i) => [...words.slice(i + 1), ...marks].filter((b) => a.left < b.right && b.left < a.right && a.top + 2 < b.bottom && b.top < a.bottom - 2)
+      .map((b) => `${number + 1}: ${a.name} on ${b.name}`));
+  }));
+  assert.deepEqual(covered, [], "no words lie on others or on a robot");
   assert.deepEqual(await violations(page), []);
   await page.emulateMedia({ media: "print" });
   const seen = await page.evaluate(() => ({ canvas: document.getElementById("canvas").checkVisibility(), figures: [...document.querySelectorAll("#handout figure")].every((f) => f.checkVisibility()), button: document.querySelector("#handout footer").checkVisibility() }));
   assert.deepEqual(seen, { canvas: false, figures: true, button: false });
   const height = await page.evaluate(() => document.documentElement.scrollHeight);
   assert.ok(height > 1500, "all of it is laid out, not a window's height of it");
+  await page.done();
+});
+
+test("the handout of a lesson about balanced robots has the robots, with their own numbers", async () => {
+  const page = await browser.open();
+  await begin(page, "exchange");
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: "Handout" }).click();
+  const figures = page.locator("#handout figure");
+  await figures.first().waitFor();
+  for (const figure of await figures.all())
+    assert.deepEqual((await figure.locator(".robot-number").allTextContents()).sort(), ["1", "2", "3", "4", "5", "6"]);
+  assert.ok(await page.locator("#handout .left").count() > 0, "where robots stood before");
+  assert.match(await page.locator("#handout .paper-legend").textContent(), /an even chord.*where a robot goes/);
   await page.done();
 });
 

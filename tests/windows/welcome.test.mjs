@@ -157,7 +157,9 @@ for (const [width, height] of [[1280, 800], [390, 844], [844, 390], [320, 568], 
       drawings.add(JSON.stringify(await toScreen(page, [0, 0])));
       const robots = await page.evaluate(() => evenlift.state().teams.flatMap(({ ends }) => ends).map((at) => [...evenlift.view.to_screen(...at)]));
       for (const [x, y] of robots) assert.ok(apart(place, { left: x - 10, right: x + 10, top: y - 10, bottom: y + 10 }), `stop ${i + 1} covers a robot at ${[x, y]}`);
-      for (const ring of await ringed(page)) {
+      const rings = await ringed(page);
+      assert.ok(rings.length > 0, `stop ${i + 1} points at nothing`);
+      for (const ring of rings) {
         assert.ok(apart(place, ring), `stop ${i + 1} covers what it points at: ${JSON.stringify(ring)}`);
         assert.ok(ring.left >= 0 && ring.top >= 0 && ring.right <= width && ring.bottom <= height, `stop ${i + 1} points out of the window: ${JSON.stringify(ring)}`);
       }

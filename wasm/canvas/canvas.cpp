@@ -169,15 +169,14 @@ void draw_refused(const Painter& painter, const AppState& state, const Theme& th
     painter.line(vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()],
                  theme.amber, 5);
   };
-  const auto number_edge = [&](std::size_t edge) {
-    draw_edge_number(painter, theme, vertices[edge % vertices.size()],
-                     vertices[(edge + 1) % vertices.size()], edge);
-  };
   if (place.kind == Place::Kind::edge) {
-    mark_edge(place.index);
-    mark_edge(place.other);
-    number_edge(place.index);
-    number_edge(place.other);
+    std::vector<NumberedEdge> numbered;
+    for (const std::size_t edge : {place.index, place.other}) {
+      mark_edge(edge);
+      numbered.push_back(
+          {vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()], edge});
+    }
+    draw_edge_numbers(painter, theme, numbered);
   }
   if (place.kind == Place::Kind::vertex && place.index < vertices.size()) {
     painter.list().AddCircle(painter.at(vertices[place.index]), 11, theme.amber.packed(), 32, 3);

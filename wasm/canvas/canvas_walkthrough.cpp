@@ -1,7 +1,6 @@
 #include "canvas/canvas_walkthrough.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "canvas/part_names.h"
 #include "canvas/walkthrough_figures.h"
 #include "evenlift/output/words.h"
+#include "marks/boxed_text.h"
 #include "marks/load_labels.h"
 #include "marks/stands.h"
 #include "ui/vec.h"
@@ -55,23 +55,11 @@ void draw_candidates(const Painter& painter, const CanvasView& view) {
 // Writes a text on a chord, at the first place along it where it covers none of the texts written `before`, if there is one.
 void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure,
                 const std::string& text, std::vector<Rect>& before) {
+  constexpr SharesOfLine off_middle = {0.75, 0.25, 0.87, 0.13, 0.63, 0.37};
   const ImVec2 size = text_size(Face::strong_label, text);
-  const auto box = [&](double along) {
-    const Vec2 world = figure.points[0] + (figure.points[1] - figure.points[0]) * along;
-    const Vec2 at = view.camera.to_screen(world), half(size.x / 2 + 5, size.y / 2 + 2);
-    return Rect{at.x() - half.x(), at.y() - half.y(), at.x() + half.x(), at.y() + half.y()};
-  };
-  const auto is_clear = [&](const Rect& place) {
-    return std::none_of(before.begin(), before.end(), [&](const Rect& other) {
-      return place.left < other.right && other.left < place.right && place.top < other.bottom &&
-             other.top < place.bottom;
-    });
-  };
-  constexpr double places[] = {0.75, 0.25, 0.87, 0.13, 0.63, 0.37};
-  const auto found = std::find_if(std::begin(places), std::end(places),
-                                  [&](double along) { return is_clear(box(along)); });
-  const Rect place = box(found == std::end(places) ? places[0] : *found);
-  before.push_back(place);
+  const Rect place =
+      box_on_line(view.camera.to_screen(figure.points[0]), view.camera.to_screen(figure.points[1]),
+                  Vec2(size.x + 10, size.y + 4), off_middle, before);
   const ImVec2 low = vec(place.left, place.top);
   painter.list().AddRectFilled(low, vec(place.right, place.bottom),
                                view.theme.panel.at(0.9f).packed(), 5);

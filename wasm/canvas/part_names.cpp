@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "evenlift/output/trace_words.h"
 #include "evenlift/plane.h"
 #include "ui/vec.h"
 
@@ -55,18 +56,17 @@ void draw_part_names(const Painter& painter, const CanvasView& view, Occupied& o
   };
   const Vec2 c = view.placement->centre_of_mass;
   for (const Figure& figure : view.state.walkthrough.figures) {
-    if (figure.kind == FigureKind::centroid &&
-        length(figure.points[0] - c) * view.camera.scale > 2 * ring) {
+    const std::string name = part_name(figure);
+    if (name.empty()) continue;
+    if (figure.kind == FigureKind::vertex) {
+      add(beside_vertex(view, figure.points[0]), name);
+    } else if (figure.kind != FigureKind::centroid) {
+      add(beside_edge(view, figure.points), name);
+    } else if (length(figure.points[0] - c) * view.camera.scale > 2 * ring) {
       const Vec2 at = view.camera.to_screen(figure.points[0]);
       occupied.disc(at, ring);
-      add({at, Vec2(1, -1) / std::numbers::sqrt2, Vec2::Zero(), ring}, "centroid");
+      add({at, Vec2(1, -1) / std::numbers::sqrt2, Vec2::Zero(), ring}, name);
     }
-    if (figure.kind == FigureKind::reflected && figure.item)
-      add(beside_edge(view, figure.points), "image of edge " + std::to_string(*figure.item + 1));
-    if (figure.kind == FigureKind::edge && figure.item)
-      add(beside_edge(view, figure.points), "edge " + std::to_string(*figure.item + 1));
-    if (figure.kind == FigureKind::vertex && figure.item)
-      add(beside_vertex(view, figure.points[0]), "vertex " + std::to_string(*figure.item + 1));
   }
   add(beside_centre(view), "C");
   const auto places = place_labels(requests, occupied, line, 1000);

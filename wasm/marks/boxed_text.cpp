@@ -1,6 +1,7 @@
 #include "marks/boxed_text.h"
 
 #include <algorithm>
+
 #include "ui/vec.h"
 
 namespace evenlift::view {
@@ -16,6 +17,24 @@ void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const The
   list.AddRectFilled(low, high, theme.panel.at(0.95f).packed(), 6);
   list.AddRect(low, high, colour.at(0.5f).packed(), 6, 0, 1);
   draw_text(list, Face::strong_label, ImVec2(low.x + 8, low.y + 5), colour, text);
+}
+
+Rect box_on_line(const Vec2& from, const Vec2& to, const Vec2& size, const SharesOfLine& shares,
+                 std::vector<Rect>& before) {
+  const auto box = [&](double share) {
+    const Vec2 low = from + (to - from) * share - size / 2;
+    return Rect{low.x(), low.y(), low.x() + size.x(), low.y() + size.y()};
+  };
+  const auto is_clear = [&](const Rect& place) {
+    return std::none_of(before.begin(), before.end(), [&](const Rect& other) {
+      return place.left < other.right && other.left < place.right && place.top < other.bottom &&
+             other.top < place.bottom;
+    });
+  };
+  const auto* found = std::find_if(shares.begin(), shares.end(),
+                                   [&](double share) { return is_clear(box(share)); });
+  before.push_back(box(found == shares.end() ? shares[0] : *found));
+  return before.back();
 }
 
 std::string capitalised(std::string text) {

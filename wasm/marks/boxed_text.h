@@ -1,7 +1,9 @@
 // A text in a box, over the picture.
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "picture/painter.h"
 
@@ -10,6 +12,15 @@ namespace evenlift::view {
 // Draws it beside a spot, moved so that it is inside the window.
 void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const Theme& theme,
                Colour colour, const std::string& text);
+
+// Shares of a line's length, the best first.
+using SharesOfLine = std::array<double, 6>;
+inline constexpr SharesOfLine from_middle = {0.5, 0.32, 0.68, 0.18, 0.82, 0.9};
+
+// A box of this size for a text on a line, at the first of the shares where it covers none of the boxes `before`, if there is one;
+// otherwise at the first. It is added to them. All in pixels.
+Rect box_on_line(const Vec2& from, const Vec2& to, const Vec2& size, const SharesOfLine& shares,
+                 std::vector<Rect>& before);
 
 std::string capitalised(std::string text);
 

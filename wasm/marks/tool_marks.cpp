@@ -96,15 +96,21 @@ void draw_centroid(const Painter& painter, const Theme& theme, const Points& cha
 
 }  // namespace
 
-void draw_edge_number(const Painter& painter, const Theme& theme, const Vec2& a, const Vec2& b,
-                      std::size_t edge) {
-  const std::string number = std::to_string(edge + 1);
-  const ImVec2 at = painter.at(a + (b - a) / 2), text = text_size(Face::strong_label, number);
-  const ImVec2 low(at.x - text.x / 2 - 6, at.y - text.y / 2 - 3),
-      high(at.x + text.x / 2 + 6, at.y + text.y / 2 + 3);
-  painter.list().AddRectFilled(low, high, theme.panel.packed(), 6);
-  painter.list().AddRect(low, high, theme.amber.packed(), 6, 0, 1.5f);
-  draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 6, low.y + 3), theme.amber, number);
+void draw_edge_numbers(const Painter& painter, const Theme& theme,
+                       const std::vector<NumberedEdge>& edges) {
+  std::vector<Rect> before;
+  for (const auto& [a, b, edge] : edges) {
+    const std::string number = std::to_string(edge + 1);
+    const ImVec2 text = text_size(Face::strong_label, number);
+    const ImVec2 from = painter.at(a), to = painter.at(b);
+    const Rect place = box_on_line(Vec2(from.x, from.y), Vec2(to.x, to.y),
+                                   Vec2(text.x + 12, text.y + 6), from_middle, before);
+    const ImVec2 low = vec(place.left, place.top), high = vec(place.right, place.bottom);
+    painter.list().AddRectFilled(low, high, theme.panel.packed(), 6);
+    painter.list().AddRect(low, high, theme.amber.packed(), 6, 0, 1.5f);
+    draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 6, low.y + 3), theme.amber,
+              number);
+  }
 }
 
 void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme) {
@@ -122,11 +128,12 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
     named.insert(drawing.refusal->place.index);
     named.insert(drawing.refusal->place.other);
   }
+  std::vector<NumberedEdge> numbered;
   for (const std::size_t edge : named) {
     const Points& ring = edge + 1 < chain.size() ? chain : drawing.points;
-    draw_edge_number(painter, theme, ring[edge % ring.size()], ring[(edge + 1) % ring.size()],
-                     edge);
+    numbered.push_back({ring[edge % ring.size()], ring[(edge + 1) % ring.size()], edge});
   }
+  draw_edge_numbers(painter, theme, numbered);
   if (crossed.empty()) draw_centroid(painter, theme, chain);
   if (!drawing.cursor) return;
   const Vec2 spot = state.camera.to_screen(*drawing.cursor);

@@ -2,6 +2,9 @@
 // scaling.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "picture/canvas_view.h"
 
 namespace evenlift::view {
@@ -9,8 +12,13 @@ namespace evenlift::view {
 void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme);
 void draw_frame_grips(const Painter& painter, const AppState& state, const Theme& theme);
 
-// The number of an edge at its middle, as messages count edges: from 1.
-void draw_edge_number(const Painter& painter, const Theme& theme, const Vec2& a, const Vec2& b,
-                      std::size_t edge);
+// An edge and its index.
+struct NumberedEdge {
+  Vec2 a, b;
+  std::size_t edge;
+};
+// The numbers of edges, on them and not over each other, as messages count edges: from 1.
+void draw_edge_numbers(const Painter& painter, const Theme& theme,
+                       const std::vector<NumberedEdge>& edges);
 
 }  // namespace evenlift::view

@@ -135,7 +135,7 @@ EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double second
 // The picture of the greedy choice, or of the best one, as SVG; call only after optimum_compare() had rows.
 EMSCRIPTEN_KEEPALIVE const char* optimum_picture(int best) {
   using namespace evenlift;
-  return hand_over(last() ? placement_svg(best != 0 ? last()->best : last()->greedy) : "");
+  return hand_over(last() ? placement_sketch(best != 0 ? last()->best : last()->greedy) : "");
 }
 
 }  // extern "C"

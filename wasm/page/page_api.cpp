@@ -256,12 +256,12 @@ EMSCRIPTEN_KEEPALIVE void page_cover(double left, double below) {
   browser::request_frame();
 }
 
-// Where a card may stand at the foot of the drawing, as `left right bottom` in CSS pixels. It does not depend on whether there
-// is one.
+// Where a card may stand at the foot of the drawing, as `left top right bottom` in CSS pixels. It does not depend on
+// whether there is one.
 EMSCRIPTEN_KEEPALIVE const char* page_card_seat() {
   const Rect seat = card_seat(app().state);
   std::string text;
-  for (const double value : {seat.left, seat.right, seat.bottom})
+  for (const double value : {seat.left, seat.top, seat.right, seat.bottom})
     text += std::to_string(static_cast<int>(value * app().state.screen.zoom)) + ' ';
   return hand_over(std::move(text));
 }

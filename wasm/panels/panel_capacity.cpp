@@ -63,8 +63,7 @@ void draw_capacity(const Ui& ui) {
   const float clear = ui.control();
   const std::string label = "What a robot carries, in " + weight_unit(ui.state);
   const int by =
-      stepper(ui, "capacity", with_weight_unit(plain(*capacity), settings(ui.state).units),
-              width - clear - 4,
+      stepper(ui, "capacity", given_weight(*capacity, settings(ui.state).units), width - clear - 4,
               {.can_lower = *capacity > 1e-3,
                .can_raise = *capacity < 1e9,
                .label = label.c_str(),

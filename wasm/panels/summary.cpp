@@ -121,8 +121,7 @@ std::string overload_in_brief(const AppState& state) {
   const bool shown = state.placement && !state.refusal && state.tool != Tool::draw &&
                      !failing(state) && is_overloaded(state);
   if (!shown) return {};
-  return "A robot can carry " +
-         with_weight_unit(plain(*settings(state).capacity), settings(state).units) +
+  return "A robot can carry " + given_weight(*settings(state).capacity, settings(state).units) +
          ": not enough. ";
 }
 

@@ -192,8 +192,8 @@ void draw_notice(const Ui& ui) {
   const Notice& notice = ui.state.notice;
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
-  // At the foot, where it covers neither a bar nor what is being drawn; above a card of the page.
-  const Rect seat = card_seat(ui.state);
+  // At the foot, where it covers neither a bar nor what is being drawn nor, before a room, the words; above a card of the page.
+  const Rect seat = ui.state.presenting ? ui.layout.free : card_seat(ui.state);
   const double widest = std::min(seat.width(), 560.0);
   const float text =
       std::min(text_size(Face::text, notice.text).x, static_cast<float>(widest) - 84);

@@ -22,7 +22,8 @@ Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
                    ui.layout.second.top - ui.layout.first.top);
 }
 
-// Beside the spot, away from the centre of mass if there is room; on a narrow screen over the sheet, below the spot.
+// Beside the spot, away from the centre of mass if there is room; on a narrow screen over the sheet, below the spot; on a phone
+// on its side over the panel, since beside the spot it would cover the object.
 struct CardPlace {
   Rect rect;
   bool at_bottom;  // the card stands on the bottom of the rectangle
@@ -39,6 +40,7 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
         std::max(spot.y() + away, free.bottom);  // the loads above the sheet stay in sight
     return {{left, std::clamp(head, top, foot - least), right, foot}, true};
   }
+  if (ui.layout.low && ui.state.panel_open) return {ui.layout.panel, false};
   const double width = std::min(widest, right - left);
   const double before = spot.x() - away - width, behind = spot.x() + away;
   const bool outward_left =

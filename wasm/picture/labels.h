@@ -1,6 +1,6 @@
 // Where numbers are written in the drawing: a load beside its robot, the coverage inside the
 // lifting base. This runs in every frame of a drag, so it looks at cells of pixels; pictures in files take the time to measure
-// (core/src/output/svg/label_places.h).
+// (evenlift/output/label_places.h).
 #pragma once
 
 #include <cstddef>

@@ -11,6 +11,8 @@ constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
 constexpr double least_room_above_card = 165;
 // A sheet with its handle and the row of the player, or the headline of the verdict and one row (panels.cpp).
 constexpr double brief_row = 88, brief_verdict = 152;
+// Before a room: with less height, a card has no place below the words; and what of the height the words keep.
+constexpr double least_height_for_both = 480, share_of_words = 0.45;
 
 // A bar with one row of controls.
 double bar_height(const Layout& l) { return l.control + 2 * l.bar_padding; }
@@ -68,6 +70,12 @@ Layout embedded(const AppState& state) {
   return l;
 }
 
+// Before a room a card stands below the words, so that the drawing keeps its size.
+bool seats_card_below_words(const AppState& state) {
+  const Screen& screen = state.screen;
+  return state.presenting && screen.width > screen.height && screen.height >= least_height_for_both;
+}
+
 // Before a room: the drawing, and the words beside it, or below it on an upright screen.
 Layout presenting(const AppState& state) {
   const Screen& screen = state.screen;
@@ -83,7 +91,12 @@ Layout presenting(const AppState& state) {
   } else {
     seat_player(l, screen.width - l.margin, screen.height * 0.42);
   }
-  split(l, screen, false, 64, 44, 56);
+  Screen beside_words = screen;
+  if (seats_card_below_words(state) && screen.foot > 0) {
+    l.player.bottom = screen.height - screen.foot - l.margin / 2;
+    beside_words.foot = 0;
+  }
+  split(l, beside_words, false, 64, 44, 56);
   return l;
 }
 
@@ -219,6 +232,11 @@ Rect card_seat(const AppState& state) {
   const Layout l = layout(state);
   constexpr double least = 520;  // beside the tools of the view
   const double left = l.free.left + l.margin, right = l.free.right - l.margin;
+  if (seats_card_below_words(state)) {
+    const double height = state.screen.height;
+    return {l.player.left, l.player.top + share_of_words * height, l.player.right,
+            height - l.margin};
+  }
   if (state.screen.embed || state.presenting || state.screen.window_foot > 0)
     return {left, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
   if (!l.wide) return {left, l.free.top, l.tools.left - l.margin, l.tools.bottom};

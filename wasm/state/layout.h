@@ -37,7 +37,8 @@ bool has_half_sheet(const AppState& state);
 // all of that. O(vertices).
 Camera fitting_camera(const AppState& state);
 
-// Where a card of the page may stand, at the foot of this place: it covers no control.
+// Where a card of the page may stand, at the foot of this place and not above it: it covers no control. It does not depend on
+// whether there is a card.
 Rect card_seat(const AppState& state);
 
 }  // namespace evenlift::view

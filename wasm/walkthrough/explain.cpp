@@ -72,7 +72,7 @@ void explain_team(Explanation& explanation, const Placement& placement, const Pi
   const TeamInWords words =
       team_in_words(placement, pick.index, coordinate_decimals(placement.vertices()));
   const Units& units = placement.settings.units;
-  const std::string of_all = " of " + with_weight_unit(plain(placement.settings.weight), units);
+  const std::string of_all = " of " + given_weight(placement.settings.weight, units);
   if (pick.kind == Pick::Kind::robot) {
     const auto end = static_cast<std::size_t>(pick.end);
     const std::size_t robot = 2 * pick.index + end;
@@ -103,7 +103,7 @@ void explain_balanced(Explanation& explanation, const Placement& placement, cons
   if (!pick.second) explanation.robot = robot;
   explanation.title = "Robot " + number(robot) + " of " + std::to_string(all);
   explanation.rows.push_back(
-      {"It carries", load + " of " + with_weight_unit(plain(placement.settings.weight), units)});
+      {"It carries", load + " of " + given_weight(placement.settings.weight, units)});
   explanation.rows.push_back({"Each of the others", load});
   explanation.rows.push_back({"It stands at", words.at[robot]});
   explanation.reason = "The centre of mass is the centroid of the " + std::to_string(all) +

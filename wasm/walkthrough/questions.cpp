@@ -1,11 +1,13 @@
 #include "walkthrough/questions.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "evenlift/output/words.h"
 #include "state/browser.h"
+#include "state/notice.h"
 #include "walkthrough/timeline.h"
 #include "walkthrough/walkthrough.h"
 
@@ -64,21 +66,38 @@ std::size_t first_offered(const Ask& asked) {
   return n < 2 ? 0 : (answer + 1 + asked.step % (n - 1)) % n;
 }
 
-}  // namespace
-
-void ask(Walkthrough& walk, std::uint32_t step) {
-  const Trace& trace = *walk.trace;
+// What is asked about the choice that this step shows, if it is not trivial.
+std::optional<Ask> question_of(const Trace& trace, std::uint32_t step) {
   Ask asked;
   asked.step = step;
   asked.detail = look_at(trace, step);
   const std::optional<Question> question = evenlift::question(trace, asked.detail);
-  if (!question) return;
+  if (!question) return std::nullopt;
   asked.question = *question;
   asked.text = question_text(trace, asked.detail, *question);
   // In their order, as a ranking would give the answer away.
   asked.choices = some_of(choices(trace, asked.detail, *question), question->answer);
-  if (is_trivial(trace, asked) || !may_ask(walk, asked)) return;
-  asked.pointed = first_offered(asked);
+  if (is_trivial(trace, asked)) return std::nullopt;
+  return asked;
+}
+
+// Whether any of the steps that are shown has a choice to predict.
+bool asks_anything(const AppState& state) {
+  const Trace& trace = *state.walkthrough.trace;
+  const std::uint32_t count = timeline(state).count;
+  for (std::uint32_t at = 0; at < count; ++at) {
+    const std::uint32_t step = step_of(state, at);
+    if (is_choice(trace, step) && question_of(trace, step)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void ask(Walkthrough& walk, std::uint32_t step) {
+  std::optional<Ask> asked = question_of(*walk.trace, step);
+  if (!asked || !may_ask(walk, *asked)) return;
+  asked->pointed = first_offered(*asked);
   walk.ask = std::move(asked);
   walk.playing = false;
   if (!walk.trace->balanced()) look_before_choice(walk);
@@ -87,6 +106,8 @@ void ask(Walkthrough& walk, std::uint32_t step) {
 
 void set_predict(AppState& state, bool on) {
   if (on == state.walkthrough.predict) return;
+  if (on && !asks_anything(state))
+    return show(state, {Notice::Kind::info, "No step of this lesson has a choice to predict."});
   if (on) state.walkthrough.guesses = {};
   state.walkthrough.predict = on;
   show_step_again(state);  // a challenge shows less of some steps

@@ -20,6 +20,23 @@ bool repeats(const Area& a) {
   return std::floor(held / every) > std::floor((held - io.DeltaTime) / every);
 }
 
+// What a value that is typed stands on.
+void draw_ground(const Ui& ui, ImVec2 low, ImVec2 high) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
+  list.AddRect(low, high, ui.theme.quiet.packed(), 7, 0, 1);
+}
+
+// A text that is cut off with "…" where it is longer than that.
+std::string cut_off(std::string text, float width) {
+  if (text_size(Face::text, text).x <= width) return text;
+  while (!text.empty() && text_size(Face::text, text + "…").x > width) {
+    while (text.size() > 1 && (text.back() & 0xC0) == 0x80) text.pop_back();
+    text.pop_back();
+  }
+  return text + "…";
+}
+
 }  // namespace
 
 int stepper(const Ui& ui, const char* id, const std::string& value, float width,
@@ -56,14 +73,14 @@ int stepper(const Ui& ui, const char* id, const std::string& value, float width,
 
 void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
                 const std::string& value, float width) {
+  constexpr float pad = 10;
   ImGui::Dummy(ImVec2(width, ui.control()));
   list_control(number_control(id, label, setting, value));
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.PushClipRect(low, high, true);
-  draw_text(list, Face::text, ImVec2(low.x, (low.y + high.y - text_size(Face::text, value).y) / 2),
-            ui.theme.text, value);
-  list.PopClipRect();
+  draw_ground(ui, low, high);
+  draw_text(*ImGui::GetWindowDrawList(), Face::text,
+            ImVec2(low.x + pad, (low.y + high.y - text_size(Face::text, value).y) / 2),
+            ui.theme.text, cut_off(value, width - 2 * pad));
 }
 
 void number_field(const Ui& ui, const char* id, const char* label, const char* setting,
@@ -86,8 +103,7 @@ Asked typed_field(const Ui& ui, const char* id, const char* label, const std::st
   ImGui::Dummy(ImVec2(width, ui.control()));
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
                text = text_size(Face::strong, value);
-  list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
-  list.AddRect(low, high, ui.theme.quiet.packed(), 7, 0, 1);
+  draw_ground(ui, low, high);
   draw_text(list, Face::strong,
             ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2), ui.theme.text,
             value);

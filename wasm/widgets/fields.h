@@ -18,7 +18,8 @@ struct StepperOptions {
 int stepper(const Ui& ui, const char* id, const std::string& value, float width,
             const StepperOptions& options);
 
-// A value that can be typed, at the cursor, `width` wide: a number ends at the right, a text begins at the left.
+// A value that can be typed, at the cursor, `width` wide: a number ends at the right; a text begins at the left, on a ground of its
+// own, and is cut off with "…" where it is too long.
 void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
                 const std::string& value, float width);
 void number_field(const Ui& ui, const char* id, const char* label, const char* setting,

@@ -47,12 +47,12 @@ export async function openCard(page, { name, title, body, closed, focus = false,
   const seat = () => {
     if (leave.signal.aborted) return;
     placed = place();
-    const [left, right, bottom, zoom, presenting] = placed.trim().split(/ +/).map(Number);
+    const [left, top, right, bottom, zoom, presenting] = placed.trim().split(/ +/).map(Number);
     const width = (right - left) / zoom;
     root.style.scale = zoom;
     root.style.left = `${left}px`;
     root.style.width = `${width}px`;
-    root.style.maxHeight = `${(bottom - 8) / zoom}px`;
+    root.style.maxHeight = `${(bottom - top) / zoom}px`;
     root.classList.toggle("in-a-row", width >= 620);
     root.classList.toggle("before-a-room", presenting === 1);
     const height = root.offsetHeight * zoom;

@@ -16,7 +16,7 @@ function drawn({ circle, box, line }) {
 function ringed(here, { points, controls, menu }) {
   if (points) return points(here);
   const shown = here.controls(...controls);
-  return shown.length || !menu ? shown : here.controls("more");
+  return shown.length ? shown : menu ? here.controls("more") : here.sheet();
 }
 
 // Texts of other stops, unseen behind the one that is shown: so the card is as high at each of them, and neither its buttons nor

@@ -92,11 +92,15 @@ export function look({ program }) {
     baseHasArea: hull(robots).length > 2,
     discs: (some = robots) => some.map((at) => ({ circle: [...at, ring] })),
     team: teams[0],
+    hasSheet: controls(program, ["handle"]).length > 0,
     aboutCentre: { circle: [...screen(state.centre_of_mass), aboutCentre] },
-    // The border of the lifting base, between the robots.
+    // The border of the lifting base, between the robots; where they are too near to each other, a box around them.
     base() {
       const around = hull(robots);
-      return around.map((at, i) => between([at, around[(i + 1) % around.length]], ring + 4)).filter(Boolean);
+      const sides = around.map((at, i) => between([at, around[(i + 1) % around.length]], ring + 4)).filter(Boolean);
+      if (sides.length || !around.length) return sides;
+      const [low, high] = [Math.min, Math.max].map((choose) => [0, 1].map((axis) => choose(...around.map((at) => at[axis]))));
+      return [{ box: [low[0] - ring, low[1] - ring, high[0] - low[0] + 2 * ring, high[1] - low[1] + 2 * ring] }];
     },
     // The sharpest of the vertices that are clear of robots, their numbers and C; nothing if there is none.
     vertex() {
@@ -107,6 +111,10 @@ export function look({ program }) {
         .filter(({ at: [x, y], clear: room }) => room >= 0 && x > aboutVertex && y > aboutVertex && x < innerWidth - aboutVertex && y < innerHeight - aboutVertex);
       const best = known.sort((a, b) => b.sharp - a.sharp)[0];
       return best ? [{ circle: [...best.at, aboutVertex] }] : [];
+    },
+    // The handle of a phone's sheet; nothing on a wide screen.
+    sheet() {
+      return this.controls("handle");
     },
     // Those of these controls that are seen, as one.
     controls(...names) {

@@ -13,7 +13,7 @@ function mobility({ free, heldByCurvature }) {
 const finger = () => matchMedia("(pointer: coarse)").matches;
 
 // `points` gives the shapes that are ringed: circles [x, y, radius], boxes [x, y, width, height], lines [from, to]; or else
-// `controls` are, and with `menu` the button of the menu in which they are on a small screen. A stop whose `where` does not hold is left out.
+// `controls` are. Where a small screen does not show them, the handle of the sheet in which they are is ringed, or with `menu` the button of the menu. A stop whose `where` does not hold is left out.
 export const stops = [
   {
     title: "Teams",
@@ -47,8 +47,8 @@ export const stops = [
     controls: ["Clockwise", "Counter-clockwise"],
   }, {
     title: "Settings",
-    words: ({ balanced }) => (balanced ? "Choose how many robots there are, how their places are found, and whether they are to hold or to cover. The answer follows."
-      : "Choose how many teams there are, how they are chosen, and how even a chord must be. The answer follows."),
+    words: ({ balanced, hasSheet }) => `${hasSheet ? "Pull the sheet up, and choose" : "Choose"} ${balanced ? "how many robots there are, how their places are found, and whether they are to hold or to cover"
+      : "how many teams there are, how they are chosen, and how even a chord must be"}. The answer follows.`,
     controls: ["methods", "teams -", "teams +", "robots -", "robots +", "ratio"],
   }, {
     title: "The shape",

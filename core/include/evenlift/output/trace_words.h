@@ -62,4 +62,8 @@ std::string other_swap_text(const Trace& trace, const StepDetail& detail, const 
 // 1: 15.7 of 100". O(1).
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure);
 
+// What is written beside a part of the object in a picture: "edge 4", "vertex 2", "image of edge 1", "centroid"; empty for
+// any other figure. O(1).
+std::string part_name(const Figure& figure);
+
 }  // namespace evenlift

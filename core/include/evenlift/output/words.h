@@ -54,6 +54,10 @@ std::string load_in_words(LoadModel model, const LoadRange& load, double largest
 // A number that is a weight or a length already, with its unit: "100 kg", "2.5 mm". Lengths may have
 // none: "2.5".
 std::string with_weight_unit(const std::string& number, const Units& units);
+
+// A weight or capacity that somebody gave, with its unit: all of its whole part, and six significant digits at most, since
+// one that was converted from another unit has many: "100 kg", "22.6796 kg".
+std::string given_weight(double weight, const Units& units);
 std::string with_length_unit(const std::string& number, const Units& units);
 
 // A share of 1 as a percentage: "81 %". Only 0 is "0 %" and only 1 is "100 %", both within

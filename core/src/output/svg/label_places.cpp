@@ -1,4 +1,4 @@
-#include "output/svg/label_places.h"
+#include "evenlift/output/label_places.h"
 
 #include <algorithm>
 #include <cmath>

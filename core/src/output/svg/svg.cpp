@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "evenlift/output/label_places.h"
 #include "evenlift/output/markup.h"
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
-#include "output/svg/label_places.h"
 #include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"
 #include "output/svg/svg_markup.h"
@@ -23,10 +23,10 @@ constexpr std::size_t most_labels = 150;
 
 class Drawing {
  public:
-  explicit Drawing(const Placement& placement)
+  explicit Drawing(const Placement& placement, double share = 1)
       : placement_(placement),
         sized_(robots_with_size(placement)),
-        paper_(extent(placement, sized_)) {
+        paper_(extent(placement, sized_), share) {
     const auto robots = static_cast<double>(count_robots(placement.teams));
     disc_ = std::clamp(13.5 - robots / 12, 6.5, 13.0);
     number_size_ = 1.15 * disc_;
@@ -39,16 +39,26 @@ class Drawing {
   }
 
   std::string finished(std::string_view link) {
-    // Draws step by step: what is drawn tells later steps what to avoid and what to explain.
+    const std::string drawing = drawn();
+    return document(drawing, make_caption(placement_, shown_, paper_.height, paper_.width), link);
+  }
+
+  std::string without_caption() { return document(drawn(), {}, {}); }
+
+ private:
+  // Draws step by step: what is drawn tells later steps what to avoid and what to explain.
+  std::string drawn() {
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
       drawing += drawn(shape);
     if (placement_.stands) drawing += stands();
     drawing += slide();
     drawing += robots();
-    drawing += loads();
-    const Caption caption = make_caption(placement_, shown_, paper_.height, paper_.width);
+    return drawing + loads();
+  }
 
+  std::string document(const std::string& drawing, const Caption& caption,
+                       std::string_view link) const {
     const double width = paper_.width, height = paper_.height + caption.height;
     const auto rect = [](double inset, double w, double h, const std::string& look) {
       return element("rect", attribute("x", inset) + attribute("y", inset) +
@@ -70,7 +80,6 @@ class Drawing {
            "</svg>\n";
   }
 
- private:
   std::string title() const {
     const std::size_t teams = placement_.teams.size();
     if (placement_.settings.method == Method::balanced)
@@ -258,6 +267,11 @@ class Drawing {
 
 std::string placement_svg(const Placement& placement, std::string_view link) {
   return svg::Drawing(placement).finished(link);
+}
+
+std::string placement_sketch(const Placement& placement) {
+  constexpr double share = 0.5;
+  return svg::Drawing(placement, share).without_caption();
 }
 
 }  // namespace evenlift

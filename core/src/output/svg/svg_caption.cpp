@@ -23,7 +23,7 @@ std::string settings_line(const Placement& placement) {
   if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);
   line += " · coverage " + percentage(placement.coverage);
   if (settings.capacity)
-    line += " · a robot can carry " + with_weight_unit(plain(*settings.capacity), settings.units);
+    line += " · a robot can carry " + given_weight(*settings.capacity, settings.units);
   if (settings.com_radius > 0)
     line += " · centre of mass known within " +
             with_length_unit(plain(settings.com_radius), settings.units);

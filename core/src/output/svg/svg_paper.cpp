@@ -9,13 +9,13 @@
 
 namespace evenlift::svg {
 
-Paper::Paper(const Points& vertices) {
+Paper::Paper(const Points& vertices, double share) {
   const Box box = bounding_box(vertices);
   const Vec2 size = box.size();
-  scale = std::min(largest_width / size.x(), largest_height / size.y());
+  scale = share * std::min(largest_width / size.x(), largest_height / size.y());
   middle = box.middle();
-  width = std::max(smallest_width, std::ceil(size.x() * scale) + 2 * margin);
-  height = std::max(smallest_height, std::ceil(size.y() * scale) + 2 * margin);
+  width = std::max(share * smallest_width, std::ceil(size.x() * scale) + 2 * margin);
+  height = std::max(share * smallest_height, std::ceil(size.y() * scale) + 2 * margin);
 }
 
 Vec2 Paper::operator()(const Vec2& p) const {

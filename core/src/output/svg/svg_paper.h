@@ -7,7 +7,8 @@ namespace evenlift::svg {
 
 // From polygon coordinates (y up) to pixels: the object's box in the middle of the ground.
 struct Paper {
-  explicit Paper(const Points& vertices);
+  // The object is at most `share` of the usual size.
+  Paper(const Points& vertices, double share);
 
   double width = 0, height = 0;  // of the ground
   double scale = 1;              // pixels per unit of length

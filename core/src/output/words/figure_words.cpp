@@ -175,4 +175,14 @@ std::string figure_text(const Trace& trace, const StepDetail& detail, const Figu
   return fill(row.pattern, {blanks[0], blanks[1], blanks[2]});
 }
 
+std::string part_name(const Figure& figure) {
+  if (figure.kind == FigureKind::centroid) return "centroid";
+  if (!figure.item) return {};
+  const std::string number = written(counted_from_1(*figure.item));
+  if (figure.kind == FigureKind::edge) return "edge " + number;
+  if (figure.kind == FigureKind::vertex) return "vertex " + number;
+  if (figure.kind == FigureKind::reflected) return "image of edge " + number;
+  return {};
+}
+
 }  // namespace evenlift

@@ -118,6 +118,12 @@ std::string with_weight_unit(const std::string& number, const Units& units) {
   return number + "\u00A0" + std::string(name(units.weight));
 }
 
+std::string given_weight(double weight, const Units& units) {
+  constexpr int digits = 6;
+  const int whole = magnitude(shortest_decimal(weight));
+  return with_weight_unit(significant(weight, std::max(digits, whole)), units);
+}
+
 std::string with_length_unit(const std::string& number, const Units& units) {
   return units.length == LengthUnit::none ? number
                                           : number + "\u00A0" + std::string(name(units.length));

@@ -88,7 +88,7 @@ std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness
 
 std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
                                        double capacity, const Units& units) {
-  const std::string limit = with_weight_unit(plain(capacity), units);
+  const std::string limit = given_weight(capacity, units);
   const auto radius = radius_within_capacity(loads.springs, robustness.tipping_distance, capacity);
   if (!radius) return "If all robots are equally stiff, some bear more than " + limit + ".";
   // What loads do farther out is not known: it may be that, and not the capacity, which ends the range.
@@ -129,10 +129,9 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
   const std::string others = "the other " + in_letters(robots - 1);
   if (!rest) return fails + others + " cannot carry it.";
   const double greatest = rest->greatest_by_springs;
-  const std::string overload =
-      capacity && greatest > *capacity
-          ? " One can carry " + with_weight_unit(plain(*capacity), units) + "."
-          : std::string();
+  const std::string overload = capacity && greatest > *capacity
+                                   ? " One can carry " + given_weight(*capacity, units) + "."
+                                   : std::string();
   return fails + "carried by " + others + ", at most " + load_in_words(greatest, greatest, units) +
          (rest->steady ? "." : ", but it can tip.") + overload;
 }

@@ -44,7 +44,7 @@ std::string overload_in_words(const Placement& placement, double capacity,
                               const std::vector<std::size_t>& robots, LoadModel model,
                               const std::optional<std::size_t>& failed) {
   if (placement.teams.empty()) return {};
-  const std::string limit = with_weight_unit(plain(capacity), placement.settings.units);
+  const std::string limit = given_weight(capacity, placement.settings.units);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
   // At best only the greatest load is known, and not whose it is; at worst not all bear their greatest at once.
   if (model == LoadModel::best)
@@ -103,11 +103,10 @@ std::string loads_in_words(const Placement& placement, LoadModel shown) {
   if (placement.settings.method == Method::balanced)
     return robots + " carry " + load_in_words(loads.max, loads.max, placement.settings.units) +
            " each, all the same (" +
-           with_weight_unit(plain(placement.settings.weight), placement.settings.units) +
-           " in all).";
+           given_weight(placement.settings.weight, placement.settings.units) + " in all).";
   return robots + " carry " +
          load_in_words(loads.min, loads.max, loads.max, placement.settings.units) + " each (" +
-         with_weight_unit(plain(placement.settings.weight), placement.settings.units) + " in all).";
+         given_weight(placement.settings.weight, placement.settings.units) + " in all).";
 }
 
 std::string no_go_in_words(const std::vector<EdgePart>& no_go) {
