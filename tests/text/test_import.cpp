@@ -228,6 +228,29 @@ TEST_CASE("SVG: layers, labels, holes, and what is left out", "[import][svg]") {
     CHECK(std::abs(length(p - Vec2(60, -70)) - 40) < 1e-9);
 }
 
+TEST_CASE("SVG: the size on paper names the unit of the coordinates, which stay as they are",
+          "[import][svg]") {
+  const auto unit_of = [](const std::string& size) {
+    const Import import = read("<svg " + size + "><path d=\"M0 0H30V40z\"/></svg>");
+    CHECK(import.shapes.at(0).document.vertices.at(1).x() == 30);
+    CHECK((import.shapes[0].document.settings.units.length == LengthUnit::none) ==
+          import.unit.empty());
+    return import.unit;
+  };
+  CHECK(unit_of(R"(width="210mm" height="297mm" viewBox="0 0 210 297")") == "millimetres");
+  CHECK(unit_of(R"(width="21cm" height="29.7cm" viewBox="0 0 210 297")") == "millimetres");
+  CHECK(unit_of(R"(width="595.276pt" height="841.890pt" viewBox="0 0 210 297")") == "millimetres");
+  CHECK(unit_of(R"(width="8.5in" height="11in" viewBox="0,0 8.5,11")") == "inches");
+  CHECK(unit_of(R"(width="210mm" height="297mm" viewBox="-5 -5 21 29.7")") == "centimetres");
+  // No unit that evenlift has, no size on paper, or another one across than down.
+  CHECK(unit_of(R"(width="210mm" height="297mm" viewBox="0 0 793.7 1122.52")").empty());
+  CHECK(unit_of(R"(width="793.7" height="1122.52px" viewBox="0 0 210 297")").empty());
+  CHECK(unit_of(R"(width="210mm" height="297mm")").empty());
+  CHECK(unit_of(R"(width="210mm" height="100mm" viewBox="0 0 210 297")").empty());
+  CHECK(unit_of(R"(width="210mm" height="297mm" viewBox="0 0 0 297")").empty());
+  CHECK(unit_of(R"(width="-210mm" height="1e999mm" viewBox="0 0 210 none")").empty());
+}
+
 TEST_CASE("SVG: smooth curves go on as the ones before, and flags may follow without a space",
           "[import][svg]") {
   const auto same = [](const char* a, const char* b) {

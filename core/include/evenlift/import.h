@@ -44,7 +44,8 @@ struct Import {
 //   SVG        polygon, polyline, path, rect, circle and ellipse with their transforms, in user units
 //              and y turned upwards. Each outline of a path is a shape. What is hidden, or in defs,
 //              symbol, clipPath, mask, marker or pattern, is not drawn. A picture that evenlift saved
-//              has its share link in <metadata>, and that is opened
+//              has its share link in <metadata>, and that is opened. The unit is the one that width,
+//              height and viewBox make of the user units, as width="210mm" viewBox="0 0 210 297" do
 //   DXF        with text codes, its model space: closed LWPOLYLINE and POLYLINE with bulges, CIRCLE
 //              and closed ELLIPSE and SPLINE; and LINE, ARC and open ones of these of one layer, if
 //              they close, chained where their ends are no farther apart than 1/100000 of the

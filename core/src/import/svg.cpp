@@ -8,6 +8,7 @@
 #include "import/gathering.h"
 #include "import/readers.h"
 #include "import/svg_values.h"
+#include "import/unit_words.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -65,6 +66,9 @@ constexpr std::string_view unseen[] = {"defs",           "clipPath", "mask",    
                                        "title",          "desc",     "style",    "script",
                                        "radialGradient", "filter",   "namedview"};
 constexpr std::string_view drawn[] = {"path", "polygon", "polyline", "rect", "circle", "ellipse"};
+
+// Lengths in these are sizes on paper; pixels are not.
+constexpr std::string_view paper_units[] = {"mm", "cm", "in", "pt", "pc"};
 
 struct Other {
   std::string_view name, one, many;
@@ -373,6 +377,39 @@ Result<pugi::xml_node> SvgReader::load() {
   return root;
 }
 
+// How many CSS pixels a user unit of the drawing is along a side of it; nothing if the drawing has no size on paper.
+std::optional<double> user_unit(const pugi::xml_node& svg, const char* side, std::size_t in_box) {
+  const std::string_view size = value_of(svg, side);
+  const bool on_paper = std::any_of(std::begin(paper_units), std::end(paper_units),
+                                    [&](std::string_view unit) { return size.ends_with(unit); });
+  if (!on_paper) return std::nullopt;
+  const SvgResult<std::optional<double>> length = svg_length(size);
+  const SvgResult<std::vector<double>> box = svg_numbers(value_of(svg, "viewBox"));
+  const auto* pixels = std::get_if<std::optional<double>>(&length);
+  const auto* numbers = std::get_if<std::vector<double>>(&box);
+  if (!pixels || !*pixels || !numbers || numbers->size() != 4 || !((*numbers)[in_box] > 0))
+    return std::nullopt;
+  return **pixels / (*numbers)[in_box];
+}
+
+// The unit that the drawing's size on paper makes of its user units, as in <svg width="210mm" height="297mm"
+// viewBox="0 0 210 297">; none if it is no unit that evenlift has. Programs round such sizes.
+LengthUnit unit_of(const pugi::xml_node& svg) {
+  constexpr double rounding = 1e-4;
+  const std::optional<double> across = user_unit(svg, "width", 2),
+                              down = user_unit(svg, "height", 3);
+  if (!across || !down) return LengthUnit::none;
+  const auto is = [&](double pixels) {
+    return std::abs(*across - pixels) < rounding * pixels &&
+           std::abs(*down - pixels) < rounding * pixels;
+  };
+  constexpr double inch = 96;
+  if (is(inch / 25.4)) return LengthUnit::mm;
+  if (is(inch / 2.54)) return LengthUnit::cm;
+  if (is(inch / 0.0254)) return LengthUnit::m;
+  return is(inch) ? LengthUnit::in : LengthUnit::none;
+}
+
 Result<Import> SvgReader::read() {
   const Result<pugi::xml_node> loaded = load();
   if (!loaded) return loaded.error();
@@ -391,6 +428,9 @@ Result<Import> SvgReader::read() {
                       {}};
   const Context whole{{1, 0, 0, -1, 0, 0}, {}};  // in SVG y points down
   if (std::optional<InputError> error = children(root, whole, 1)) return *std::move(error);
+  const LengthUnit unit = unit_of(root);
+  gathering_.import.unit = in_full(unit);
+  for (ImportedShape& shape : gathering_.import.shapes) shape.document.settings.units.length = unit;
   return gathering_.finish(nothing_found());
 }
 
