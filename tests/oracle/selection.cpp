@@ -59,6 +59,15 @@ class Base {
     return {};
   }
 
+  /// The length of the shortest edge.
+  Real shortest_edge() const {
+    Real shortest = length(corners_[1] - corners_[0]);
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+      shortest =
+          std::min<Real>(shortest, length(corners_[(i + 1) % corners_.size()] - corners_[i]));
+    return shortest;
+  }
+
  private:
   bool in_or_near(const RealVec& p) {
     bool inside = true;
@@ -198,7 +207,10 @@ class Selector {
 
     const Real& size = shape_.size;
     const Real absolute =
-        (problem_.metric == Metric::distance ? size : Real(size * size)) / Real("1e12");
+        (problem_.metric == Metric::distance
+             ? Real(size * std::max<Real>(1, size / (1000 * base.shortest_edge())))
+             : Real(size * size)) /
+        Real("1e12");
     std::vector<std::size_t> remaining = left_;
     keep_best(
         remaining, [&](std::size_t i) { return scores[i]; },

@@ -23,10 +23,14 @@ void keep_best(std::vector<std::uint32_t>& indices, Key key, Ties ties) {
   std::erase_if(indices, [&](std::uint32_t i) { return !ties(best, key(i)); });
 }
 
-// The floor for score_slack.
-double floor_of(const Polygon& polygon, Method metric) {
-  const double size = polygon.diameter();
-  return score_floor * (metric == Method::distance ? size : size * size);
+// The floor for score_slack. Rounding the ends of an edge of H turns its line, and a vertex far from a short
+// edge moves a long way about it: by distance the floor grows as the shortest edge shrinks.
+double floor_of(double size, Method metric, const Points& hull) {
+  if (metric != Method::distance) return score_floor * size * size;
+  double shortest = short_edge * size;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    shortest = std::min(shortest, length(hull[(i + 1) % hull.size()] - hull[i]));
+  return score_floor * size * (short_edge * size / shortest);
 }
 
 }  // namespace
@@ -40,7 +44,7 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
       most_teams_(most_teams),
       first_(first),
       near_(near_distance(polygon.diameter())),
-      floor_(floor_of(polygon, metric)),
+      floor_(floor_of(polygon.diameter(), metric, {})),
       stands_(stands),
       states_(candidates.size(), State::open) {
   ends_.reserve(2 * candidates.size());
@@ -214,6 +218,7 @@ bool Selector::widen_base(Index candidate) {
       widen_hull(hull_, ends_[2 * candidate].position, ends_[2 * candidate + 1].position, near_);
   if (hull == hull_) return false;
   const Points old_hull = std::exchange(hull_, std::move(hull));
+  floor_ = floor_of(surroundings_.diameter, metric_, hull_);
   const Indices old_edges = std::exchange(edges_, {});
 
   const auto corner = [](const Points& corners, std::size_t i) -> const Vec2& {

@@ -66,7 +66,7 @@ class Selector {
   // The corners of H, relative to C.
   const Points& base() const { return hull_; }
 
-  // The floor for score_slack: scores that differ by no more always tie.
+  // The floor for score_slack: scores that differ by no more always tie. It depends on H.
   double floor() const { return floor_; }
 
  private:
