@@ -384,8 +384,8 @@ test("where no step has a choice, predictions are not switched on, and that is s
   await idle(page);
   await page.keyboard.press("q");
   assert.match(await noticed(page), /^No step of this lesson has a choice to predict\.$/);
-  const predict = page.locator("#mirror").getByRole("switch", { name: "Predict first" });
-  assert.equal(await predict.getAttribute("aria-checked"), "false");
+  const predict = page.locator("#mirror").getByRole("button", { name: "Predict first" });
+  assert.equal(await predict.getAttribute("aria-pressed"), "false");
   await page.done();
 });
 
@@ -692,6 +692,13 @@ test("a broken lesson gets one sentence with its line, and changes nothing", asy
     await page.keyboard.press("Escape");
     await allClosed(page);
   }
+  await page.done();
+});
+
+test("letters that no font of the page has are named by their writing", async () => {
+  const page = await browser.open();
+  await load(page, `title: 你好\nlink: ${await link(page)}\n\n[polygon]\nשלום, 世界 😀.\n`);
+  assert.equal(await noticed(page), "Some characters cannot be shown on the canvas: Hebrew letters, Chinese characters, emoji.");
   await page.done();
 });
 

@@ -6,6 +6,19 @@ import { createSearch } from "./search.js";
 import { underWay } from "./under_way.js";
 import { begin, end } from "./work.js";
 
+// Writings whose letters the fonts do not have, as a person calls them.
+const writings = { Han: "Chinese characters", Hiragana: "Japanese letters", Katakana: "Japanese letters", Hangul: "Korean letters",
+  Arabic: "Arabic letters", Hebrew: "Hebrew letters", Devanagari: "Devanagari letters", Thai: "Thai letters" };
+const writingOf = Object.entries(writings).map(([script, name]) => [new RegExp(`\\p{Script=${script}}`, "u"), name]);
+
+// A character that cannot be shown, in words.
+function nameOf(character) {
+  const writing = writingOf.find(([pattern]) => pattern.test(character));
+  if (writing) return writing[1];
+  if (/\p{Extended_Pictographic}/u.test(character)) return "emoji";
+  return `U+${character.codePointAt(0).toString(16).toUpperCase().padStart(4, "0")}`;
+}
+
 // Mail programs, chats and older browsers may cut longer links.
 const longLink = 2000;
 
@@ -132,8 +145,8 @@ export class Bindings {
   }
 
   sayAbsent(characters) {
-    const codes = [...characters].slice(0, 5).map((c) => `U+${c.codePointAt(0).toString(16).toUpperCase().padStart(4, "0")}`);
-    this.#publisher.notice(`Some characters cannot be shown on the canvas: ${codes.join(", ")}${[...characters].length > 5 ? ", …" : ""}.`, true);
+    const names = [...new Set([...characters].map(nameOf))];
+    this.#publisher.notice(`Some characters cannot be shown on the canvas: ${names.slice(0, 5).join(", ")}${names.length > 5 ? ", …" : ""}.`, true);
   }
 
   // --- The document --------------------------------------------------------------------------------------------------
