@@ -134,8 +134,8 @@ std::string as_json(const Compared& compared) {
 void cmd_optimum(const Arguments& arguments) {
   CommandLine line(
       "evenlift optimum", "How far the greedy choice of teams is from the best one that there is.",
-      "Among up to 160 candidates the widest base is proved to be the best; with more there is a\n"
-      "bound. With --goal hold all choices are compared, up to 4,194,304 of them, or else bounded.\n\n"
+      "Among up to 160 candidates the widest base is proved to be the best if the time allows; with\n"
+      "more there is a bound. With --goal hold all choices are compared, up to 4,194,304 of them, or else bounded.\n\n"
       "Example:\n  evenlift optimum table.txt --teams 2\n");
   InputOptions options;
   std::optional<std::string> time_limit;

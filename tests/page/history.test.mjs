@@ -162,3 +162,17 @@ test("a kept text that is broken stops nothing; in a frame nothing is kept", asy
   assert.equal(await frame.evaluate(() => localStorage.getItem("evenlift.history")), null);
   await frame.done();
 });
+
+test("undo to another object shows all of it, as opening does", async () => {
+  const page = await browser.open();
+  await load(page, asset("arrow"));
+  await idle(page);
+  const corner = async () => toScreen(page, (await state(page)).polygon[0]);
+  const before = await corner();
+  await load(page, "(0,0)\n(9000,0)\n(9000,200)\n(0,200)\n");
+  await idle(page);
+  await undo(page);
+  await idle(page);
+  assert.deepEqual(await corner(), before);
+  await page.done();
+});

@@ -149,8 +149,13 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
   placement.teams[0] = placement.teams[2] = bearing(16, 16);
   CHECK(words(17) == "1 of 6 robots is overloaded, with more than 17 kg: team 2.");
   CapacityPlan plan{true, 4, 12.48, 4};
+  CHECK(
+      words(20, &plan) ==
+      "No robot carries more than 20 kg. By load alone this method needs 8 robots, with at most 12.5 kg each.");
+  placement.settings.method = Method::balanced;  // whose places are not tried
   CHECK(words(20, &plan) ==
-        "No robot carries more than 20 kg. This method needs 8 robots, with at most 12.5 kg each.");
+        "No robot carries more than 20 kg. By load alone it takes 8 robots, with 12.5 kg each.");
+  placement.settings.method = Method::area;
   plan = {false, 0, 0, 9};
   CHECK(words(20, &plan) ==
         "No robot carries more than 20 kg. Not even all 18 robots that find a place are enough.");

@@ -113,7 +113,7 @@ TEST_CASE("capacity and comparison are steps of undo and redo", "[view][history]
 }
 
 TEST_CASE("the list of keys has each key of the table once, group after group", "[view][keys]") {
-  std::stringstream lines(key_list());
+  std::stringstream lines(key_list(false));
   std::vector<std::string> shown;
   int group = 0;
   for (std::string line; std::getline(lines, line);) {

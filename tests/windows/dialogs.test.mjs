@@ -99,3 +99,13 @@ test("they fit small screens: they begin at their beginning, nothing is cut off,
     await page.done();
   }
 });
+
+test("in a frame the list of keys has only those that work there", async () => {
+  const page = await browser.open({ address: "?embed=1" });
+  await page.keyboard.press("?");
+  const list = page.locator("#keys .key-groups");
+  await list.waitFor();
+  assert.deepEqual(await list.locator("h3").allTextContents(), ["What is shown", "Lesson", "Help"]);
+  assert.doesNotMatch(await list.textContent(), /Samples|Undo|About|Fold/);
+  await page.done();
+});

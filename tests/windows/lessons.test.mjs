@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, drag, idle, link, load, lShape, phone, press, reload, root, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
+import { asset, control, drag, idle, link, load, lShape, phone, press, reload, root, set, sharedBrowser, state, summary, toScreen } from "../page/browser.mjs";
 import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const order = readFileSync(path.join(root, "assets/lessons/index.txt"), "utf8").split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
@@ -361,6 +361,25 @@ for (const [how, options] of [["beside it", {}], ["above it on a phone", { viewp
   });
 }
 
+test("who only looks into the editor gets back the lesson or the polygon that was open", async () => {
+  const page = await browser.open();
+  const before = await link(page);
+  await editor(page);
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.equal(await link(page), before);
+  await begin(page, "convex");
+  await page.keyboard.press("ArrowRight");
+  await idle(page);
+  const step = await summary(page);
+  await editor(page);
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.equal(await summary(page), step);
+  assert.match(page.url(), /lesson=convex/);
+  await page.done();
+});
+
 const stepOf = (page) => page.evaluate(() => evenlift.view.control("timeline") && document.getElementById("summary").textContent);
 
 test("the editor shows the lesson at the step of the cursor, and its problems with their lines, and undo takes all of it back", async () => {
@@ -560,6 +579,7 @@ test("the printed handout begins at the head of its first page", async () => {
   const [title, first] = [await page.locator("#handout .paper-title").boundingBox(), await page.locator("#handout figure").first().boundingBox()];
   assert.ok(title.y >= 0 && title.y < 40, `the title is ${title.y} pixels from the paper's head`);
   assert.ok(first.y > title.y, "and the first step is below it");
+  for (const sample of await page.locator("#handout .paper-legend svg").all()) assert.ok((await sample.boundingBox()).height < 20, "a line of the list");
   await page.emulateMedia({ media: "screen" });
   await page.done();
 });

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "actions/actions.h"
+#include "actions/when.h"
 
 namespace evenlift::view {
 namespace {
@@ -102,11 +103,12 @@ Group group_of(ActionId id) {
 
 }  // namespace
 
-std::string key_list() {
+std::string key_list(bool embed) {
   std::string text;
   for (const Group group : {files, editing, teams, view, lesson, help}) {
+    if (embed && group < view) continue;
     for (const Action& a : actions()) {
-      if (*a.shown && group_of(a.id) == group)
+      if (*a.shown && group_of(a.id) == group && !(embed && a.enabled == when::editing))
         text += std::to_string(group) + '\t' + a.shown + '\t' + a.label + '\n';
     }
   }

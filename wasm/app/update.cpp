@@ -210,6 +210,7 @@ struct Applier {
   }
   void operator()(const SetMotion& c) const {
     state.motion = c.on;
+    browser::announce(c.on ? "Motion is on." : "Motion is off.");
     browser::preferences_changed();
   }
 

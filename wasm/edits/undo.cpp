@@ -29,7 +29,8 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   state.document = std::move(document);
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);
-  if (state.camera_follows && !well_shown(state)) state.fit_due = true;
+  const bool other_object = recalled.edit == Edit::opened || recalled.edit == Edit::drawn;
+  if (state.camera_follows && (other_object || !well_shown(state))) state.fit_due = true;
   state.second_method.reset();  // so that the two methods are not exchanged
   adopt(state, compute_placement(state.document, state.placement));
   if (!walkthrough_is_open(state)) state.second_method = recalled.beside.second_method;

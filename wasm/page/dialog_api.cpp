@@ -242,6 +242,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
 // --- Keys
 
 // key_list().
-EMSCRIPTEN_KEEPALIVE const char* page_keys() { return hand_over(key_list()); }
+EMSCRIPTEN_KEEPALIVE const char* page_keys() {
+  return hand_over(key_list(app().state.screen.embed));
+}
 
 }  // extern "C"

@@ -40,7 +40,9 @@ void draw_need(const Ui& ui) {
   Settings changed = now;
   if (plan && now.method == Method::balanced) changed.robots = plan->team_size;
   if (plan && now.method != Method::balanced) changed.teams = plan->teams;
-  const bool can_take = plan && plan->possible && !(changed == now);
+  // Fewer would do for the loads, but may tip or slide; and how many are needed while one fails is not known.
+  const bool can_take =
+      plan && plan->possible && !(changed == now) && !failing(ui.state) && is_overloaded(ui.state);
   const std::string label =
       can_take ? "Use " + count_of(plan->team_size * plan->teams, "robot", "robots")
                : std::string("As many as are needed");

@@ -9,12 +9,13 @@
 #include "walkthrough/words.h"
 
 namespace evenlift::view {
-namespace {
 
 bool is_overloaded(const AppState& state) {
   const std::optional<double>& capacity = settings(state).capacity;
   return capacity && state.outlook.greatest > *capacity;
 }
+
+namespace {
 
 Verdict of_placement(const AppState& state) {
   const Placement& placement = *state.placement;
@@ -42,7 +43,7 @@ Verdict of_failure(const AppState& state, const Failure& failure) {
 
 Verdict of_drawing(const AppState& state) {
   const std::size_t n = state.drawing.points.size();
-  const std::string press = state.screen.touch ? "Tap" : "Click";
+  const std::string press = state.screen.touch || state.screen.finger ? "Tap" : "Click";
   if (n == 0) return {Mood::drawing, "Draw a shape.", press + " where its first vertex is."};
   const auto crossed = crossings(state.drawing.points);
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
@@ -242,7 +243,7 @@ std::string news(const AppState& state) {
                                     {&Overlays::counterclockwise, "free counter-clockwise turns"},
                                     {&Overlays::tipping, "the force that tips"},
                                     {&Overlays::halo, "how far the centre of mass may be off"}})
-    if (settings(state).overlays.*shown) lines += std::string("Shown: ") + name + ".\n";
+    lines += (settings(state).overlays.*shown ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
   if (state.second_method)
     lines += "Compared with " + std::string(name(*state.second_method)) + ".\n";
   return lines;

@@ -25,6 +25,9 @@ Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 // The same in words, of the robot with this number, from 0: what happens if it fails, if that is known.
 std::string failure_words(const AppState& state, std::size_t robot);
 
+// Whether a robot carries more than its capacity, by the loads that are shown.
+bool is_overloaded(const AppState& state);
+
 // That a robot is overloaded, in a few words; empty if none is.
 std::string overload_in_brief(const AppState& state);
 

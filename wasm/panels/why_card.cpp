@@ -42,7 +42,11 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
   }
   if (ui.layout.low && ui.state.panel_open) return {ui.layout.panel, false};
   const double width = std::min(widest, right - left);
-  const double before = spot.x() - away - width, behind = spot.x() + away;
+  // A robot that has a size is not covered, unless it is drawn very large.
+  const RobotSize& robot = settings(ui.state).robot;
+  const double clear =
+      away + std::min(ui.state.camera.scale * (robot.reach + 2 * robot.radius), 160.0);
+  const double before = spot.x() - clear - width, behind = spot.x() + clear;
   const bool outward_left =
       spot.x() < ui.state.camera.to_screen(ui.state.placement->centre_of_mass).x();
   const bool at_left = outward_left ? before >= left : behind + width > right;

@@ -101,8 +101,10 @@ void place_tip(const Ui& ui, const char* text) {
              height = static_cast<float>(ui.state.screen.height);
   const bool wide = high.x - low.x > 240;  // a timeline: the tip is about where the pointer is
   const float left = wide ? pointer.x - size.x / 2 : low.x;
+  const bool below =
+      low.y < height / 2 || ui.state.screen.foot > 0;  // a card of the page may stand above it
   ImGui::SetNextWindowPos(ImVec2(std::clamp(left, 8.0f, std::max(8.0f, width - size.x - 8)),
-                                 low.y < height / 2 ? high.y + away : low.y - away - size.y));
+                                 below ? high.y + away : low.y - away - size.y));
 }
 
 }  // namespace

@@ -209,7 +209,7 @@ export class Bindings {
   // What the link holds or lacks, and then how long it is.
   #aboutLink(url) {
     const ownWords = this.#program.number("page_script") && !this.#publisher.lesson();
-    const lacking = [this.#program.text("page_link_lacks"), ownWords ? "It does not hold the words of this lesson, which came from a file." : ""];
+    const lacking = [this.#program.text("page_link_lacks"), ownWords ? "It does not hold the words of this lesson: send its file, too." : ""];
     const holds = lacking.filter(Boolean).join(" ") || "It holds the polygon and all settings.";
     const length = `It has ${url.length.toLocaleString("en")} characters`;
     if (url.length < longLink) return `${holds} ${length}.`;

@@ -15,16 +15,22 @@ const addressKey = "evenlift.address";
 
 const mostKept = 400000;  // vertices; no browser keeps a longer text
 
-// Each sentence is an element of its own, so that only those that changed are read out; the list of teams or robots, which is long, is
-// there to be read but not read out.
-function showSentences(root, sentences) {
-  while (root.children.length > sentences.length) root.lastChild.remove();
+// Each sentence is an element of its own, which stays as long as the sentence does, so that only new ones are read out. The list of
+// teams or robots, which is long, is there to be read but not read out; nor is what holds from the start.
+function showSentences(root, sentences, aloud) {
+  const stays = new Set(sentences);
+  const before = [...root.children].filter((element) => stays.has(element.textContent) || element.remove());
   sentences.forEach((text, i) => {
-    const element = root.children[i] ?? root.appendChild(document.createElement("span"));
-    if (element.textContent === text) return;
-    element.ariaLive = /^ (Team|Robot) \d+ at /.test(text) ? "off" : "polite";
-    element.textContent = text;
+    if (root.children[i]?.textContent === text) return;
+    const known = before.findIndex((element) => element.textContent === text && [...root.children].indexOf(element) > i);
+    const element = known < 0 ? document.createElement("span") : before[known];
+    if (known < 0) {
+      element.ariaLive = !aloud || /^ (Team|Robot) \d+ at /.test(text) ? "off" : "polite";
+      element.textContent = text;
+    }
+    root.insertBefore(element, root.children[i] ?? null);
   });
+  while (root.children.length > sentences.length) root.lastChild.remove();
 }
 
 // A browser that reloads while an address is being written may still open the one before it.
@@ -54,7 +60,7 @@ export class Publisher {
   // From now on changes are published. What was opened at the start is not a change.
   connect(program) {
     this.#program = program;
-    this.#speak();
+    this.#speak({ aloud: false });
   }
 
   // What was open here last, and whether this tab itself wrote this fragment into the address bar; then the work is at
@@ -200,9 +206,9 @@ export class Publisher {
     write(lasting, drawingKey, this.#program.text("page_drawing"));
   }
 
-  #speak() {
+  #speak({ aloud = true } = {}) {
     const sentences = this.#program.text("page_summary").split(/(?<=[.!?]) (?=[A-Z\d])/);
-    showSentences(document.getElementById("summary"), sentences.map((text, i) => (i ? ` ${text}` : text)));
-    showSentences(document.getElementById("news"), this.#program.text("page_news").split("\n").filter(Boolean));
+    showSentences(document.getElementById("summary"), sentences.map((text, i) => (i ? ` ${text}` : text)), true);
+    showSentences(document.getElementById("news"), this.#program.text("page_news").split("\n").filter(Boolean), aloud);
   }
 }

@@ -1,5 +1,5 @@
 // The words that the page uses, with the meaning that docs/algorithm.md gives them.
-import { openWindow } from "../kit/dialogs.js";
+import { fadeFoot, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 
 const words = [
@@ -28,10 +28,7 @@ const words = [
 
 export async function show() {
   const list = el("dl", { class: "glossary" }, ...words.flatMap(([word, meaning]) => [el("dt", {}, word), el("dd", {}, meaning)]));
-  await openWindow({
-    name: "glossary",
-    title: "Glossary",
-    over: true,
-    body: [el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "Words and their meanings" }, list)],
-  });
+  const scroll = el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "Words and their meanings" }, list);
+  await openWindow({ name: "glossary", title: "Glossary", over: true, body: [scroll] });
+  fadeFoot(scroll);
 }

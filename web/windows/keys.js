@@ -1,5 +1,5 @@
 // The list of keys, by groups, from the program's own table (wasm/actions/key_list.h).
-import { buttonTo, openWindow } from "../kit/dialogs.js";
+import { buttonTo, fadeFoot, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 import { show as showAbout } from "./about.js";
 import { show as showGlossary } from "./glossary.js";
@@ -23,7 +23,7 @@ export async function show(page) {
   const filter = el("input", { type: "search", class: "field", placeholder: "Filter", "aria-label": "Filter the keys", autocomplete: "off", spellcheck: "false" });
   const count = el("p", { class: "for-readers", role: "status" });
   const none = el("p", { class: "second", hidden: true }, "No key does that.");
-  const sections = groups.map((group) => el("section", {}, el("h3", {}, group), el("dl", {},
+  const sections = groups.filter((group) => all.some((row) => row.group === group)).map((group) => el("section", {}, el("h3", {}, group), el("dl", {},
     ...all.filter((row) => row.group === group).map(({ key, label }) => el("div", { "data-words": `${label} ${key} ${group}`.toLowerCase() },
       el("dt", {}, label), el("dd", {}, ...keyed(key)))))));
   filter.addEventListener("input", () => {
@@ -39,13 +39,14 @@ export async function show(page) {
     none.hidden = found > 0;
     count.textContent = `${found} keys`;
   });
-  await openWindow({
+  const scroll = el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The list of keys" }, el("div", { class: "key-groups" }, ...sections), none,
+    el("p", { class: "second" }, "By hand: drag a vertex or the centre of mass; drag the ground to move the view; scroll or pinch to zoom; double-click an edge to add a vertex."), count);
+  const root = await openWindow({
     name: "keys",
     title: "Keys",
     tools: [filter],
-    body: [el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The list of keys" }, el("div", { class: "key-groups" }, ...sections), none,
-      el("p", { class: "second" }, "By hand: drag a vertex or the centre of mass; drag the ground to move the view; scroll or pinch to zoom; double-click an edge to add a vertex."),
-      count), el("footer", {}, buttonTo("Take the tour", page, showTour), buttonTo("Glossary", page, showGlossary), buttonTo("About", page, showAbout))],
+    body: [scroll, el("footer", {}, buttonTo("Take the tour", page, showTour), buttonTo("Glossary", page, showGlossary), buttonTo("About", page, showAbout))],
     focus: matchMedia("(pointer: fine)").matches ? filter : undefined,
   });
+  if (root) [scroll, root].forEach(fadeFoot);
 }

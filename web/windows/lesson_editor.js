@@ -6,8 +6,8 @@ import { fetchJson } from "../kit/fetched.js";
 import { lasting, read, write } from "../page/storage.js";
 import { unreadable } from "../page/lesson_text.js";
 import { underWay } from "../page/under_way.js";
-import { noSample, titleOf } from "./lesson_source.js";
-import { openLessonOf, watch } from "./lesson_watch.js";
+import { noSample, openLessonText, titleOf } from "./lesson_source.js";
+import { openLessonOf, standing, watch } from "./lesson_watch.js";
 
 const draftKey = "evenlift.lesson-draft";
 const pause = 350;  // ms after the last letter
@@ -87,6 +87,8 @@ class Editor {
   #samples;  // texts by their names
   #due;  // the look that is to come: { timer, done }
   #shown = {};  // what the canvas shows: { text, stop }
+  #before;  // the lesson that was open, if one was: { name, text, at }
+  #begun;  // the text with which the editor began
   #leave = new AbortController();
 
   constructor(page, samples, lessons, gallery) {
@@ -94,6 +96,9 @@ class Editor {
     this.#samples = samples;
     this.field = el("textarea", { class: "field", spellcheck: "true", "aria-label": "The lesson’s text", "aria-describedby": "editor-problem", wrap: "soft" });
     this.field.value = read(lasting, draftKey) || template(page.program);
+    this.#begun = this.field.value;
+    const open = openLessonOf(page.program);
+    if (open) this.#before = { ...open, at: standing(page.program).at };
     this.problem = problemLine({ id: "editor-problem", role: "status" });
     // Long lines wrap, so nobody can count them.
     this.toLine = button("", { class: "button to-line", hidden: "", onclick: () => this.#goToLine() });
@@ -137,9 +142,19 @@ class Editor {
     this.#look();
   }
 
+  // Who has only looked gets back what was open before.
   close() {
     this.#leave.abort();
-    this.#keep();
+    const { program } = this.#page;
+    if (this.field.value !== this.#begun) return this.#keep();
+    if (!this.#shown.text) return;
+    program.number("page_key", "z", 1, 0);
+    if (this.#before) underWay(this.#reopen(this.#before));
+  }
+
+  async #reopen({ name, text, at }) {
+    const problem = await openLessonText(this.#page, text, name);
+    if (!problem) this.#page.program.call("page_go_to_stop", at);
   }
 
   #keep() {

@@ -44,6 +44,9 @@ constexpr bool selects_candidates(Method method) {
   return false;
 }
 
+// Whether the scores by which it chooses are lengths; otherwise they are areas.
+constexpr bool scores_are_lengths(Method method) { return method == Method::distance; }
+
 // What the placement is to reach first of all: the widest base, or a firm hold.
 enum class Goal : std::uint8_t { cover, hold };
 std::string_view name(Goal goal);

@@ -21,8 +21,8 @@
 //
 // First the settings, one to a line. `title` and one of `polygon` (the name of a sample) and `link`
 // (a share link) must be there; `teams`, `metric`, `min-ratio`, `com`, `weight`, `seed`, `robots`,
-// `goal` and `positions` are those of `evenlift place` and override what the link carries;
-// `predict: yes` makes the learner guess. The steps follow in the order in which the lesson shows them, each with its address in
+// `goal`, `positions`, `robot`, `no-go`, `unit` and `weight-unit` are those of `evenlift place` and override
+// what the link carries, and so do `overlays`; `predict: yes` makes the learner guess. The steps follow in the order in which the lesson shows them, each with its address in
 // brackets and its words. Addresses count from 1, as captions do:
 //   KIND or KIND N   a step's kind as `evenlift trace --json` names it, and its number: "team 2"
 //   vertex N         the ray from that vertex

@@ -106,6 +106,12 @@ Span find_link(std::string_view text) {
   span.begin = hash == std::string_view::npos ? span.address : hash + 1;
   // What others append to an address, as those who count visits do, is not the link's.
   span.end = std::min(span.end, text.find('&', span.begin));
+  // Nor is what ends a sentence, or a pair of brackets, in which it stands. The full stop behind the version stays.
+  constexpr std::string_view punctuation = ".,;:!?)]}>\"'";
+  const std::size_t version_end = std::min(text.find('.', span.begin), span.end);
+  while (span.end > version_end + 1 &&
+         punctuation.find(text[span.end - 1]) != std::string_view::npos)
+    --span.end;
   return span;
 }
 

@@ -26,7 +26,7 @@ void keep_best(std::vector<std::uint32_t>& indices, Key key, Ties ties) {
 // The floor for score_slack. Rounding the ends of an edge of H turns its line, and a vertex far from a short
 // edge moves a long way about it: by distance the floor grows as the shortest edge shrinks.
 double floor_of(double size, Method metric, const Points& hull) {
-  if (metric != Method::distance) return score_floor * size * size;
+  if (!scores_are_lengths(metric)) return score_floor * size * size;
   double shortest = short_edge * size;
   for (std::size_t i = 0; i < hull.size(); ++i)
     shortest = std::min(shortest, length(hull[(i + 1) % hull.size()] - hull[i]));

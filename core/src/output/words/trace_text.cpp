@@ -149,7 +149,7 @@ Piece score_text(const Trace& trace, Rule rule, double value, double other) {
   if (rule == Rule::most_even) return ratio_text(value, other);
   const double size = trace.polygon.diagonal();
   const bool is_length = rule == Rule::longest_even || rule == Rule::longest ||
-                         trace.placement.settings.method == Method::distance;
+                         scores_are_lengths(trace.placement.settings.method);
   return number_unlike(value, other, is_length ? size : 0.1 * size * size);
 }
 

@@ -13,12 +13,19 @@ struct Aim {
   const char *chord, *gains;
 };
 Aim aim_of(Method method) {
-  if (method == Method::circle)
-    return {"beyond whose ends there is room for the largest circles",
-            "They have an area of #; those of the next best chord have ##."};
-  if (method == Method::distance)
-    return {"that takes most away from the leverage of weight at the vertices",
-            "It takes away #; the next best chord would take ##."};
+  switch (method) {
+    case Method::circle:
+      return {"beyond whose ends there is room for the largest circles",
+              "They have an area of #; those of the next best chord have ##."};
+    case Method::distance:
+      return {"that takes most away from the leverage of weight at the vertices",
+              "It takes away #; the next best chord would take ##."};
+    case Method::area:
+    case Method::distributed:
+    case Method::random:
+    case Method::balanced:
+      break;
+  }
   return {"that adds the most area to the lifting base",
           "It adds an area of #; the next best chord would add ##."};
 }
@@ -27,7 +34,7 @@ Aim aim_of(Method method) {
 std::string with_unit(const Trace& trace, const TeamScores& scores, double value, double other) {
   const Settings& settings = trace.placement.settings;
   const std::string number = written(score_text(trace, scores.rule, value, other));
-  const bool length = scores.rule != Rule::score || settings.method == Method::distance;
+  const bool length = scores.rule != Rule::score || scores_are_lengths(settings.method);
   const std::string text = with_length_unit(number, settings.units);
   return length || settings.units.length == LengthUnit::none ? text : text + "²";
 }

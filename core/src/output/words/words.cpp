@@ -71,9 +71,13 @@ std::string need_in_words(const CapacityPlan& plan, const Settings& settings, Lo
   const std::string presumed = failed                     ? "while none fails, "
                                : model == LoadModel::plan ? ""
                                                           : "as planned, ";
+  // Of balanced robots only the weight is counted (plan_capacity).
+  const bool balanced = settings.method == Method::balanced;
   if (plan.possible)
-    return capital(presumed + "this method needs " +
-                   count_of(plan.team_size * plan.teams, "robot", "robots") + ", with at most " +
+    return capital((presumed.empty() ? "by load alone " : presumed) +
+                   (balanced ? "it takes " : "this method needs ") +
+                   count_of(plan.team_size * plan.teams, "robot", "robots") +
+                   (balanced ? ", with " : ", with at most ") +
                    load_in_words(plan.greatest_load, plan.greatest_load, settings.units) +
                    " each.");
   const std::string tried = std::to_string(plan.team_size * plan.tried);
