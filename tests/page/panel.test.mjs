@@ -676,3 +676,15 @@ test("a key that asks for a field before the controls are there opens it when th
   await page.waitForFunction(() => document.activeElement?.getAttribute("aria-label")?.startsWith("Weight"));
   await page.done();
 });
+
+test("every candidate is asked for by the word on the button, too", async () => {
+  const page = await browser.open();
+  await load(page, asset("arrow"));
+  const teams = page.locator("#mirror").getByRole("textbox", { name: "Teams" });
+  await teams.fill("All");
+  await teams.press("Enter");
+  await idle(page);
+  const { candidates, teams: placed } = await state(page);
+  assert.equal(placed.length, candidates.length);
+  await page.done();
+});

@@ -48,6 +48,11 @@ function followAddress(program, say, opened) {
   });
 }
 
+// A sentence about the link of the address, when something else is shown in its place.
+function refusedAtStart(problem, { work } = {}) {
+  return `${refused(problem)} What you see is ${work ? "what was open here last" : "a sample"}.`;
+}
+
 // The reason may name its place, which is the link.
 function refused(problem) {
   const why = problem.replace(/^Link, /, "");
@@ -101,7 +106,7 @@ async function startStill(program, publisher, bindings) {
   const { draw, say } = await still.showStill(program, {
     missing: [noWebGl, whereItRuns], save: embed ? undefined : () => bindings.openDialog("save"),
   });
-  if (problem) say(refused(problem));
+  if (problem) say(refusedAtStart(problem));
   followAddress(program, say, () => say(""));
   draw();
   return draw;
@@ -149,7 +154,7 @@ async function start() {
   followAddress(program, (text) => program.call("page_notice", text, 1), () => bindings.beginLesson(true));
   // If the document of the address is open, the lesson that it names goes on at the link's step.
   await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
-  const say = started.problem || (problem && refused(problem)) || (embed ? "" : whyStartedAnew());
+  const say = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
   if (say) program.call("page_notice", say, 1);
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();

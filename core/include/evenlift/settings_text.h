@@ -57,7 +57,7 @@ InputError setting_error(Setting setting);
 InputError setting_error(Setting setting, std::string why);
 
 // Sets a setting of the document from text:
-//   teams      a whole number from 1 to max_teams, or "max" or "all" for every candidate
+//   teams      a whole number from 1 to max_teams, or "max" for every candidate
 //   metric     a name such as "area"
 //   min_ratio  a number from 0 to 1
 //   com        two numbers "x,y", or "centroid"

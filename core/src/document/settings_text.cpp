@@ -84,7 +84,7 @@ bool read_nothing(std::string_view, Document&) { return false; }
 
 bool read_teams(std::string_view text, Document& document) {
   const std::optional<std::uint32_t> teams = read_whole_32(text);
-  if (teams ? !is_team_count(*teams) : text != "max" && text != "all") return false;
+  if (teams ? !is_team_count(*teams) : text != "max") return false;
   document.settings.teams = teams;
   return true;
 }
