@@ -42,15 +42,15 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
   }
   if (ui.layout.low && ui.state.panel_open) return {ui.layout.panel, false};
   const double width = std::min(widest, right - left);
-  // A robot that has a size is not covered, unless it is drawn very large.
-  const RobotSize& robot = settings(ui.state).robot;
-  const double clear =
-      away + std::min(ui.state.camera.scale * (robot.reach + 2 * robot.radius), 160.0);
-  const double before = spot.x() - clear - width, behind = spot.x() + clear;
   const bool outward_left =
       spot.x() < ui.state.camera.to_screen(ui.state.placement->centre_of_mass).x();
+  const double before = spot.x() - away - width, behind = spot.x() + away;
   const bool at_left = outward_left ? before >= left : behind + width > right;
-  const double x = std::clamp(at_left ? before : behind, left, std::max(left, right - width));
+  // As far as there is room, beyond the body of a robot that has a size.
+  const RobotSize& robot = settings(ui.state).robot;
+  const double body = ui.state.camera.scale * (robot.reach + 2 * robot.radius);
+  const double x =
+      std::clamp(at_left ? before - body : behind + body, left, std::max(left, right - width));
   if (low) return {{x, top, x + width, std::clamp(spot.y() + 20, top, bottom)}, true};
   return {{x, std::clamp(spot.y() - 20, top, bottom), x + width, bottom}, false};
 }

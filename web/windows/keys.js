@@ -41,12 +41,12 @@ export async function show(page) {
   });
   const scroll = el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The list of keys" }, el("div", { class: "key-groups" }, ...sections), none,
     el("p", { class: "second" }, "By hand: drag a vertex or the centre of mass; drag the ground to move the view; scroll or pinch to zoom; double-click an edge to add a vertex."), count);
-  const root = await openWindow({
+  await openWindow({
     name: "keys",
     title: "Keys",
     tools: [filter],
     body: [scroll, el("footer", {}, buttonTo("Take the tour", page, showTour), buttonTo("Glossary", page, showGlossary), buttonTo("About", page, showAbout))],
     focus: matchMedia("(pointer: fine)").matches ? filter : undefined,
   });
-  if (root) [scroll, root].forEach(fadeFoot);
+  fadeFoot(scroll);
 }
