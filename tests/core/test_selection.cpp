@@ -9,6 +9,7 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/generate.h"
+#include "evenlift/hull.h"
 #include "evenlift/placement.h"
 #include "evenlift/random.h"
 #include "evenlift/tolerance.h"
@@ -48,12 +49,25 @@ Shape small_shape(std::uint64_t number) {
 const std::vector<Method> metrics = testing::metrics();
 constexpr double tie = 1e-9;
 
+// By how much scores may always differ and tie: by distance more where an edge of H is short.
+double floor_of(const Shape& s, Method method, const std::vector<std::uint32_t>& taken) {
+  const double size = s.polygon.diameter();
+  if (method != Method::distance) return 1e-12 * size * size;
+  Points ends;
+  for (const std::uint32_t i : taken)
+    for (const LiftingPoint* end : {&s.candidates[i].chord.r1, &s.candidates[i].chord.r2})
+      ends.push_back(end->position - s.centre);
+  const Points hull = convex_hull(std::move(ends), near_distance(size));
+  double shortest = size / 1000;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    shortest = std::min(shortest, length(hull[(i + 1) % hull.size()] - hull[i]));
+  return 1e-15 * size * size / shortest;
+}
+
 // The rule word for word: all scores, then the keys one after another.
 std::vector<std::uint32_t> greedy(const Shape& s, Method method, std::size_t teams) {
   std::vector<std::uint32_t> taken, left(s.candidates.size());
   std::iota(left.begin(), left.end(), 0u);
-  const double size = s.polygon.diameter();
-  const double floor = 1e-12 * (method == Method::distance ? size : size * size);
   while (taken.size() < teams && !left.empty()) {
     std::vector<std::uint32_t> best = left;
     const auto keep = [&](auto key, auto slack) {
@@ -79,6 +93,7 @@ std::vector<std::uint32_t> greedy(const Shape& s, Method method, std::size_t tea
       }
     } else {
       const std::vector<double> score = scores(s.polygon, s.centre, s.candidates, taken, method);
+      const double floor = floor_of(s, method, taken);
       keep([&](std::uint32_t i) { return score[i]; },
            [&](double most) { return std::max(tie * std::fabs(most), floor); });
       keep(ratio, absolute);
