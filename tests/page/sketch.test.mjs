@@ -95,6 +95,35 @@ test("the length and the angle of an edge are typed", async () => {
   await page.done();
 });
 
+test("digits typed on the drawing are the length of the next edge, which is shown at once; Enter leads to the next length", async () => {
+  const page = await drawing([300, 300], [500, 320]);
+  const focus = () => page.evaluate(() => [document.activeElement.getAttribute("aria-label"), document.activeElement.value]);
+  const told = (words) => page.waitForFunction((text) => document.getElementById("news").textContent.includes(text), words);
+  await page.keyboard.type("120");
+  assert.deepEqual(await focus(), ["Length", "120"]);
+  await page.keyboard.press("Tab");
+  await page.keyboard.type("90");
+  await told("120 long · 90.0°");
+  await page.keyboard.press("Escape");
+  await idle(page);
+  assert.match(await news(page), /^Vertex 2 at/, "what was typed is taken back");
+  await page.keyboard.type("120");
+  await page.keyboard.press("Tab");
+  await page.keyboard.type("90");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.activeElement.getAttribute("aria-label") === "Length");
+  await page.keyboard.type("5");
+  await told("5 long");
+  await page.keyboard.press("Escape");
+  await idle(page);
+  await page.keyboard.press("Enter");
+  await idle(page);
+  const { polygon } = await state(page);
+  assert.equal(polygon.length, 3);
+  assert.ok(near([polygon[2][0] - polygon[1][0], polygon[2][1] - polygon[1][1]], [0, 120], 1e-4), JSON.stringify(polygon));
+  await page.done();
+});
+
 test("on a phone, too, the length and the angle of an edge are typed", async () => {
   const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
   await tap(page, "Draw");

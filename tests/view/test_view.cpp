@@ -395,6 +395,68 @@ TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leav
   CHECK(layout(state).room.right < layout(state).panel.left);
 }
 
+TEST_CASE("a notice of several lines covers no robot where the view fits", "[view]") {
+  const std::string text =
+      "The drawing has 3 shapes; the largest is open, with its holes filled. Curves became straight edges that are at "
+      "most 0.1 mm away from them, and Open can read it again with other choices.";
+  for (const auto& path : assets()) {
+    CAPTURE(path.stem().string());
+    Page page(asset(path));
+    AppState& state = page.app.state;
+    for (const auto& [width, height] : {std::pair(390.0, 844.0), {1280.0, 800.0}}) {
+      state.screen.width = width;
+      state.screen.height = height;
+      page.app.commands = {ShowNotice{}, FitView{}};
+      settle(page.app);
+      page.frame();
+      const Rect without = layout(state).room;
+      page.app.commands = {ShowNotice{{Notice::Kind::problem, text}}};
+      settle(page.app);
+      for (int i = 0; i < 4; ++i) page.frame();  // it measures itself
+      REQUIRE(state.notice_height > 40);
+      const Rect place = layout(state).notice;
+      for (const LiftingPoint& robot : lifting_points(state.placement->teams)) {
+        const Vec2 at = state.camera.to_screen(robot.position);
+        const bool beside = at.x() + 14 <= place.left || at.x() - 14 >= place.right;
+        CHECK((beside || at.y() + 14 <= place.bottom - state.notice_height));
+      }
+      page.app.commands = {ShowNotice{}};
+      settle(page.app);
+      CHECK(layout(state).room == without);
+    }
+  }
+}
+
+TEST_CASE(
+    "the way back is shown where nothing of the outline is seen: beside it, or deep inside it",
+    "[view]") {
+  Page page;
+  AppState& state = page.app.state;
+  const auto way_back = [&] {
+    page.frame();
+    page.frame();
+    return std::any_of(controls().begin(), controls().end(),
+                       [](const Control& c) { return c.name == "show object"; });
+  };
+  CHECK_FALSE(way_back());
+  const Camera fitting = state.camera;
+  Camera inside = fitting;
+  inside.centre = state.placement->centre_of_mass;
+  inside.scale *= 500;
+  page.app.commands = {SetCamera{inside}};
+  settle(page.app);
+  CHECK(way_back());
+  page.app.commands = {SetCamera{pan(fitting, Vec2(30, 30))}};
+  settle(page.app);
+  CHECK_FALSE(way_back());
+  page.app.commands = {SetCamera{pan(fitting, Vec2(9000, 30))}};
+  settle(page.app);
+  CHECK(way_back());
+  page.app.commands = {FitView{}};
+  settle(page.app);
+  CHECK_FALSE(way_back());
+}
+
 TEST_CASE("what a huge disc covers is found at once, and is what it covers of the window",
           "[view]") {
   const Rect window{0, 0, 800, 600};

@@ -16,7 +16,7 @@ namespace evenlift::view {
 enum class ActionId : std::uint8_t {
   samples, draw, lessons, walkthrough, transform, mark, open, save, table, undo, redo, copy_link,
   step_on, step_back, next_chapter, previous_chapter, first_step, last_step, play, faster, slower, predict, all_steps, present,
-  finish, place, take_back, next_vertex, previous_vertex, insert_vertex, remove_vertex,
+  finish, place, take_back, type_edge, next_vertex, previous_vertex, insert_vertex, remove_vertex,
   left_finely, right_finely, up_finely, down_finely, left, right, up, down, turn_left, turn_right, larger, smaller, snap_grid, snap_axis,
   more_teams, fewer_teams, next_method, compare, experiment, higher_ratio, lower_ratio,
   all_teams, fail, type_ratio, type_weight, type_capacity, type_doubt, type_robot, type_seed, type_centre, free_centre,
@@ -37,7 +37,7 @@ struct Action {
   Icon icon;
   const char* label;
   const char* shown;  // its key in words; "" if it has none of its own
-  Key keys[3];        // any of them
+  Key keys[9];        // any of them
   bool (*enabled)(const AppState&);
   void (*run)(const AppState&, Commands&);
 };

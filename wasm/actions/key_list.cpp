@@ -26,6 +26,7 @@ Group group_of(ActionId id) {
     case ActionId::finish:
     case ActionId::place:
     case ActionId::take_back:
+    case ActionId::type_edge:
     case ActionId::left_finely:
     case ActionId::right_finely:
     case ActionId::up_finely:

@@ -19,6 +19,7 @@
 #include "state/layout.h"
 #include "state/notice.h"
 #include "state/screen.h"
+#include "state/seen.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/explain.h"
 #include "walkthrough/playing.h"
@@ -157,6 +158,7 @@ struct Applier {
   }
   void operator()(const SetDrawCursor& c) const { set_draw_cursor(state, c); }
   void operator()(const TypeEdge& c) const { type_edge(state, c); }
+  void operator()(const WithdrawEdge&) const { withdraw_edge(state); }
   void operator()(const SetSnap& c) const {
     // Where no bar shows it, a notice does.
     if (state.tool == Tool::parts && !state.selected && !(c.snap == state.snap)) {
@@ -225,11 +227,20 @@ struct Applier {
     state.closed_to.reset();
   }
   void operator()(const SetCamera& c) const { look_through(state, c.camera); }
-  void operator()(const FitView&) const { fit_view(state); }
+  void operator()(const FitView&) const {
+    fit_view(state);
+    browser::announce("All of the object is in view.");
+  }
   void operator()(const ZoomView& c) const {
     zoom_view(state, c.about.value_or(layout(state).room.middle()), c.factor);
+    if (!c.about)  // by a key or a button
+      browser::announce("Zoom: " + zoom_in_words(state) + " of the view that fits.");
   }
-  void operator()(const SetPanelOpen& c) const { state.panel_open = c.open; }
+  void operator()(const SetPanelOpen& c) const {
+    if (c.open != state.panel_open)
+      browser::announce(c.open ? "The panel is open." : "The panel is folded away.");
+    state.panel_open = c.open;
+  }
   void operator()(const SetMoreOpen& c) const { state.more_open = c.open; }
   void operator()(const SetRobotOpen& c) const { state.robot_open = c.open; }
   void operator()(const SetErases& c) const { state.erases = c.erases; }
@@ -240,6 +251,7 @@ struct Applier {
   void operator()(const CloseList&) const { state.close_list = true; }
   void operator()(const SetSheet& c) const { state.sheet = c.sheet; }
   void operator()(const MeasureSheet& c) const { state.closed_sheet_height = c.closed_height; }
+  void operator()(const MeasureNotice& c) const { state.notice_height = c.height; }
   void operator()(const CopyLink&) const {
     const Result<std::string> link = encode_link(state.placed);
     if (link) {

@@ -105,7 +105,7 @@ std::string hint_of_drawing(const AppState& state) {
   if (state.hover.kind == Pick::Kind::vertex && state.hover.index < points.size())
     return "Vertex " + std::to_string(state.hover.index + 1) + " " +
            given_point(points[state.hover.index]) + " · drag to move";
-  return "Click to place vertices · click the first, or Enter, to close · Esc takes one back";
+  return "Click to place vertices, or type a length · click the first, or Enter, to close · Esc takes one back";
 }
 
 std::string hint_of_pick(const AppState& state, const Pick& at) {

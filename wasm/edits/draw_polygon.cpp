@@ -109,8 +109,10 @@ void type_edge(AppState& state, const TypeEdge& typed) {
   if (typed.degrees) drawing.degrees = typed.degrees;
   const Vec2 from = drawing.points.back(),
              towards = drawing.cursor.value_or(drawing.last_cursor.value_or(from));
-  if (!drawing.length && towards == from)
-    return show(state, {Notice::Kind::problem, "Type the length of the edge, too."});
+  if (!drawing.length && towards == from) {
+    if (typed.place) show(state, {Notice::Kind::problem, "Type the length of the edge, too."});
+    return;
+  }
   const Vec2 to = typed_end(drawing, towards);
   if (!(std::abs(to.x()) <= max_coordinate && std::abs(to.y()) <= max_coordinate))
     return show(state,
@@ -119,6 +121,19 @@ void type_edge(AppState& state, const TypeEdge& typed) {
   drawing.by_keys = true;
   keep_in_sight(state, to);
   if (typed.place) add_point(state, to);
+  browser::summary_changed();
+}
+
+void withdraw_edge(AppState& state) {
+  Drawing& drawing = state.drawing;
+  if (drawing.points.empty() || (!drawing.length && !drawing.degrees)) return;
+  drawing.length.reset();
+  drawing.degrees.reset();
+  const Vec2 to = drawing.pointer ? next_point(state, state.camera.to_world(*drawing.pointer))
+                                  : drawing.points.back();
+  drawing.last_cursor = to;
+  if (drawing.cursor) drawing.cursor = to;
+  drawing.by_keys = false;
   browser::summary_changed();
 }
 

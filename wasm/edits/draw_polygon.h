@@ -22,6 +22,9 @@ void set_draw_cursor(AppState& state, const SetDrawCursor& cursor);
 // Takes over what was typed of the next edge, and moves the cursor there.
 void type_edge(AppState& state, const TypeEdge& typed);
 
+// Forgets what was typed of the next edge: it ends again where the pointer is, or else is not begun.
+void withdraw_edge(AppState& state);
+
 // Opens the polygon that was drawn, with the present settings.
 void finish_drawing(AppState& state);
 

@@ -33,19 +33,6 @@ void keep_in_sight(AppState& state, const Vec2& at) {
   state.camera_follows = false;
 }
 
-bool centre_is_shown(const AppState& state) {
-  return !state.document.centre_of_mass ||
-         layout(state).free.contains(state.camera.to_screen(*state.document.centre_of_mass));
-}
-
-bool well_shown(const AppState& state) {
-  const double best = fitting_camera(state).scale;
-  if (state.camera.scale < best * 0.7) return false;
-  const Rect window = state.screen.area();
-  return std::all_of(state.document.vertices.begin(), state.document.vertices.end(),
-                     [&](const Vec2& p) { return window.contains(state.camera.to_screen(p)); });
-}
-
 void zoom_view(AppState& state, const Vec2& about, double factor) {
   const double fitting = fitting_camera(state).scale;
   state.camera = zoom(state.camera, about, factor, fitting * smallest_zoom, fitting * largest_zoom);

@@ -19,10 +19,4 @@ void zoom_view(AppState& state, const Vec2& about, double factor);
 // A cursor that keys move stays in sight: the drawing moves along.
 void keep_in_sight(AppState& state, const Vec2& at);
 
-// A centre of mass that was dragged under a panel is brought back into view.
-bool centre_is_shown(const AppState& state);
-
-// Whether the camera shows all vertices, and not much smaller than they could be. O(n).
-bool well_shown(const AppState& state);
-
 }  // namespace evenlift::view

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "edits/placing.h"
-#include "edits/sight.h"
 #include "state/browser.h"
 #include "state/opened.h"
+#include "state/seen.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {

@@ -27,14 +27,19 @@ std::size_t robots_of(const std::vector<Team>& all, std::size_t teams) {
 std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
                                    std::size_t teams) {
   std::vector<RobotSize> sizes(robots_of(all, teams), robot_size(pairs_of(all)));
-  if (pairs_of(all) <= 8 || pairs_of(all) > most_labelled) return sizes;
+  if (pairs_of(all) > most_labelled) return sizes;
   Points robots;
   for (std::size_t i = 0; i < teams; ++i)
     for (const Robot& robot : all[i].robots)
       robots.push_back(view.camera.to_screen(robot.point.position));
   for (std::size_t i = 0; i < robots.size(); ++i) {
+    double nearest = 1e9;
     for (std::size_t j = 0; j < robots.size(); ++j)
-      if (j != i && length(robots[i] - robots[j]) < 17) sizes[i] = {5.5f, 7, false};
+      if (j != i) nearest = std::min(nearest, length(robots[i] - robots[j]));
+    if (nearest < 17)
+      sizes[i] = {5.5f, 7, false};
+    else if (nearest < 27 && sizes[i].disc > 8.5f)
+      sizes[i] = {8.5f, 10.5f, true};
   }
   return sizes;
 }

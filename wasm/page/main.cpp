@@ -337,10 +337,10 @@ EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
 }
 
 // Does with a control what a pointer would: 0 presses it, 1 chooses the choice number `value`, 2 moves it to `value`, 3
-// scrolls its card until it is seen, and 4 moves it to `value` and confirms that.
+// scrolls its card until it is seen, 4 moves it to `value` and confirms that, and 5 takes back what was typed in it.
 EMSCRIPTEN_KEEPALIVE void page_ask_control(int what, const char* card, const char* name,
                                            double value) {
-  if (what < 0 || what > static_cast<int>(ControlRequest::enter)) return;
+  if (what < 0 || what > static_cast<int>(ControlRequest::withdraw)) return;
   ask_control(static_cast<ControlRequest>(what), card, name, value);
   browser::request_frame();
 }

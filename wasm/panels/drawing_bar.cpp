@@ -102,6 +102,7 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
                                   angle_width);
   if (length.moved) ui.push(TypeEdge{length.moved, {}, length.pressed});
   if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
+  if (length.withdrawn || angle.withdrawn) ui.push(WithdrawEdge{});
 }
 
 bool has_tool_bar(const AppState& state) {

@@ -1,12 +1,13 @@
 // The cards over the drawing: the bar at the top, the tools of the view, the notice.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 
-#include "evenlift/output/words.h"
 #include "panels/action_button.h"
 #include "panels/panels.h"
 #include "state/browser.h"
+#include "state/seen.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
 #include "widgets/dropdown.h"
@@ -83,11 +84,6 @@ void divider(const Ui& ui, float height, bool drawn) {
   ImGui::SameLine(0, beside_divider);
 }
 
-std::string percentage_of_fit(const AppState& state) {
-  if (state.camera_follows || state.document.vertices.empty()) return "100\u00A0%";
-  return fixed(100 * state.camera.scale / fitting_camera(state).scale, 0) + "\u00A0%";
-}
-
 bool has_tools(const Ui& ui) { return ui.layout.tools.width() > 0; }
 
 // What has no room elsewhere, and what is asked for seldom.
@@ -133,7 +129,7 @@ void draw_toolbar(const Ui& ui) {
 
 // The zoom in per cent of the view that fits; a press goes back to that.
 void draw_zoom(const Ui& ui) {
-  const std::string zoom = percentage_of_fit(ui.state);
+  const std::string zoom = zoom_in_words(ui.state);
   const auto [low, high, pressed, hovered] = pressable_row(
       ui, "zoom", zoom + ": show all of the object", static_cast<float>(zoom_width), ui.control());
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -169,16 +165,12 @@ void draw_view_tools(const Ui& ui) {
   end_card(ui);
 }
 
-// The way back to an object that was moved out of the window.
+// The way back to an object that was moved out of the window, or whose outline is all around it.
 void draw_way_back(const Ui& ui) {
   if (ui.state.camera_follows || ui.state.tool == Tool::draw || !ui.state.placement) return;
   if (!ui.layout.wide && ui.state.sheet == Sheet::full) return;  // it covers the drawing
-  const Box box = bounding_box(ui.state.placement->vertices());
-  const Vec2 low = ui.state.camera.to_screen(box.low), high = ui.state.camera.to_screen(box.high);
+  if (outline_is_seen(ui.state)) return;
   const Rect& free = ui.layout.free;
-  const bool seen =
-      low.x() < free.right && high.x() > free.left && high.y() < free.bottom && low.y() > free.top;
-  if (seen) return;
   const float width = text_size(Face::text, "Show the object").x + 28;
   const double left = free.middle().x() - static_cast<double>(width) / 2 - 8,
                top = free.middle().y() - ui.layout.control / 2 - 8;
@@ -192,15 +184,12 @@ void draw_notice(const Ui& ui) {
   const Notice& notice = ui.state.notice;
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
-  // At the foot, where it covers neither a bar nor what is being drawn nor, before a room, the words; above a card of the page.
-  const Rect seat = ui.state.presenting ? ui.layout.free : card_seat(ui.state);
-  const double widest = std::min(seat.width(), 560.0);
+  const Rect& seat = ui.layout.notice;
   const float text =
-      std::min(text_size(Face::text, notice.text).x, static_cast<float>(widest) - 84);
-  const double width = text + 84, x = seat.middle().x() - width / 2,
-               head = ui.layout.toolbar.bottom + 12,
-               foot = std::max(std::min(seat.bottom, ui.layout.free.bottom - 8), head + 100);
-  begin_card(ui, "notice", {x, head, x + width, foot}, {.at_bottom = true, .padding = 10});
+      std::min(text_size(Face::text, notice.text).x, static_cast<float>(seat.width()) - 84);
+  const double width = static_cast<double>(text) + 84, x = seat.middle().x() - width / 2;
+  begin_card(ui, "notice", {x, seat.top, x + width, seat.bottom},
+             {.at_bottom = true, .padding = 10});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(ImVec2(at.x + 11, at.y + 12), 11,
@@ -214,6 +203,8 @@ void draw_notice(const Ui& ui) {
   if (icon_button(ui, "close", Icon::close, true, "Close (Esc)", 24)) ui.push(ShowNotice{});
   ImGui::SetCursorScreenPos(after);
   ImGui::Dummy(ImVec2(0, 0));
+  const double height = static_cast<double>(ImGui::GetWindowHeight());
+  if (std::abs(height - ui.state.notice_height) > 0.5) ui.push(MeasureNotice{height});
   end_card(ui);
 }
 

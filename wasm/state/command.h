@@ -82,6 +82,7 @@ struct TypeEdge {
   std::optional<double> length, degrees;
   bool place = false;
 };
+struct WithdrawEdge {};  // forgets what was typed of it
 struct SetSnap {
   Snap snap;
 };
@@ -202,6 +203,9 @@ struct SetSheet {
 struct MeasureSheet {
   double closed_height;
 };
+struct MeasureNotice {
+  double height;
+};
 struct CopyLink {};
 // Begins to type in the field of a control.
 struct TypeValue {
@@ -214,17 +218,16 @@ struct ShowNotice {
   Notice notice;
 };
 
-using Command =
-    std::variant<SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-                 OpenDocument, SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show,
-                 SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack,
-                 FinishDrawing, SetDrawCursor, TypeEdge, SetSnap, Compare, Fail, SetLoadModel,
-                 SetCapacity, SetComRadius, SetUnits, SetMotion, OpenWalkthrough, CloseWalkthrough,
-                 GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
-                 PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript,
-                 ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-                 ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen,
-                 CloseList, SetSheet, MeasureSheet, CopyLink, TypeValue, OpenDialog, ShowNotice>;
+using Command = std::variant<
+    SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex, OpenDocument,
+    SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show, SetTool, GripPolygon, AddPoint,
+    MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge,
+    SetSnap, Compare, Fail, SetLoadModel, SetCapacity, SetComRadius, SetUnits, SetMotion,
+    OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed,
+    SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson,
+    LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
+    ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet,
+    MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

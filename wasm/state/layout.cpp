@@ -64,7 +64,7 @@ Layout embedded(const AppState& state) {
   l.free = screen.area();
   const double most = l.control + (l.wide ? 150 : 170);
   seat_player(l, screen.width - l.margin,
-              walkthrough_is_open(state) ? std::min(screen.height * 0.52, most)
+              walkthrough_is_open(state) ? std::min(screen.height * 0.44, most)
                                          : l.control + 2 * l.bar_padding);
   split(l, screen, false, 72, 44, 48);
   return l;
@@ -184,11 +184,58 @@ bool has_half_sheet(const AppState& state) {
   return half_sheet_height(state.screen) - closed_sheet_height(state) > 24;
 }
 
+namespace {
+
+// Where a card of the page may stand; see card_seat().
+Rect seat_of_card(const AppState& state, const Layout& l) {
+  constexpr double least = 520;  // beside the tools of the view
+  const double left = l.free.left + l.margin, right = l.free.right - l.margin;
+  if (seats_card_below_words(state)) {
+    const double height = state.screen.height;
+    return {l.player.left, l.player.top + share_of_words * height, l.player.right,
+            height - l.margin};
+  }
+  if (state.screen.embed || state.presenting || state.screen.window_foot > 0)
+    return {left, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
+  if (!l.wide) return {left, l.free.top, l.tools.left - l.margin, l.tools.bottom};
+  if (right - l.tools.right - l.margin >= least)
+    return {l.tools.right + l.margin, l.free.top, right, l.tools.bottom};
+  return {left, l.free.top, right, l.tools.top - l.margin / 2};
+}
+
+Rect inset(const Rect& r, double by) {
+  return {r.left + by, r.top + by, r.right - by, r.bottom - by};
+}
+
+// Where it covers neither a bar nor what is being drawn nor, before a room, the words; above a card of the page.
+Rect seat_of_notice(const AppState& state, const Layout& l) {
+  constexpr double gap = 8, least_height = 100, widest = 560;
+  const Rect seat = state.presenting ? inset(l.free, gap) : seat_of_card(state, l);
+  const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
+               head = l.toolbar.bottom + 12;
+  const double foot = std::min(seat.bottom, l.free.bottom - gap);
+  return {middle - half, head, middle + half, std::max(foot, head + least_height)};
+}
+
+// A notice of several lines would cover robots at the foot of the lower picture: the polygon makes room for it.
+void make_room_for_notice(const AppState& state, Layout& l) {
+  if (state.notice.text.empty()) return;
+  constexpr double robot = 16;
+  const bool two = l.second.width() > 0;
+  const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
+  const double covered = lowest + robot - (l.notice.bottom - state.notice_height);
+  l.room.bottom -= std::clamp(covered, 0.0, l.room.height() / 3);
+}
+
+}  // namespace
+
 Layout layout(const AppState& state) {
   Layout l = in_mode(state);
   const double side = std::clamp(l.room.width() - 120, 0.0, state.screen.side);
   for (Rect* rect : {&l.free, &l.first, &l.room, &l.tools, &l.player}) rect->left += side;
   l.tools.right += side;
+  l.notice = seat_of_notice(state, l);
+  make_room_for_notice(state, l);
   return l;
 }
 
@@ -228,21 +275,6 @@ Camera fitting_camera(const AppState& state) {
   return fit({box.low - Vec2(out, out), box.high + Vec2(out, out)}, room);
 }
 
-Rect card_seat(const AppState& state) {
-  const Layout l = layout(state);
-  constexpr double least = 520;  // beside the tools of the view
-  const double left = l.free.left + l.margin, right = l.free.right - l.margin;
-  if (seats_card_below_words(state)) {
-    const double height = state.screen.height;
-    return {l.player.left, l.player.top + share_of_words * height, l.player.right,
-            height - l.margin};
-  }
-  if (state.screen.embed || state.presenting || state.screen.window_foot > 0)
-    return {left, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
-  if (!l.wide) return {left, l.free.top, l.tools.left - l.margin, l.tools.bottom};
-  if (right - l.tools.right - l.margin >= least)
-    return {l.tools.right + l.margin, l.free.top, right, l.tools.bottom};
-  return {left, l.free.top, right, l.tools.top - l.margin / 2};
-}
+Rect card_seat(const AppState& state) { return seat_of_card(state, layout(state)); }
 
 }  // namespace evenlift::view

@@ -25,6 +25,8 @@ struct Layout {
   Rect first, second;  // the two pictures while methods are compared; else all of it and nothing
   // Height of a strip at the top of each of the two, at whose foot its caption stands.
   double caption = 0;
+  Rect
+      notice;  // where a notice may stand, at the foot of this place; it does not depend on whether there is one
   Rect room;  // where the polygon goes when the view fits it
 };
 

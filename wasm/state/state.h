@@ -160,6 +160,7 @@ struct AppState {
   bool close_list = false;  // the next frame closes it
   Sheet sheet = Sheet::closed;
   double closed_sheet_height = 172;  // in pixels, as measured in the last frame
+  double notice_height = 0;          // likewise
   Notice notice;
 };
 

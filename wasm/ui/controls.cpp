@@ -77,6 +77,7 @@ Asked list_control(Control control) {
           request->what == ControlRequest::press || request->what == ControlRequest::enter;
       if (request->what == ControlRequest::move || request->what == ControlRequest::enter)
         asked.moved = request->value;
+      asked.withdrawn = request->what == ControlRequest::withdraw;
       if (request->what == ControlRequest::choose && request->value >= 0 &&
           request->value < static_cast<double>(control.choices.size()))
         asked.chosen = static_cast<std::size_t>(request->value);

@@ -45,6 +45,7 @@ struct Asked {
   bool pressed = false;
   std::optional<std::size_t> chosen;  // of a choice
   std::optional<double> moved;        // of a slider, or a number without a setting
+  bool withdrawn = false;             // what was typed of a number without a setting is taken back
 };
 Asked list_control(Control control);
 
@@ -59,9 +60,9 @@ const std::vector<Control>& controls();
 std::string controls_text(double zoom);
 
 // Asks something of the control with this name on this card, to be done in the next pass: to press it; to choose one of its
-// choices or to move it, by `value`; to scroll its card until it is seen; or to move it and press it: a number that is typed
-// and confirmed.
-enum class ControlRequest : std::uint8_t { press, choose, move, reveal, enter };
+// choices or to move it, by `value`; to scroll its card until it is seen; to move it and press it: a number that is typed
+// and confirmed; or to take back what was typed.
+enum class ControlRequest : std::uint8_t { press, choose, move, reveal, enter, withdraw };
 void ask_control(ControlRequest what, std::string card, std::string name, double value);
 
 }  // namespace evenlift::view

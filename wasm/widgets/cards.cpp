@@ -44,6 +44,16 @@ void shade_foot(const Ui& ui, float inset, float border) {
                                                       clear, full, full);
 }
 
+// The same at its head, as long as there is more above: a line that is cut there looks like a fault.
+void shade_head(const Ui& ui) {
+  if (ImGui::GetScrollY() < 1) return;
+  constexpr float height = 20;
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const ImU32 clear = ui.theme.panel.at(0).packed(), full = ui.theme.panel.packed();
+  ImGui::GetWindowDrawList()->AddRectFilledMultiColor(low, ImVec2(low.x + size.x, low.y + height),
+                                                      full, full, clear, clear);
+}
+
 }  // namespace
 
 void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options) {
@@ -107,6 +117,7 @@ void begin_scrolling_box(const Ui& ui, const char* id, float height) {
 }
 
 void end_scrolling_box(const Ui& ui) {
+  shade_head(ui);
   shade_foot(ui, 0, 0);
   ImGui::EndChild();
 }

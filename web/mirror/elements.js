@@ -28,8 +28,9 @@ function field(entry, actions) {
   element.inputMode = "decimal";
   element.autocomplete = "off";
   element.spellcheck = false;
-  let before = "";
+  let before = "", previewed = false;
   const begin = () => {
+    previewed = false;
     before = element.value = plainValue(entry.control.value);
     element.removeAttribute("aria-invalid");
     element.select();
@@ -43,6 +44,11 @@ function field(entry, actions) {
     return done;
   };
   element.addEventListener("focus", begin);
+  element.addEventListener("input", () => {
+    if (entry.control.setting) return;
+    previewed = true;
+    actions.preview(entry.control, element.value);
+  });
   element.addEventListener("blur", () => {
     commit();
     element.value = entry.control.value;
@@ -51,11 +57,12 @@ function field(entry, actions) {
     const way = { ArrowUp: "+", ArrowDown: "-" }[event.key];
     if (event.key === "Enter" && commit(true)) {
       if (entry.control.setting) actions.leave();
-      else entry.renew = begin;  // the next number can be typed at once
+      else if (!actions.next(entry.control)) entry.renew = begin;  // the next number can be typed at once
     }
     else if (event.key === "Escape") {
       element.value = before;
       element.removeAttribute("aria-invalid");
+      if (previewed) actions.withdraw(entry.control);
       actions.leave();
     } else if (way && entry.control.setting && commit()) {
       event.preventDefault();

@@ -23,9 +23,10 @@ function createGroup(name) {
 }
 
 // Calls of the program: what is asked of a control (wasm/page/main.cpp).
-const press = 0, choose = 1, move = 2, reveal = 3, enter = 4;
+const press = 0, choose = 1, move = 2, reveal = 3, enter = 4, withdraw = 5;
 
-// `field.awaited` names a field that a key asked for, or is empty. It may not be laid out yet.
+// `field.awaited` names a field that a key asked for, or is empty. It may not be laid out yet. `field.begun` is what was
+// typed for it already.
 export function createMirror(program, field, notice) {
   const canvas = document.getElementById("canvas");
   const root = document.createElement("div");
@@ -51,6 +52,7 @@ export function createMirror(program, field, notice) {
     choose: ({ card, name }, index) => program.call("page_ask_control", choose, card, name, index),
     move: ({ card, name }, value) => program.call("page_ask_control", move, card, name, value),
     reveal: ({ card, name }) => program.call("page_ask_control", reveal, card, name, 0),
+    withdraw: ({ card, name }) => program.call("page_ask_control", withdraw, card, name, 0),
     // What was typed into a field. Returns whether it is in force now; if not, a notice says why.
     // A number that is no setting is handed to the control itself; `confirmed` says that Enter was pressed.
     type(control, typed, confirmed) {
@@ -73,6 +75,19 @@ export function createMirror(program, field, notice) {
       const problem = program.text("page_set", `${setting}=${value}`);
       if (problem) notice(`${problem}.`, true);
       return !problem;
+    },
+    // What is being typed of a number that is no setting is shown as soon as it can be one.
+    preview(control, typed) {
+      const { card, name } = control, unit = unitOfField(control), value = settingValue(typed, "", unit);
+      if (value === "" || typedProblem(typed, "", unit, lengths.has(name)) || !Number.isFinite(Number(value))) return;
+      if (!lengths.has(name) || Number(value) > 0) program.call("page_ask_control", move, card, name, Number(value));
+    },
+    // After a number that is no setting was confirmed: the first one of the card is typed next. Returns whether that is another one.
+    next({ card, key }) {
+      const first = [...shown.values()].map(({ control }) => control).find((c) => c.card === card && c.kind === "number" && !c.setting);
+      if (first.key === key) return false;
+      field.awaited = first.name;
+      return true;
     },
     // A key that the page uses, or else the way back to the drawing.
     escape() {
@@ -115,6 +130,10 @@ export function createMirror(program, field, notice) {
     if (!found) return;
     field.awaited = "";
     found.element.focus({ preventScroll: true });
+    if (!field.begun) return;
+    found.element.value = field.begun;
+    field.begun = "";
+    found.element.dispatchEvent(new Event("input"));
   }
 
   // Call this after each picture.

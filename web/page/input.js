@@ -1,10 +1,11 @@
 // Keys, and those habits of browsers that the program's own event handling does not cover.
-export function connectInput(program, { embed }) {
+// `field` is the one of the mirror (web/mirror/mirror.js).
+export function connectInput(program, field, { embed }) {
   const canvas = document.getElementById("canvas");
   const root = document.documentElement;
   // Before connectKeys(), which keeps keys from those that listen later.
   addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
-  connectKeys(program, canvas);
+  connectKeys(program, canvas, field);
   connectPresses(program);
 
   canvas.addEventListener("pointerdown", (event) => {
@@ -38,7 +39,12 @@ function connectPresses(program) {
   }
 }
 
-function connectKeys(program, canvas) {
+function connectKeys(program, canvas, field) {
+  // A digit begins a number in the field that the program named, which has the focus at once, so that it gets the next key, too.
+  const beginNumber = (digit) => {
+    field.begun = digit;
+    field.show();
+  };
   // A button of the mirror leaves all keys but those of buttons to the page.
   const ofButton = (event) => event.target.matches?.("#mirror button") && !["Enter", " ", "Escape", "Tab"].includes(event.key);
   const ours = (event) => (event.target === canvas || event.target === document.body || ofButton(event)) && !document.querySelector("dialog:modal");
@@ -55,7 +61,10 @@ function connectKeys(program, canvas) {
       return;
     }
     if (command && event.key.toLowerCase() === "c" && String(getSelection())) return;
-    if (program.number("page_key", event.key, command ? 1 : 0, event.shiftKey ? 1 : 0)) event.preventDefault();
+    if (program.number("page_key", event.key, command ? 1 : 0, event.shiftKey ? 1 : 0)) {
+      event.preventDefault();
+      if (!command && /^[1-9]$/.test(event.key)) beginNumber(event.key);
+    }
     else if (event.key === "Escape") document.querySelector("dialog[open]")?.close();  // the window beside the canvas
   }, { capture: true });
   for (const type of ["keyup", "keypress"]) {

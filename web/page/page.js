@@ -120,7 +120,8 @@ async function start() {
   const firstPicture = new Promise((done) => {
     pictureIsThere = done;
   });
-  const field = { awaited: "" };  // the name of a field that a key asked for, until the mirror has it
+  // The name of a field that a key asked for, until the mirror has it, and the digit that was that key. `show` brings the mirror up to date.
+  const field = { awaited: "", begun: "", show: () => {} };
   const bindings = new Bindings(publisher, field, () => {
     pictureIsThere();
     publisher.drawn();
@@ -150,7 +151,7 @@ async function start() {
   if (kept.own || started.problem) publisher.changed();  // the address names what is open
   if (!started.fragment) publisher.resumeDrawing(started.drawing);
   bindings.connect(program, connectScreen(program), { embed });
-  connectInput(program, { embed });
+  connectInput(program, field, { embed });
   followAddress(program, (text) => program.call("page_notice", text, 1), () => bindings.beginLesson(true));
   // If the document of the address is open, the lesson that it names goes on at the link's step.
   await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
@@ -159,7 +160,7 @@ async function start() {
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
   underWay(loadMirror(program, field, publisher)).then((drawn) => {
-    afterPicture = drawn;
+    afterPicture = field.show = drawn;
     drawn();
   }, (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error));
   program.onOpening = (text) => {

@@ -43,9 +43,15 @@ function readHandout(text) {
   return handout;
 }
 
-function figureOf(handout, step, number) {
+// "5. Candidates (2 of 4)": each step has a title of its own, though a chapter may have several.
+function titleOfStep({ steps }, step) {
+  const ofChapter = steps.filter(({ chapter }) => chapter === step.chapter), number = `${steps.indexOf(step) + 1}. ${step.chapter}`;
+  return ofChapter.length > 1 ? `${number} (${ofChapter.indexOf(step) + 1} of ${ofChapter.length})` : number;
+}
+
+function figureOf(handout, step) {
   return el("figure", {}, picture(handout, step), el("figcaption", {},
-    el("b", {}, `${number}. ${step.chapter}`), ...step.inWords.map((words) => el("p", {}, words)),
+    el("b", {}, titleOfStep(handout, step)), ...step.inWords.map((words) => el("p", {}, words)),
     el("p", { class: step.inWords.length ? "own" : "" }, step.caption),
     step.formula ? el("p", { class: "formula" }, step.formula) : ""));
 }
@@ -76,7 +82,7 @@ export async function show(page) {
   try {
     if (!link) throw new Error(`there is no link of this polygon: ${program.text("page_link_problem")}`);
     const handout = readHandout((await handoutModule()).text("handout_steps", link, lesson?.text ?? ""));
-    const figures = handout.steps.map((step, i) => figureOf(handout, step, i + 1));
+    const figures = handout.steps.map((step) => figureOf(handout, step));
     pages.replaceChildren(el("h2", { class: "paper-title" }, title), ...legend(handout), el("div", { class: "steps" }, ...figures), ...questionOf(handout), el("p", { class: "paper-foot" }, "Made with evenlift."));
     print.disabled = false;
     print.focus();

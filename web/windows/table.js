@@ -192,7 +192,8 @@ class Table {
     const problem = this.#program.text("page_set_coordinate", vertex, axis, input.value);
     if (problem) {
       input.setAttribute("aria-invalid", "true");
-      this.problem.say(`${input.getAttribute("aria-label")}: ${problem}`);
+      const name = input.getAttribute("aria-label");
+      this.problem.say(problem.toLowerCase().includes(name.toLowerCase()) ? problem : `${name}: ${problem}`);
       return;
     }
     this.#accept(input);

@@ -14,7 +14,8 @@ function drawn({ circle, box, line }) {
 }
 
 function ringed(here, { points, controls, menu }) {
-  if (points) return points(here);
+  const shapes = points?.(here);
+  if (shapes) return shapes;
   const shown = here.controls(...controls);
   return shown.length ? shown : menu ? here.controls("more") : here.sheet();
 }

@@ -12,8 +12,8 @@ function mobility({ free, heldByCurvature }) {
 
 const finger = () => matchMedia("(pointer: coarse)").matches;
 
-// `points` gives the shapes that are ringed: circles [x, y, radius], boxes [x, y, width, height], lines [from, to]; or else
-// `controls` are. Where a small screen does not show them, the handle of the sheet in which they are is ringed, or with `menu` the button of the menu. A stop whose `where` does not hold is left out.
+// `points` gives the shapes that are ringed: circles [x, y, radius], boxes [x, y, width, height], lines [from, to]; if it gives
+// none, `controls` are. Where a small screen does not show them, the handle of the sheet in which they are is ringed, or with `menu` the button of the menu. A stop whose `where` does not hold is left out.
 export const stops = [
   {
     title: "Teams",
@@ -28,12 +28,12 @@ export const stops = [
   }, {
     title: "Loads",
     where: ({ balanced, team }) => !balanced && team,
-    words: () => "The number beside a disc is what this robot bears. C nearly halves a chord, so a team bears nearly equal loads.",
+    words: () => "The number beside each ringed disc is what this robot bears. C nearly halves a chord, so a team bears nearly equal loads.",
     points: (here) => here.discs(here.team),
   }, {
     title: "Loads",
     where: ({ balanced, team }) => balanced && team,
-    words: () => "The number beside a disc is what this robot bears. Balanced robots all bear exactly the same.",
+    words: () => "The number beside each ringed disc is what this robot bears. Balanced robots all bear exactly the same.",
     points: (here) => here.discs(),
   }, {
     title: "Lifting base",
@@ -44,6 +44,7 @@ export const stops = [
     title: "Can it still move?",
     where: ({ team }) => team,
     words: mobility,
+    points: (here) => (here.hasSheet ? here.discs() : undefined),  // the switches are further down in the sheet
     controls: ["Clockwise", "Counter-clockwise"],
   }, {
     title: "Settings",
