@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evenlift/placement.h"
-#include "state/heat_levels.h"
+#include "ui/heat_levels.h"
 
 namespace evenlift::view {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "state/heat_levels.h"
 #include "ui/fonts.h"
+#include "ui/heat_levels.h"
 #include "ui/letters.h"
 
 namespace evenlift::view {
