@@ -112,7 +112,7 @@ test("a polygon that is refused comes back, and its steps do not grow with each 
   await idle(page);
   await drag(page, await toScreen(page, [400, 150]), await toScreen(page, [75, 350]));
   const good = await link(page);
-  const kept = () => page.evaluate(() => localStorage.getItem("evenlift.history").split("\n").length);
+  const kept = () => page.evaluate(() => localStorage.getItem("evenlift.history").split("\n").filter((line) => /^[<>]/.test(line)).length);
   await reloaded(page);
   const steps = await kept();
   await reloaded(page);
@@ -129,7 +129,7 @@ test("only the newest steps are kept, within a bound of bytes", async () => {
     for (let i = 0; i < 600; ++i) evenlift.set({ weight: 100 + i });
   });
   await idle(page);
-  const count = () => page.evaluate(() => localStorage.getItem("evenlift.history").split("\n").length);
+  const count = () => page.evaluate(() => localStorage.getItem("evenlift.history").split("\n").filter((line) => /^[<>]/.test(line)).length);
   assert.equal(await count(), 500);
   // Coordinates of full precision, so that a link of them is long.
   await page.evaluate(() => {
@@ -174,5 +174,30 @@ test("undo to another object shows all of it, as opening does", async () => {
   await undo(page);
   await idle(page);
   assert.deepEqual(await corner(), before);
+  await page.done();
+});
+
+test("the comparison survives a reload, and its steps are undone and done again", async () => {
+  const page = await browser.open();
+  await page.locator("#canvas").focus();
+  const compared = () => page.locator("#mirror").getByRole("combobox", { name: "Compare with" }).evaluate((list) => list.selectedOptions[0].text);
+  await page.keyboard.press("k");
+  await idle(page);
+  const chosen = await compared();
+  assert.notEqual(chosen, "Nothing");
+  await reloaded(page);
+  await page.waitForFunction((text) => [...document.querySelectorAll("#mirror select")].some((list) => list.selectedOptions[0]?.text === text), chosen);
+  await undo(page);
+  await idle(page);
+  assert.equal(await compared(), "Nothing");
+  await redo(page);
+  await idle(page);
+  assert.equal(await compared(), chosen);
+  await load(page, lShape);
+  await page.keyboard.press("k");
+  await idle(page);
+  await page.evaluate(() => addEventListener("pagehide", () => localStorage.setItem("evenlift.history", localStorage.getItem("evenlift.history").replace(/^= \d+/, "= 77"))));
+  await reloaded(page);
+  assert.equal(await compared(), "Nothing", "a method that is not there is not compared with");
   await page.done();
 });

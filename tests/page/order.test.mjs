@@ -137,3 +137,22 @@ test("the wheel turns about where the pointer was when it turned", async () => {
   assert.ok(Math.hypot(x - 300, y - 300) < 1, `${x}, ${y}`);
   await page.done();
 });
+
+test("a number that is typed at once after the key of its field is all in the field", async () => {
+  const page = await opened();
+  for (const [key, typed] of [["y", "231"], ["R", "0.65"]]) {
+    await page.evaluate(([first, rest]) => {
+      const send = (name) => {
+        const { activeElement: at } = document;
+        const own = at.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true }));
+        // What a browser does with a key that nobody kept.
+        if (own && at instanceof HTMLInputElement && name.length === 1) document.execCommand("insertText", false, name);
+      };
+      for (const name of [first, ...rest, "Enter"]) send(name);
+    }, [key, typed]);
+    await idle(page);
+  }
+  const { weight, min_ratio: ratio } = await state(page);
+  assert.deepEqual([weight, ratio], [231, 0.65]);
+  await page.done();
+});

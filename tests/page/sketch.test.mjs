@@ -124,6 +124,43 @@ test("digits typed on the drawing are the length of the next edge, which is show
   await page.done();
 });
 
+test("a length below 1 is typed on the drawing like any other, and Enter where nothing was typed closes the shape", async () => {
+  const page = await drawing([300, 300]);
+  const { min_ratio: ratio } = await state(page);
+  const edge = async (length, angle) => {
+    await page.keyboard.type(length);
+    await page.keyboard.press("Tab");
+    await page.keyboard.type(angle);
+    await page.keyboard.press("Enter");
+  };
+  await edge("0.5", "0");
+  await edge(".5", "90");
+  await edge("0,5", "180");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  const after = await state(page);
+  assert.equal(after.min_ratio, ratio);
+  assert.equal(after.polygon.length, 4);
+  const [a, b, c, d] = after.polygon;
+  assert.ok(near([b[0] - a[0], b[1] - a[1]], [0.5, 0], 1e-6), JSON.stringify([a, b]));
+  assert.ok(near([c[0] - b[0], c[1] - b[1]], [0, 0.5], 1e-6), JSON.stringify([b, c]));
+  assert.ok(near([d[0] - c[0], d[1] - c[1]], [-0.5, 0], 1e-6), JSON.stringify([c, d]));
+  await page.done();
+});
+
+test("in a small window, too, the bar of drawing has all of its buttons and fields in sight", async () => {
+  const page = await browser.open({ viewport: { width: 640, height: 400 } });
+  await idle(page);
+  await page.keyboard.press("d");
+  await page.mouse.click(100, 300);
+  await idle(page);
+  for (const name of ["Close", "Back", "Cancel", "edge length", "edge angle"]) {
+    const { x, y, width, height } = await control(page, name);
+    assert.ok(x >= 0 && y >= 0 && x + width <= 290 && y + height < 250, `${name}: ${[x, y, width, height]}`);
+  }
+  await page.done();
+});
+
 test("on a phone, too, the length and the angle of an edge are typed", async () => {
   const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
   await tap(page, "Draw");

@@ -174,7 +174,7 @@ void type_value(const AppState& s, Commands& out) {
   if (s.sheet == Sheet::closed) out.push_back(SetSheet{Sheet::half});
   out.push_back(TypeValue{control});
 }
-// The fields of the next edge are in the bar of the tool, or else on the closed sheet. The page begins with the digit that was pressed.
+// The fields of the next edge are in the bar of the tool, or else on the closed sheet. The page begins with the key that was pressed.
 void type_edge(const AppState& s, Commands& out) {
   if (s.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});
@@ -259,8 +259,8 @@ const std::vector<Action> table = {
     {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, when::can_finish, finish},
     {ActionId::place, Icon::none, "Place a vertex where the cursor is", "Space", {{" "}}, when::can_place, place},
     {ActionId::take_back, Icon::none, "Take the last vertex back", "Backspace", {{"Backspace"}}, when::can_take_back, ask<TakePointBack>},
-    {ActionId::type_edge, Icon::none, "Type the length of the next edge", "1 to 9",
-     {{"1"}, {"2"}, {"3"}, {"4"}, {"5"}, {"6"}, {"7"}, {"8"}, {"9"}}, when::can_take_back, type_edge},
+    {ActionId::type_edge, Icon::none, "Type the length of the next edge", "Digits",
+     {{"0"}, {"1"}, {"2"}, {"3"}, {"4"}, {"5"}, {"6"}, {"7"}, {"8"}, {"9"}, {"."}, {","}}, when::can_take_back, type_edge},
     {ActionId::next_vertex, Icon::none, "Select the next vertex", "V", {{"v"}}, when::on_parts, select_vertex<1>},
     {ActionId::previous_vertex, Icon::none, "Select the vertex before", "Shift+V", {{"V"}}, when::on_parts, select_vertex<-1>},
     {ActionId::insert_vertex, Icon::none, "Add a vertex after the selected one", "I", {{"i"}}, when::on_vertex, insert_vertex},

@@ -37,7 +37,7 @@ struct Action {
   Icon icon;
   const char* label;
   const char* shown;  // its key in words; "" if it has none of its own
-  Key keys[9];        // any of them
+  Key keys[12];       // any of them
   bool (*enabled)(const AppState&);
   void (*run)(const AppState&, Commands&);
 };

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 
 #include "edits/placing.h"
 #include "evenlift/plane.h"
+#include "state/browser.h"
 #include "state/notice.h"
 
 namespace evenlift::view {
@@ -35,6 +37,7 @@ void remove_vertex(AppState& state, std::size_t vertex) {
   vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(vertex));
   state.selected.reset();
   state.hover = state.held = {};
+  browser::announce("Vertex " + std::to_string(vertex + 1) + " removed.");
   recompute(state);
 }
 

@@ -37,13 +37,17 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
   const Theme& theme = view.theme;
   const Vec2 inward = robot.contact - robot.stand;
   const double way = length(inward);
-  if (way > 0 && size.reach > 0) painter.line(robot.stand, robot.contact, theme.robot, 3);
+  // In the dark a robot is as dark as the ground; what surrounds its disc surrounds its body, too.
+  if (way > 0 && size.reach > 0) {
+    painter.line(robot.stand, robot.contact, theme.robot_ring, 4);
+    painter.line(robot.stand, robot.contact, theme.robot, 2);
+  }
   if (way > 0 && (size.width > 0 || size.depth > 0)) {
     const Vec2 aside = left_normal(inward) * (size.width / 2 / way);
     const Points hand{robot.contact - aside, robot.contact + aside, robot.at + aside,
                       robot.at - aside};
     painter.fill_convex(hand, theme.robot.at(0.35f));
-    painter.outline(hand, theme.robot, 1.5f);
+    painter.outline(hand, theme.robot_ring, 1.5f);
   }
   // An arm that reaches beyond the mark leads to a body, however small.
   const bool reaches =
@@ -53,7 +57,7 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
   const auto radius = static_cast<float>(size.radius * view.camera.scale);
   ImDrawList& list = painter.list();
   list.AddCircleFilled(painter.at(robot.stand), radius, theme.robot.at(0.22f).packed(), 64);
-  list.AddCircle(painter.at(robot.stand), radius, theme.robot.packed(), 64, 1.5f);
+  list.AddCircle(painter.at(robot.stand), radius, theme.robot_ring.packed(), 64, 1.5f);
 }
 
 }  // namespace

@@ -306,6 +306,12 @@ static void lay_out_panels() {
   while (page.passes_due > 0);
 }
 
+// Does what was asked of controls and lays all of them out, so that page_controls() has them before the next picture.
+EMSCRIPTEN_KEEPALIVE void page_lay_out() {
+  panels_change();
+  lay_out_panels();
+}
+
 // All controls of the panels, as controls_text() writes them.
 EMSCRIPTEN_KEEPALIVE const char* page_controls() {
   return hand_over(controls_text(app().state.screen.zoom));

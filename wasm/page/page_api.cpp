@@ -15,6 +15,7 @@
 #include "app/set_settings.h"
 #include "app/update.h"
 #include "edits/draw_polygon.h"
+#include "edits/placing.h"
 #include "edits/sight.h"
 #include "edits/try_edit.h"
 #include "evenlift/formats.h"
@@ -227,7 +228,23 @@ EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
                    std::to_string(method ? static_cast<int>(*method) + 1 : 0) + ' ' + kept->link);
 }
 
-// And back: begins a history anew, or adds the newest step to be undone or redone.
+// The method that the document is compared with, counted from 1, or 0; to be kept. And back, which is no step of undo.
+EMSCRIPTEN_KEEPALIVE int page_compared() {
+  const std::optional<evenlift::Method>& method = app().state.second_method;
+  return method ? static_cast<int>(*method) + 1 : 0;
+}
+EMSCRIPTEN_KEEPALIVE void page_compare(int method) {
+  AppState& state = app().state;
+  if (method < 1 || method > static_cast<int>(std::size(evenlift::all_methods))) return;
+  const evenlift::Method second = evenlift::all_methods[method - 1];
+  if (second == settings(state).method || state.second_method || state.tool == Tool::draw) return;
+  state.second_method = second;
+  follow_up(state);
+  ++state.revision;
+  browser::request_frame();
+}
+
+// And the steps back: begins a history anew, or adds the newest step to be undone or redone.
 EMSCRIPTEN_KEEPALIVE void page_forget_steps() {
   AppState& state = app().state;
   state.history.clear();

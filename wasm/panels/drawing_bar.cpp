@@ -41,14 +41,16 @@ void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 void draw_drawing_bar(const Ui& ui) {
   const bool some = !ui.state.drawing.points.empty();
   const bool closes = ui.state.drawing.points.size() >= 3 && !ui.state.drawing.refusal;
-  if (word_button(ui, "Close the shape", closes, true)) ui.push(FinishDrawing{});
+  const bool roomy = ui.layout.wide && ui.layout.toolbar.width() >= 420;
+  if (word_button(ui, roomy || !ui.layout.wide ? "Close the shape" : "Close", closes, true))
+    ui.push(FinishDrawing{});
   ImGui::SameLine(0, 6);
-  if (word_button(ui, ui.layout.wide ? "Take one back" : "Back", some)) ui.push(TakePointBack{});
+  if (word_button(ui, roomy ? "Take one back" : "Back", some)) ui.push(TakePointBack{});
   ImGui::SameLine(0, 6);
   if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
   if (!some || !ui.layout.wide) return;
-  ImGui::SameLine(0, 12);
-  draw_edge_fields(ui, 84, 72);
+  if (roomy) ImGui::SameLine(0, 12);
+  draw_edge_fields(ui, roomy ? 84 : 68, roomy ? 72 : 60);
 }
 
 void draw_whole_bar(const Ui& ui) {
@@ -102,6 +104,12 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
                                   angle_width);
   if (length.moved) ui.push(TypeEdge{length.moved, {}, length.pressed});
   if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
+  // Enter where nothing was typed: it places the edge whose other number was typed, or else does what it does on the drawing.
+  const bool entered = (length.pressed && !length.moved) || (angle.pressed && !angle.moved);
+  if (entered && (drawing.length || drawing.degrees))
+    ui.push(TypeEdge{{}, {}, true});
+  else if (entered && action(ActionId::finish).enabled(ui.state))
+    run(ui, ActionId::finish);
   if (length.withdrawn || angle.withdrawn) ui.push(WithdrawEdge{});
 }
 

@@ -245,7 +245,11 @@ std::string news(const AppState& state) {
                                     {&Overlays::halo, "how far the centre of mass may be off"}})
     lines += (settings(state).overlays.*shown ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
   if (state.second_method)
-    lines += "Compared with " + std::string(name(*state.second_method)) + ".\n";
+    lines += "Compared with " + std::string(name(*state.second_method)) +
+             (state.second ? ": " + loads_in_words(*state.second, state.second_outlook.model) +
+                                 " " + detail_in_words(*state.second)
+                           : ".") +
+             '\n';
   return lines;
 }
 

@@ -134,9 +134,32 @@ void Painter::fill_convex(const Points& counter_clockwise, Colour colour) const 
 void Painter::outline(const Points& polygon, Colour colour, float width, bool closed) const {
   if (polygon.empty()) return;
   if (polygon.size() > few) return long_outline(polygon, colour, width, closed);
-  for (const Vec2& p : polygon) list_.PathLineTo(at(p));
-  list_.PathStroke(colour.at(strength_).packed(), closed ? ImDrawFlags_Closed : ImDrawFlags_None,
-                   width);
+  Points screen;
+  screen.reserve(polygon.size());
+  for (const Vec2& p : polygon) screen.push_back(camera_.to_screen(p));
+  const ImU32 packed = colour.at(strength_).packed();
+  const std::size_t n = screen.size();
+  // Dear ImGui thins two lines out towards a sharp corner, so there the line is parted, and its ends get a round joint.
+  const auto is_sharp = [&](std::size_t i) {
+    if (!closed && (i == 0 || i + 1 == n)) return false;
+    const Vec2 in = screen[i] - screen[(i + n - 1) % n], out = screen[(i + 1) % n] - screen[i];
+    return dot(in, out) < -0.7 * length(in) * length(out);
+  };
+  std::size_t first = 0;
+  while (first < n && !is_sharp(first)) ++first;
+  const bool parted = first < n;
+  if (!parted || !closed) first = 0;
+  for (std::size_t k = 0; k < n + (parted && closed ? 1 : 0); ++k) {
+    const std::size_t i = (first + k) % n;
+    list_.PathLineTo(vec(screen[i]));
+    if (k == 0 || !parted || !is_sharp(i)) continue;
+    list_.PathStroke(packed, ImDrawFlags_None, width);
+    list_.AddCircleFilled(vec(screen[i]), width / 2, packed, 12);
+    list_.PathLineTo(vec(screen[i]));
+  }
+  if (list_._Path.Size > 1)
+    list_.PathStroke(packed, closed && !parted ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+  list_.PathClear();
 }
 
 // Draws pieces that each begin where the last one ended, and leaves out what is beside the window.

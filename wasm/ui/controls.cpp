@@ -118,6 +118,10 @@ std::string controls_text(double zoom) {
 }
 
 void ask_control(ControlRequest what, std::string card, std::string name, double value) {
+  // What was typed so far is replaced by what is typed now.
+  std::erase_if(listed.requests, [&](const Request& request) {
+    return request.what == ControlRequest::move && request.card == card && request.name == name;
+  });
   listed.requests.push_back({what, std::move(card), std::move(name), value});
 }
 

@@ -43,6 +43,20 @@ function field(entry, actions) {
     element.setAttribute("aria-invalid", String(!done));
     return done;
   };
+  entry.begin = begin;
+  // Enter. Whoever came here by keys goes on from here; others are back at the drawing. A number that is no setting is followed
+  // by the next one, and where nothing was typed Enter is pressed for all of them.
+  const confirm = () => {
+    const { setting } = entry.control, untouched = !previewed && element.value === before;
+    if (!setting && untouched) {
+      actions.press(entry.control);
+      actions.next(entry.control);
+    } else if (commit(true)) {
+      if (!setting) actions.next(entry.control);
+      else if (document.documentElement.classList.contains("by-key")) actions.again(entry);
+      else actions.leave();
+    }
+  };
   element.addEventListener("focus", begin);
   element.addEventListener("input", () => {
     if (entry.control.setting) return;
@@ -55,10 +69,7 @@ function field(entry, actions) {
   });
   element.addEventListener("keydown", (event) => {
     const way = { ArrowUp: "+", ArrowDown: "-" }[event.key];
-    if (event.key === "Enter" && commit(true)) {
-      if (entry.control.setting) actions.leave();
-      else if (!actions.next(entry.control)) entry.renew = begin;  // the next number can be typed at once
-    }
+    if (event.key === "Enter") confirm();
     else if (event.key === "Escape") {
       element.value = before;
       element.removeAttribute("aria-invalid");

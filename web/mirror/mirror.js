@@ -82,12 +82,16 @@ export function createMirror(program, field, notice) {
       if (value === "" || typedProblem(typed, "", unit, lengths.has(name)) || !Number.isFinite(Number(value))) return;
       if (!lengths.has(name) || Number(value) > 0) program.call("page_ask_control", move, card, name, Number(value));
     },
-    // After a number that is no setting was confirmed: the first one of the card is typed next. Returns whether that is another one.
-    next({ card, key }) {
+    // After a number that is no setting was confirmed: the first one of the card is typed next.
+    next({ card }) {
       const first = [...shown.values()].map(({ control }) => control).find((c) => c.card === card && c.kind === "number" && !c.setting);
-      if (first.key === key) return false;
-      field.awaited = first.name;
-      return true;
+      if (first) field.awaited = first.name;
+      field.show();
+    },
+    // The field begins anew, with the value that is now in force.
+    again(entry) {
+      field.show();
+      entry.begin();
     },
     // A key that the page uses, or else the way back to the drawing.
     escape() {
@@ -129,7 +133,8 @@ export function createMirror(program, field, notice) {
     const found = awaited && [...shown.values()].find(({ control }) => control.kind === "number" && control.name === awaited);
     if (!found) return;
     field.awaited = "";
-    found.element.focus({ preventScroll: true });
+    if (found.element === document.activeElement) found.begin();
+    else found.element.focus({ preventScroll: true });
     if (!field.begun) return;
     found.element.value = field.begun;
     field.begun = "";

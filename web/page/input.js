@@ -40,9 +40,9 @@ function connectPresses(program) {
 }
 
 function connectKeys(program, canvas, field) {
-  // A digit begins a number in the field that the program named, which has the focus at once, so that it gets the next key, too.
-  const beginNumber = (digit) => {
-    field.begun = digit;
+  // The field that the program named has the focus at once, so that it gets the next key, too. A digit is the first of its number.
+  const beginField = (key) => {
+    if (/^[\d.,]$/.test(key)) field.begun = key;
     field.show();
   };
   // A button of the mirror leaves all keys but those of buttons to the page.
@@ -63,7 +63,7 @@ function connectKeys(program, canvas, field) {
     if (command && event.key.toLowerCase() === "c" && String(getSelection())) return;
     if (program.number("page_key", event.key, command ? 1 : 0, event.shiftKey ? 1 : 0)) {
       event.preventDefault();
-      if (!command && /^[1-9]$/.test(event.key)) beginNumber(event.key);
+      if (field.awaited) beginField(event.key);
     }
     else if (event.key === "Escape") document.querySelector("dialog[open]")?.close();  // the window beside the canvas
   }, { capture: true });

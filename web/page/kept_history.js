@@ -1,5 +1,6 @@
 // Undo survives a reload: the newest steps are kept in the browser, as a line for each (wasm/page/page_api.cpp), `<` before
-// those to be undone, `>` before those to be redone, the nearest first. Loaded after the first picture.
+// those to be undone, `>` before those to be redone, the nearest first; and before them `=`, the method that the document is
+// compared with, and its link. Loaded after the first picture.
 import { lasting, read, write } from "./storage.js";
 import { underWay } from "./under_way.js";
 
@@ -39,18 +40,25 @@ function restore(program, text) {
   }
 }
 
+// The comparison goes on if the same document is open.
+function restoreComparison(program, text) {
+  const [mark, method, link] = parts(text.split("\n", 1)[0]);
+  if (mark === "=" && link && link === program.text("page_link")) program.call("page_compare", Number(method));
+}
+
 // Puts the steps of the last visit before those of this one, and keeps them from now on.
 export function keepHistory(program) {
   const before = read(lasting, key);
   // If they stop the page, the next start must not find them.
   write(lasting, key, "");
   if (before) restore(program, before);
+  restoreComparison(program, before);
 
   let written;
   const keep = () => {
     let text = "";
     for (let most = mostBytes; most > 1000; most /= 4) {
-      text = lines(program, most).join("\n");
+      text = [`= ${program.number("page_compared")} ${program.text("page_link")}`, ...lines(program, most)].join("\n");
       if (text === written || write(lasting, key, text)) break;
       text = "";
     }

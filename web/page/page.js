@@ -160,7 +160,11 @@ async function start() {
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
   underWay(loadMirror(program, field, publisher)).then((drawn) => {
-    afterPicture = field.show = drawn;
+    afterPicture = drawn;
+    field.show = () => {
+      program.call("page_lay_out");
+      drawn();
+    };
     drawn();
   }, (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error));
   program.onOpening = (text) => {
