@@ -233,6 +233,10 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
     if (!page.app.state.walkthrough.ask) continue;
     CHECK(page.app.state.walkthrough.at == before);  // not shown yet
     const Ask ask = *page.app.state.walkthrough.ask;
+    // Nothing of the question before stands among its choices.
+    CHECK_FALSE(page.app.state.walkthrough.answered);
+    CHECK(page.app.state.walkthrough.verdict.empty());
+    CHECK_FALSE(page.app.state.walkthrough.asked);
     CHECK_FALSE(ask.text.empty());
     CHECK(ask.choices.size() > 1);
     CHECK(ask.choices.size() <= 6);
@@ -355,6 +359,52 @@ TEST_CASE("why not this one: a click on a chord or anywhere is answered", "[view
   CHECK(page.app.state.walkthrough.asked.has_value());
   page.press({"ArrowRight"});
   CHECK(page.app.state.walkthrough.why.empty());
+}
+
+TEST_CASE(
+    "why not this one: Escape takes the question back before it leaves the lesson, and a click beside the object asks nothing",
+    "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  const Walkthrough& walk = page.app.state.walkthrough;
+  go(page, *walk.trace->find(StepKind::scores, 1));
+  page.click(Vec2(120, 80));
+  REQUIRE_FALSE(walk.why.empty());
+  page.press({"Escape"});
+  CHECK(walk.why.empty());
+  CHECK_FALSE(walk.asked);
+  REQUIRE(walkthrough_is_open(page.app.state));
+  page.click(Vec2(120, 80));
+  REQUIRE_FALSE(walk.why.empty());
+  page.click(Vec2(390, 290));  // in the notch of the L, away from every candidate
+  CHECK(walk.why.empty());
+  page.press({"Escape"});
+  CHECK_FALSE(walkthrough_is_open(page.app.state));
+}
+
+TEST_CASE("while a question waits, a press near its choice answers it, though a vertex is there",
+          "[view][lesson]") {
+  Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/snowflake.txt"));
+  page.press({"b"});
+  AppState& state = page.app.state;
+  const Walkthrough& walk = state.walkthrough;
+  page.app.commands.push_back(SetPredict{true});
+  settle(page.app);
+  while (!(walk.ask && walk.ask->question.kind == QuestionKind::winning_chord))
+    page.press({"ArrowRight"});
+  const Ask ask = *walk.ask;
+  const auto& candidates = state.placement->candidates;
+  const auto at_vertex = [&](std::uint32_t c) {
+    const Points& vertices = state.document.vertices;
+    return std::find(vertices.begin(), vertices.end(), candidates[c].chord.r1.position) !=
+           vertices.end();
+  };
+  const auto chosen = std::find_if(ask.choices.begin(), ask.choices.end(), at_vertex);
+  REQUIRE(chosen != ask.choices.end());
+  page.click(candidates[*chosen].chord.r1.position);
+  CHECK_FALSE(walk.ask);
+  CHECK_FALSE(state.selected);
+  CHECK(walk.at == ask.step);
 }
 
 TEST_CASE("playing turns over by itself and stops at the end", "[view][lesson]") {

@@ -212,6 +212,8 @@ void dismiss(const AppState& s, Commands& out) {
     out.push_back(TakePointBack{});  // and the notice, if there is one, is about it
   else if (!s.notice.text.empty())
     out.push_back(ShowNotice{});
+  else if (!s.walkthrough.why.empty() && when::in_walkthrough(s))
+    out.push_back(AskWhy{});
   else if (s.presenting)
     out.push_back(SetPresenting{false});
   else if (when::in_walkthrough(s))

@@ -21,6 +21,10 @@ Vec2 neighbour(const Points& points, std::size_t i, bool next) {
 
 void press_parts(const AppState& state, const Pointer& pointer, Commands& commands) {
   Pick under = pick_to_hold(state, pointer.at, pointer.second);
+  // While a question waits, its choices are pressed, and not the vertices at which they end.
+  if (under.kind == Pick::Kind::vertex && walkthrough_is_open(state) &&
+      choice_at(state, pointer.at))
+    under = {};
   if (under.kind == Pick::Kind::edge && pointer.double_pressed && !state.screen.embed) {
     const Vec2 at = rounded_to_pixels(state.camera, under.at);
     commands.push_back(InsertVertex{under.index, at});

@@ -81,7 +81,8 @@ bool can_fail(const AppState& s) {
 
 bool anything_open(const AppState& s) {
   return s.list_open || s.explanation || failing(s) || s.selected || s.tool != Tool::parts ||
-         !s.notice.text.empty() || (in_walkthrough(s) && editing(s));
+         !s.notice.text.empty() ||
+         (in_walkthrough(s) && (editing(s) || !s.walkthrough.why.empty()));
 }
 
 }  // namespace evenlift::view::when

@@ -133,7 +133,12 @@ struct Applier {
   void operator()(const PointAtChoice& c) const {
     if (state.walkthrough.ask) state.walkthrough.ask->pointed = c.choice;
   }
-  void operator()(const AskWhy& c) const { ask_why(state, c.at); }
+  void operator()(const AskWhy& c) const {
+    if (c.at)
+      ask_why(state, *c.at);
+    else
+      forget_why(state.walkthrough);
+  }
   void operator()(const Measure& c) const { measure(state, c.candidate); }
   void operator()(const HoverFigure& c) const { state.walkthrough.hovered = c.figure; }
   void operator()(const Explain& c) const {

@@ -156,6 +156,21 @@ void draw_answered(const Painter& painter, const CanvasView& view, double reach,
   if (answered) draw_names_of_choices(painter, view, answered->ask, reach, occupied);
 }
 
+// Where the words speak of candidates by their numbers, the best of them have these in the drawing.
+void draw_ranked(const Painter& painter, const CanvasView& view, double reach, Occupied& occupied) {
+  const Walkthrough& walk = view.state.walkthrough;
+  const std::optional<TeamScores>& scores = walk.detail.scores;
+  if (!scores || walk.ask || walk.answered) return;
+  constexpr std::size_t most_numbered = 6;
+  Ask ranked;
+  ranked.detail = walk.detail;
+  ranked.question.kind = QuestionKind::winning_chord;
+  for (const std::uint32_t c : scores->ranking)
+    if (scores->of_candidate[c].eligible && ranked.choices.size() < most_numbered)
+      ranked.choices.push_back(c);
+  draw_names_of_choices(painter, view, ranked, reach, occupied);
+}
+
 // The choices of a question; the one that the buttons point at is stronger.
 void draw_choices(const Painter& painter, const CanvasView& view, double reach,
                   Occupied& occupied) {
@@ -230,6 +245,7 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   Occupied occupied = occupied_by_marks(view, reach);
   draw_choices(painter, view, reach, occupied);
   draw_answered(painter, view, reach, occupied);
+  draw_ranked(painter, view, reach, occupied);
   draw_part_names(painter, view, occupied);
 }
 

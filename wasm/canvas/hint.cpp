@@ -18,7 +18,7 @@ std::string hint_of_walkthrough(const AppState& state) {
   if (walk.hovered && *walk.hovered < walk.figures.size())
     return capitalised(figure_text(*walk.trace, walk.detail, walk.figures[*walk.hovered]));
   if (walk.trace->balanced()) return "Click the boundary: why does no robot stand here?";
-  return "Click a chord, or anywhere: why not this one?";
+  return "Click a chord, or anywhere in the object: why not this one?";
 }
 
 // A drag moves the vertex even where a robot stands on it, until the card of the robot is open.

@@ -41,7 +41,7 @@ void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 void draw_drawing_bar(const Ui& ui) {
   const bool some = !ui.state.drawing.points.empty();
   const bool closes = ui.state.drawing.points.size() >= 3 && !ui.state.drawing.refusal;
-  const bool roomy = ui.layout.wide && ui.layout.toolbar.width() >= 420;
+  const bool roomy = ui.layout.wide && ui.layout.toolbar.width() >= 560;
   if (word_button(ui, roomy || !ui.layout.wide ? "Close the shape" : "Close", closes, true))
     ui.push(FinishDrawing{});
   ImGui::SameLine(0, 6);

@@ -113,7 +113,7 @@ struct PointAtChoice {
   std::size_t choice;  // an index into Ask::choices
 };
 struct AskWhy {
-  Vec2 at;
+  std::optional<Vec2> at;  // nothing takes the question back
 };
 struct Measure {
   std::uint32_t candidate;

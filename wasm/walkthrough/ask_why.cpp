@@ -26,6 +26,13 @@ void ask_why_no_robot(AppState& state, const Vec2& at) {
 
 }  // namespace
 
+void forget_why(Walkthrough& walk) {
+  walk.asked.reset();
+  walk.asked_places.clear();
+  walk.why.clear();
+  walk.why_taken = false;
+}
+
 void ask_why(AppState& state, const Vec2& at) {
   Walkthrough& walk = state.walkthrough;
   if (!walkthrough_is_open(state)) return;
@@ -44,6 +51,7 @@ void ask_why(AppState& state, const Vec2& at) {
       nearest = c;
     }
   }
+  if (!nearest && !inside(trace.placement.vertices(), at)) return forget_why(walk);
   WhyNot answer;
   if (nearest) {
     answer = why_not(trace, walk.at, *nearest);

@@ -1,4 +1,5 @@
 #include "walkthrough/questions.h"
+#include "walkthrough/ask_why.h"
 
 #include <algorithm>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "evenlift/output/words.h"
 #include "state/browser.h"
 #include "state/notice.h"
+#include "walkthrough/ask_why.h"
 #include "walkthrough/timeline.h"
 #include "walkthrough/walkthrough.h"
 
@@ -98,6 +100,10 @@ void ask(Walkthrough& walk, std::uint32_t step) {
   std::optional<Ask> asked = question_of(*walk.trace, step);
   if (!asked || !may_ask(walk, *asked)) return;
   asked->pointed = first_offered(*asked);
+  // What belongs to the step before would stand among the choices.
+  walk.answered.reset();
+  walk.verdict.clear();
+  forget_why(walk);
   walk.ask = std::move(asked);
   walk.playing = false;
   if (!walk.trace->balanced()) look_before_choice(walk);

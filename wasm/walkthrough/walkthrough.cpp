@@ -105,6 +105,7 @@ std::uint32_t shown_step(const Walkthrough& walk, std::uint32_t step) {
 void enter(AppState& state, std::uint32_t step) {
   Walkthrough& walk = state.walkthrough;
   forget_step(walk);
+  state.selected.reset();  // the bar of a vertex would stay over the drawing
   walk.at = std::min(step, walk.trace->size() - 1);
   settle_position(walk);
   if (!walk.script && !is_main(walk, walk.at)) walk.all_steps = true;

@@ -40,6 +40,7 @@ function field(entry, actions) {
     if (element.value === before && !(confirmed && !entry.control.setting)) return true;
     const done = actions.type(entry.control, element.value, confirmed);
     if (done) before = element.value;
+    else if (previewed) actions.withdraw(entry.control);  // what is refused is not shown, either
     element.setAttribute("aria-invalid", String(!done));
     return done;
   };

@@ -40,6 +40,13 @@ function restore(program, text) {
   }
 }
 
+// The line of the method that the document is compared with, if there is one and it fits.
+function comparison(program, most) {
+  const method = program.number("page_compared");
+  const line = method ? `= ${method} ${program.text("page_link")}` : "";
+  return line && line.length < most ? [line] : [];
+}
+
 // The comparison goes on if the same document is open.
 function restoreComparison(program, text) {
   const [mark, method, link] = parts(text.split("\n", 1)[0]);
@@ -58,7 +65,8 @@ export function keepHistory(program) {
   const keep = () => {
     let text = "";
     for (let most = mostBytes; most > 1000; most /= 4) {
-      text = [`= ${program.number("page_compared")} ${program.text("page_link")}`, ...lines(program, most)].join("\n");
+      const compared = comparison(program, most);
+      text = [...compared, ...lines(program, most - compared.join().length)].join("\n");
       if (text === written || write(lasting, key, text)) break;
       text = "";
     }

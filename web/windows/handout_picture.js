@@ -28,7 +28,7 @@ const looks = {
   clockwise: ["clockwise", "about these points it can turn clockwise"],
   counterclockwise: ["counterclockwise", "about these points it can turn counter-clockwise"],
   mirrored: ["reflected", "the object, turned about M by half a turn"],
-  gain_triangle: ["gain"], gain_part: ["gain"], gain_circle: ["gain"], range: ["gain"],
+  gain_part: ["gain", "what a candidate adds to H"], gain_triangle: ["gain"], gain_circle: ["gain"], range: ["gain"],
   triangle: ["thin"], body: ["thin"], hand: ["thin"], unusable: ["radial"],
   contact: ["contact"], stand: ["contact"], way: ["way", "where a robot goes"],
   translation: ["way", "a way to slide"], arm: ["arrow"], sum: ["accent"],

@@ -63,7 +63,7 @@ function questionOf(program, of) {
   const answer = el("div", { role: "status" });
   const told = (attributes) => paragraphs(program.text("page_lesson_answer"), { class: "second", ...attributes });
   const show = () => answer.replaceChildren(...told());
-  const byKeys = el("p", { class: "second by-keys" }, `To try it here: T and Shift+T change the number of ${JSON.parse(program.text("page_state")).metric === "balanced" ? "robots" : "teams"}, and C can be dragged. Shift+P brings all settings.`);
+  const byKeys = el("p", { class: "second by-keys" }, `To try it here: T and Shift+T change the number of ${JSON.parse(program.text("page_state")).metric === "balanced" ? "robots" : "teams"}, and C can be dragged.`);
   const words = [...paragraphs(program.text("page_lesson_question"), { class: "question" }), byKeys, answer];
   if (of.answered) {
     show();
