@@ -1,5 +1,4 @@
 #include "walkthrough/questions.h"
-#include "walkthrough/ask_why.h"
 
 #include <algorithm>
 #include <optional>
