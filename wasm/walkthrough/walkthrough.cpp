@@ -11,6 +11,7 @@
 #include "state/notice.h"
 #include "state/opened.h"
 #include "state/screen.h"
+#include "walkthrough/ask_why.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
 
@@ -24,10 +25,7 @@ void forget_step(Walkthrough& walk) {
   walk.ask.reset();
   walk.answered.reset();
   walk.verdict.clear();
-  walk.asked.reset();
-  walk.asked_places.clear();
-  walk.why.clear();
-  walk.why_taken = false;
+  forget_why(walk);
   walk.hovered.reset();
   walk.measured.reset();
   walk.gained.clear();
