@@ -688,3 +688,21 @@ test("every candidate is asked for by the word on the button, too", async () => 
   assert.equal(placed.length, candidates.length);
   await page.done();
 });
+
+test("whoever came to a number by Tab stays there after Enter, and others are back at the drawing", async () => {
+  const page = await browser.open();
+  await idle(page);
+  const focus = () => page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute("aria-label"));
+  await page.keyboard.press("y");
+  const name = await focus();
+  await page.keyboard.type("231");
+  await page.keyboard.press("Enter");
+  assert.equal(await focus(), "canvas");
+  for (let i = 0; i < 60 && await focus() !== name; ++i) await page.keyboard.press("Tab");
+  await page.keyboard.type("437");
+  await page.keyboard.press("Enter");
+  assert.equal(await focus(), name);
+  await idle(page);
+  assert.equal((await state(page)).weight, 437);
+  await page.done();
+});
