@@ -96,6 +96,40 @@ test("two points and their distance set the scale, and what is traced has it", a
   await page.done();
 });
 
+test("both points and the line between them are seen where they were pressed, while the distance is asked for", async () => {
+  const page = await withPhoto();
+  await page.getByRole("button", { name: "Set scale" }).click();
+  await idle(page);
+  const before = await boxOf(page);
+  const marks = () => page.locator("#measured").evaluate((svg) => {
+    const box = document.getElementById("backdrop").getBoundingClientRect();
+    const on = (x, y) => [(x - box.left) / box.width, (y - box.top) / box.height];
+    const circles = [...svg.querySelectorAll("circle")].map((c) => on(Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))));
+    const line = svg.querySelector("line");
+    return { circles, line: line && [["x1", "y1"], ["x2", "y2"]].map((of) => on(...of.map((name) => Number(line.getAttribute(name))))) };
+  });
+  const near = (got, want) => got.forEach(([x, y], i) => assert.ok(Math.abs(x - want[i][0]) < 0.01 && Math.abs(y - want[i][1]) < 0.01, JSON.stringify(got)));
+  const at = ([x, y]) => [before.left + before.width * x, before.top + before.height * y];
+  const ends = [[0.25, 0.5], [0.75, 0.25]];
+  await page.mouse.dblclick(...at(ends[0]));
+  assert.equal(await page.locator("#measured circle").count(), 1, "a double press is one point");
+  await page.mouse.move(...at([0.5, 0.5]));
+  near((await marks()).line, [ends[0], [0.5, 0.5]]);
+  await page.mouse.click(...at(ends[1]));
+  const distance = page.getByLabel("Distance", { exact: true }).first();
+  await distance.waitFor();
+  await idle(page);
+  near((await marks()).circles, ends);
+  near((await marks()).line, ends);
+  await distance.fill("0.5 m");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => /“0\.5 m” is not a number/.test(document.getElementById("alert").textContent));
+  near((await marks()).line, ends);
+  await page.locator("#scale .away").click();
+  assert.equal(await page.locator("#measured").count(), 0);
+  await page.done();
+});
+
 for (const [width, height] of [[320, 568], [360, 740], [740, 360]]) {
   test(`at ${width} by ${height} the picture is seen beside its card, and all of the card can be had`, async () => {
     const page = await withPhoto({}, { viewport: { width, height }, hasTouch: true, isMobile: true });

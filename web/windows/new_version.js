@@ -1,7 +1,7 @@
 // The card that says that there is a new version of the page. Nothing is loaded before its button is pressed.
 import { closingButton, openCard, whenNoCard } from "../kit/card.js";
 import { el } from "../kit/elements.js";
-import { hasPhoto } from "./photo.js";
+import { hasPhoto } from "../photo/photo.js";
 
 export function newVersion(page) {
   whenNoCard(() => show(page));

@@ -5,7 +5,7 @@ import { readShapes } from "../kit/import.js";
 import { nameOpened, openedName, stemOf } from "./document_name.js";
 import { openLessonText } from "./lesson_source.js";
 import { isLesson } from "../page/lesson_text.js";
-import { isPhoto, layBehind, photoLine } from "./photo.js";
+import { isPhoto, layBehind, photoLine } from "../photo/photo.js";
 import { lengthInWords, sentences, showShapes } from "./shapes.js";
 import { underWay } from "../page/under_way.js";
 

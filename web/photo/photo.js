@@ -3,6 +3,7 @@
 import { closingButton, openCard } from "../kit/card.js";
 import { closeWindows, ensureStyles } from "../kit/dialogs.js";
 import { button, el, number, typedNumber } from "../kit/elements.js";
+import { twoPoints } from "./two_points.js";
 
 const mostPixels = 50e6;
 
@@ -76,40 +77,23 @@ function scaleTo(page, pixels, length) {
   show(page);
 }
 
-// In the pixels of the picture.
-function pixelAt(program, x, y) {
-  const [right, up] = worldAt(program, x, y);
-  return [(right - photo.left) / photo.unit, (up - photo.bottom) / photo.unit];
-}
+// Between the screen and the pixels of the picture, counted from its lower left corner.
+const pixelsOf = ({ program }) => ({
+  fromScreen(x, y) {
+    const [right, up] = worldAt(program, x, y);
+    return [(right - photo.left) / photo.unit, (up - photo.bottom) / photo.unit];
+  },
+  toScreen([right, up]) {
+    const x = photo.left + right * photo.unit, y = photo.bottom + up * photo.unit;
+    return [program.number("page_screen_x", x, y), program.number("page_screen_y", x, y)];
+  },
+});
 
-// Waits for presses on two points of the picture; nothing if somebody gives up.
-function twoPoints(page) {
-  return new Promise((done) => {
-    const points = [];
-    const sheet = el("div", { id: "measure", role: "application", "aria-label": "Two points of the picture", tabindex: "-1" });
-    const leave = new AbortController();
-    const end = (result) => {
-      leave.abort();
-      sheet.remove();
-      done(result);
-    };
-    sheet.addEventListener("pointerdown", (event) => {
-      event.preventDefault();
-      const dot = el("span", {});
-      Object.assign(dot.style, { left: `${event.clientX}px`, top: `${event.clientY}px` });
-      sheet.append(dot);
-      points.push(pixelAt(page.program, event.clientX, event.clientY));
-      if (points.length === 2) end(Math.hypot(points[0][0] - points[1][0], points[0][1] - points[1][1]));
-    });
-    addEventListener("keydown", (event) => {
-      if (event.key !== "Escape") return;
-      event.preventDefault();
-      event.stopImmediatePropagation();
-      end();
-    }, { capture: true, signal: leave.signal });
-    document.getElementById("canvas").after(sheet);
-    sheet.focus({ preventScroll: true });  // the canvas would take Esc for itself
-  });
+function lengthProblem(text, length) {
+  const typed = text.trim();
+  if (!typed) return "please type a number above 0.";
+  if (!Number.isFinite(length)) return `“${typed}” is not a number. Please type it without a unit, such as 2.5.`;
+  return length > 0 ? "" : `${typed} is not above 0.`;
 }
 
 // A field for a length and its button, of a class; `set` takes it over.
@@ -118,8 +102,8 @@ function lengthField(page, label, value, set, of = "") {
   field.value = value;
   const take = () => {
     const length = typedNumber(field.value);
-    if (!(length > 0 && Number.isFinite(length))) return page.notice(`${label}: please type a number above 0.`, true);
-    return set(length);
+    const problem = lengthProblem(field.value, length);
+    return problem ? page.notice(`${label}: ${problem}`, true) : set(length);
   };
   field.addEventListener("keydown", (event) => event.key === "Enter" && take());
   return [el("label", { class: `row ${of}` }, label, field), button("Set", { class: `button ${of}`, onclick: take })];
@@ -135,15 +119,15 @@ async function openControls(page) {
   });
   const measure = async () => {
     page.notice("Press two points on the picture whose distance you know. Esc gives up.", false);
-    const pixels = await twoPoints(page);
+    const measured = await twoPoints(page, pixelsOf(page));
     page.notice("", false);
-    if (!photo) return;
-    if (!pixels) return openControls(page);
+    if (!photo) return measured?.unmark();
+    if (!measured) return openControls(page);
     const scaled = (length) => {
-      scaleTo(page, pixels, length);
+      scaleTo(page, measured.pixels, length);
       openControls(page);
     };
-    const { root } = await openCard(page, { name: "scale", title: "Scale of the picture", body: [
+    const { root } = await openCard(page, { name: "scale", title: "Scale of the picture", closed: measured.unmark, body: [
       el("p", {}, "How far apart are the two points?"), el("div", { class: "ways" }, ...lengthField(page, "Distance", "", scaled))] });
     root.querySelector("input").focus({ preventScroll: true });
   };

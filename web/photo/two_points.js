@@ -1,0 +1,68 @@
+// Measures on the picture behind the drawing: two presses, which stay marked, with the line between them, wherever the view goes.
+import { el, svgEl } from "../kit/elements.js";
+
+const nearest = 8;  // on the screen: what is pressed nearer than this to the first point is that point again
+
+// Marks that lie over the picture: show() takes one point or two, in pixels of the picture.
+function marksOver(page, { toScreen }) {
+  const svg = svgEl("svg", { id: "measured", "aria-hidden": "true" });
+  let points = [];
+  const draw = () => {
+    const [[x1, y1], [x2, y2] = []] = points.map(toScreen);
+    // Twice: a broad light line below a dark one is seen on any picture.
+    const lines = x2 === undefined ? [] : ["below", "above"].map((of) => svgEl("line", { x1, y1, x2, y2, class: of }));
+    svg.replaceChildren(...lines, ...points.map(toScreen).map(([cx, cy]) => svgEl("circle", { cx, cy, r: 6 })));
+  };
+  const leave = new AbortController();
+  page.pictures.addEventListener("drawn", () => points.length && draw(), { signal: leave.signal });
+  document.getElementById("canvas").after(svg);
+  return {
+    show(those) {
+      points = those;
+      draw();
+    },
+    unmark() {
+      leave.abort();
+      svg.remove();
+    },
+  };
+}
+
+const distance = ([x1, y1], [x2, y2]) => Math.hypot(x1 - x2, y1 - y2);
+
+// Waits for presses on two points of the picture. `frame` leads from the screen to its pixels and back: { fromScreen, toScreen }.
+// Returns { pixels, unmark }, the distance in pixels and what takes the marks away; nothing if somebody gives up.
+export function twoPoints(page, frame) {
+  return new Promise((done) => {
+    const marks = marksOver(page, frame);
+    const sheet = el("div", { id: "measure", role: "application", "aria-label": "Two points of the picture", tabindex: "-1" });
+    const leave = new AbortController();
+    let first;
+    const end = (result) => {
+      leave.abort();
+      sheet.remove();
+      if (!result) marks.unmark();
+      done(result);
+    };
+    sheet.addEventListener("pointermove", ({ clientX, clientY }) => first && marks.show([first, frame.fromScreen(clientX, clientY)]));
+    sheet.addEventListener("pointerdown", (event) => {
+      event.preventDefault();
+      const { clientX, clientY } = event, point = frame.fromScreen(clientX, clientY);
+      if (!first) {
+        first = point;
+        marks.show([first]);
+      } else if (distance(frame.toScreen(first), [clientX, clientY]) >= nearest) {
+        marks.show([first, point]);
+        end({ pixels: distance(first, point), unmark: marks.unmark });
+      }
+    });
+    addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      end();
+    }, { capture: true, signal: leave.signal });
+    document.getElementById("canvas").after(sheet);
+    sheet.focus({ preventScroll: true });  // the canvas would take Esc for itself
+  });
+}
