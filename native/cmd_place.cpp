@@ -108,10 +108,13 @@ std::string for_people(const Placement& placement, bool with_candidates,
   const RobustnessKnown known(placement, asked);
   const auto limit = capacity ? std::optional<double>(capacity->limit) : std::nullopt;
   const LoadModel model = known.models ? asked.model : LoadModel::plan;
-  std::string sentences = verdict(placement, model) + "\n", tables;
+  std::string sentences, tables;
   std::vector<double> greatest;
-  if (!placement.teams.empty()) {
+  if (placement.teams.empty()) {
+    sentences = verdict(placement, model) + "\n";
+  } else {
     const ShownLoads shown = shown_loads(placement, known);
+    sentences = verdict(placement, model, shown.ranges) + "\n";
     tables += team_table(placement, shown, limit) + "\n";
     greatest = shown.greatest;
   }

@@ -73,12 +73,11 @@ RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsk
 
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known) {
   const LoadModel model = known.models ? known.asked.model : LoadModel::plan;
-  const std::vector<LoadRange> ranges =
-      loads_by(model, placement, known.models, known.asked.com_radius);
-  ShownLoads shown{heading(model), {}, {}};
-  for (const LoadRange& range : ranges) shown.greatest.push_back(range.greatest);
+  ShownLoads shown{
+      heading(model), {}, {}, loads_by(model, placement, known.models, known.asked.com_radius)};
+  for (const LoadRange& range : shown.ranges) shown.greatest.push_back(range.greatest);
   const double largest = *std::max_element(shown.greatest.begin(), shown.greatest.end());
-  for (const LoadRange& range : ranges)
+  for (const LoadRange& range : shown.ranges)
     shown.text.push_back(amounts(range.least, range.greatest, largest));
   return shown;
 }

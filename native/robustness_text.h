@@ -44,6 +44,7 @@ struct ShownLoads {
   std::string heading;
   std::vector<std::string> text;  // ranges if there is doubt about C, else one number
   std::vector<double> greatest;   // of the range, or the number itself
+  std::vector<LoadRange> ranges;
 };
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
 

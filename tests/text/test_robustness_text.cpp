@@ -111,6 +111,34 @@ TEST_CASE("with doubt about the centre of mass the JSON has ranges", "[json][rob
   CHECK(json_of(placement, {}, 17)["capacity"]["com_radius"].is_null());
 }
 
+TEST_CASE(
+    "with doubt about the centre of mass the first sentence has the ranges, of balanced robots too",
+    "[words][robustness]") {
+  Document document = corpus::polygon("corner-sofa");
+  document.settings.com_radius = 3;
+  document.settings.units.length = LengthUnit::cm;
+  for (const Method method : {Method::area, Method::balanced}) {
+    document.settings.method = method;
+    document.settings.robots = 5;
+    const Placement placement = place(document).value();
+    const auto loads = model_loads(placement);
+    REQUIRE(loads);
+    const std::vector<LoadRange> ranges = loads_by(LoadModel::plan, placement, loads, 3);
+    double least = 100, greatest = 0;
+    for (const LoadRange& range : ranges) {
+      least = std::min(least, range.least);
+      greatest = std::max(greatest, range.greatest);
+    }
+    const std::string robots = std::to_string(count_robots(placement.teams)) + " robots";
+    CHECK(plainly(loads_in_words(placement, LoadModel::plan, ranges)) ==
+          robots + " carry " + fixed(least, 1) + "–" + fixed(greatest, 1) +
+              " kg each, with C known within 3 cm (100 kg in all).");
+    // Other models' loads have sentences of their own; the plan's are those for C where it is thought to be.
+    CHECK(loads_in_words(placement, LoadModel::springs, ranges) ==
+          loads_in_words(placement, LoadModel::springs));
+  }
+}
+
 TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]") {
   const ordered_json json = json_of(placed("grand-piano", 3), {0, true});
   REQUIRE(json["failures"].size() == 6);

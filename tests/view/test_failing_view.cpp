@@ -216,6 +216,8 @@ TEST_CASE("a doubt makes the program's ranges, and sentences that say how far th
   }
   CHECK(summary(state).find(doubt_in_words(models, robustness(*state.placement), 20)) !=
         std::string::npos);
+  CHECK(verdict(state).headline ==
+        loads_in_words(*state.placement, LoadModel::plan, state.outlook.loads));
   const double beyond = models.springs.same_within * 1.5;
   give(state, SetComRadius{beyond});
   const auto wider = load_ranges(planned_loads(state.placement->teams), models.springs, beyond);

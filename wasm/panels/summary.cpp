@@ -30,8 +30,8 @@ Verdict of_placement(const AppState& state) {
   std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(placement);
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " So the goal, to hold, is not reached.";
-  return {good ? Mood::good : Mood::not_quite, loads_in_words(placement, state.outlook.model),
-          std::move(detail)};
+  return {good ? Mood::good : Mood::not_quite,
+          loads_in_words(placement, state.outlook.model, state.outlook.loads), std::move(detail)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
@@ -246,7 +246,9 @@ std::string news(const AppState& state) {
     lines += (settings(state).overlays.*shown ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
   if (state.second_method)
     lines += "Compared with " + std::string(name(*state.second_method)) +
-             (state.second ? ": " + loads_in_words(*state.second, state.second_outlook.model) +
+             (state.second ? ": " +
+                                 loads_in_words(*state.second, state.second_outlook.model,
+                                                state.second_outlook.loads) +
                                  " " + detail_in_words(*state.second)
                            : ".") +
              '\n';

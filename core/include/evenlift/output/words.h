@@ -85,8 +85,11 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 
 // "6 robots carry 15.2–18.1 kg each (100 kg in all).", of balanced robots "6 robots carry
 // 16.7 kg each, all the same (100 kg in all).", or "No team can be placed." The loads are the plan's: where
-// those of another model are `shown`, it begins with "As planned".
-std::string loads_in_words(const Placement& placement, LoadModel shown = LoadModel::plan);
+// those of another model are `shown`, it begins with "As planned". Where C is known only within a distance and the
+// `ranges` of the plan's loads are given (loads_by), these are said: "6 robots carry 14.9–18.4 kg each, with C
+// known within 3 cm (100 kg in all)." O(m).
+std::string loads_in_words(const Placement& placement, LoadModel shown = LoadModel::plan,
+                           const std::vector<LoadRange>& ranges = {});
 
 // Why there are no teams, and what could help; or that there are fewer than were asked for; else
 // empty.
@@ -111,7 +114,8 @@ inline constexpr double good_coverage = 0.5;
 std::string detail_in_words(const Placement& placement);
 
 // The whole result in a few sentences: loads_in_words and detail_in_words.
-std::string verdict(const Placement& placement, LoadModel shown = LoadModel::plan);
+std::string verdict(const Placement& placement, LoadModel shown = LoadModel::plan,
+                    const std::vector<LoadRange>& ranges = {});
 
 // Why a robot cannot stand at a part of the boundary: "a robot of radius 60 mm does not fit here", with
 // the size that is in the way.

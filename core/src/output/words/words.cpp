@@ -65,12 +65,14 @@ std::string overload_in_words(const Placement& placement, double capacity,
   return who + " robots" + verb + " overloaded, with more than " + limit + which + ".";
 }
 
-// The number is counted by plan, with all robots at work; where other loads are shown, that is said.
+// The number is counted by plan, with all robots at work and C where it is given; where other loads are shown, that
+// is said.
 std::string need_in_words(const CapacityPlan& plan, const Settings& settings, LoadModel model,
                           const std::optional<std::size_t>& failed) {
   const std::string presumed = failed                     ? "while none fails, "
-                               : model == LoadModel::plan ? ""
-                                                          : "as planned, ";
+                               : model != LoadModel::plan ? "as planned, "
+                               : settings.com_radius > 0  ? "if C is known exactly, "
+                                                          : "";
   // Of balanced robots only the weight is counted (plan_capacity).
   const bool balanced = settings.method == Method::balanced;
   if (plan.possible)
@@ -95,22 +97,33 @@ std::string hold_in_words(const Closure& closure) {
 
 }  // namespace
 
-std::string loads_in_words(const Placement& placement, LoadModel shown) {
+std::string loads_in_words(const Placement& placement, LoadModel shown,
+                           const std::vector<LoadRange>& ranges) {
   if (!placement.search_ended && placement.teams.empty())
     return "Places for " + std::to_string(placement.settings.robots) + " robots are not found yet.";
   if (placement.teams.empty())
     return placement.settings.method == Method::balanced ? "No robots can be placed."
                                                          : "No team can be placed.";
+  const Units& units = placement.settings.units;
+  const std::string in_all = " (" + given_weight(placement.settings.weight, units) + " in all).";
+  const double com_radius = placement.settings.com_radius;
   const LoadSummary& loads = *placement.loads;
   const std::string robots = (shown == LoadModel::plan ? "" : "As planned, ") +
                              std::to_string(count_robots(placement.teams)) + " robots";
+  if (shown == LoadModel::plan && com_radius > 0 && !ranges.empty()) {
+    double least = ranges.front().least, greatest = 0;
+    for (const LoadRange& range : ranges) {
+      least = std::min(least, range.least);
+      greatest = std::max(greatest, range.greatest);
+    }
+    return robots + " carry " + load_in_words(least, greatest, greatest, units) +
+           " each, with C known within " + with_length_unit(plain(com_radius), units) + in_all;
+  }
   if (placement.settings.method == Method::balanced)
-    return robots + " carry " + load_in_words(loads.max, loads.max, placement.settings.units) +
-           " each, all the same (" +
-           given_weight(placement.settings.weight, placement.settings.units) + " in all).";
-  return robots + " carry " +
-         load_in_words(loads.min, loads.max, loads.max, placement.settings.units) + " each (" +
-         given_weight(placement.settings.weight, placement.settings.units) + " in all).";
+    return robots + " carry " + load_in_words(loads.max, loads.max, units) + " each, all the same" +
+           in_all;
+  return robots + " carry " + load_in_words(loads.min, loads.max, loads.max, units) + " each" +
+         in_all;
 }
 
 std::string no_go_in_words(const std::vector<EdgePart>& no_go) {
@@ -224,8 +237,9 @@ std::string detail_in_words(const Placement& placement) {
                  closure_first ? coverage : closure});
 }
 
-std::string verdict(const Placement& placement, LoadModel shown) {
-  return joined({loads_in_words(placement, shown), detail_in_words(placement)});
+std::string verdict(const Placement& placement, LoadModel shown,
+                    const std::vector<LoadRange>& ranges) {
+  return joined({loads_in_words(placement, shown, ranges), detail_in_words(placement)});
 }
 
 std::string capacity_in_words(const Placement& placement, double capacity,
