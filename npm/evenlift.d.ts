@@ -198,6 +198,10 @@ export interface Placement {
   survive?: number;
   /** Where it is not `"best"`. */
   positions?: "range";
+  /** Where `requested_teams` does not tell it: `"max"`, or what was asked for of the other methods where robots are balanced. */
+  teams_asked?: number | "max";
+  /** Of a link whose overlays are others than usual. */
+  overlays?: Record<"candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo", boolean>;
   /** The following three where robots have a size, or edges must not be touched. */
   robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
   no_go?: string;

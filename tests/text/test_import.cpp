@@ -635,6 +635,24 @@ TEST_CASE("a result with balanced robots opens again with what was asked", "[imp
   document.settings.goal.reset();
   document.settings.apart.reset();
   CHECK(read(document_json(document)).shapes.at(0).document.settings == document.settings);
+  // Who takes another method afterwards has what a link would give: the teams that were asked for, and their usual goal.
+  for (const std::optional<std::uint32_t>& teams :
+       {std::optional<std::uint32_t>(3), std::optional<std::uint32_t>(7),
+        std::optional<std::uint32_t>()}) {
+    document.settings.teams = teams;
+    const Import asked = read(placement_json(place(document).value(), false));
+    CHECK(asked.shapes.at(0).document.settings == document.settings);
+  }
+}
+
+TEST_CASE("a result with all teams or with other overlays opens again with these",
+          "[import][json]") {
+  Document document;
+  document.vertices = triangle;
+  document.settings.teams.reset();
+  document.settings.overlays = {true, false, false, true, false, true, true};
+  const Import result = read(placement_json(place(document).value(), false));
+  CHECK(result.shapes.at(0).document.settings == document.settings);
 }
 
 TEST_CASE("a result of teams that hold in ranges opens again with what was asked", "[import]") {

@@ -76,7 +76,7 @@ std::string value_of(const Figure& figure, bool balanced) {
   return has && !balanced ? ratio_in_words(figure.value) : std::string();
 }
 
-void draw_values(const Painter& painter, const CanvasView& view) {
+void draw_values(const Painter& painter, const CanvasView& view, Occupied& occupied) {
   const Walkthrough& walk = view.state.walkthrough;
   if (walk.ask && walk.trace->balanced()) return;  // the choices have numbers of their own
   std::vector<std::pair<const Figure*, std::string>> valued;
@@ -91,8 +91,19 @@ void draw_values(const Painter& painter, const CanvasView& view) {
         !text.empty() && !has_value(figure))
       valued.emplace_back(&figure, std::move(text));
   if (valued.size() > most_valued) return;
-  std::vector<Rect> before;
+  constexpr double mark = 13;  // pixels from C to the rim of its mark, and a little more
+  const Vec2 c = view.camera.to_screen(view.placement->centre_of_mass);
+  std::vector<Rect> before = {{c.x() - mark, c.y() - mark, c.x() + mark, c.y() + mark}};
   for (const auto& [figure, text] : valued) draw_value(painter, view, *figure, text, before);
+  for (const Rect& taken : before) occupied.box(taken);
+}
+
+// What is drawn of the step itself, which the names of its parts should not cover.
+void add_lines_of_step(const CanvasView& view, Occupied& occupied) {
+  for (const Figure& figure : view.state.walkthrough.figures)
+    if (figure.points.size() == 2)
+      occupied.line(view.camera.to_screen(figure.points[0]),
+                    view.camera.to_screen(figure.points[1]));
 }
 
 // What a question about even chords is about: the place where one robot comes, and M.
@@ -239,13 +250,14 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
   draw_wrong_guess(painter, view);
   draw_asked_places(painter, view);
-  draw_values(painter, view);
   // As far out as if a robot stood at each end: what is nearer to some would tell the answer.
   const double reach = static_cast<double>(mark_radius(view.placement->teams));
   Occupied occupied = occupied_by_marks(view, reach);
+  draw_values(painter, view, occupied);
   draw_choices(painter, view, reach, occupied);
   draw_answered(painter, view, reach, occupied);
   draw_ranked(painter, view, reach, occupied);
+  add_lines_of_step(view, occupied);
   draw_part_names(painter, view, occupied);
 }
 

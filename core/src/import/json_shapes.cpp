@@ -134,6 +134,10 @@ std::optional<InputError> JsonShapes::take_balanced(Document& document) const {
   for (const auto& [name, setting] : members)
     if (const auto at = tree_.member(0, name); is(at, Kind::number) || is(at, Kind::string))
       if (auto wrong = take_setting(setting, *at, value_text(*at), document)) return wrong;
+  // A result always names its goal: the usual one is none, and does not stay with another method.
+  Settings usual = document.settings;
+  usual.goal.reset();
+  if (document.settings.goal == goal_of(usual)) document.settings.goal.reset();
   return std::nullopt;
 }
 
@@ -152,13 +156,14 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
     if (const auto at = tree_.member(0, name); is(at, Kind::number))
       if (auto wrong = set(setting, *at, whole_text(text_, tree_.offset(*at), tree_.number(*at))))
         return wrong;
-  // A result lists the teams that it has, and says how many were asked for.
-  for (const char* name : {"teams", "requested_teams"})
-    if (const auto at = tree_.member(0, name); at && !is(at, Kind::array))
+  // A result lists the teams that it has, and says how many were asked for. Balanced robots are one team of another kind, and
+  // `max` is a number there: where the results do not tell what was asked for, a member of its own does.
+  const bool balanced = document.settings.method == Method::balanced;
+  for (const std::string_view name : {"teams", "requested_teams", "teams_asked"})
+    if (const auto at = tree_.member(0, name);
+        at && !is(at, Kind::array) && !(balanced && name == "requested_teams"))
       if (auto wrong = set(Setting::teams, *at, value_text(*at))) return wrong;
-  if (auto wrong = document.settings.method == Method::balanced ? take_balanced(document)
-                                                                : take_beyond(document))
-    return wrong;
+  if (auto wrong = balanced ? take_balanced(document) : take_beyond(document)) return wrong;
   if (const auto at = tree_.member(0, "overlays"); is(at, Kind::object))
     if (auto wrong = take_overlays(*at, document.settings)) return wrong;
   for (const auto& [name, setting] :

@@ -151,6 +151,18 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
   members.push_back({"unusable", unusable_json(placement)});
 }
 
+// What was asked for in so far as the results do not say it, so that who opens them again has all of it: how many teams of two,
+// where that is "max" or the robots are balanced, and the overlays; each where it is another than usual.
+void add_asked(std::vector<json::Member>& members, const Settings& settings) {
+  const Settings usual;
+  if (!settings.teams)
+    members.push_back({"teams_asked", json::text("max")});
+  else if (settings.method == Method::balanced && settings.teams != usual.teams)
+    members.push_back({"teams_asked", std::to_string(*settings.teams)});
+  if (settings.overlays != usual.overlays)
+    members.push_back({"overlays", overlays_json(settings.overlays)});
+}
+
 // The units, where they are others than usual: what has none is written as it always was.
 void add_units(std::vector<json::Member>& members, const Units& units) {
   if (units.length != LengthUnit::none) members.push_back({"unit", json::text(name(units.length))});
@@ -193,6 +205,7 @@ std::string placement_json(const Placement& placement, bool with_candidates,
     add_balanced(members, settings);
   else
     add_beyond(members, settings);
+  add_asked(members, settings);
   add_moved(members, placement.moved);
   add_stands(members, placement);
   if (robots)
