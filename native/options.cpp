@@ -29,8 +29,13 @@ std::uint64_t whole_option(const std::string& option, const std::string& text, s
 }
 
 void setting_option(Setting setting, const std::string& text, Document& document) {
-  if (const auto error = read_setting(setting, text, document))
-    throw bad_value(as_typed(std::string(name(setting))), error->message, text);
+  if (const auto error = read_setting(setting, text, document)) {
+    const std::string option = as_typed(std::string(name(setting)));
+    // Of a list the error quotes what is wrong in it.
+    if (error->message != requirement(setting))
+      throw Failure{bad_input_status, option, error->message};
+    throw bad_value(option, error->message, text);
+  }
 }
 
 LoadModel loads_option(const std::string& text) {

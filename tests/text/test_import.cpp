@@ -553,12 +553,17 @@ TEST_CASE("columns: a heading that names one unit for x and y sets it", "[import
 TEST_CASE("columns: what can be read in two ways is refused", "[import][columns]") {
   CHECK(refusal("1,5 2,3\n3,4 5,6\n6,1 1,1\n").find("(1,5; 2,3)") != std::string::npos);
   CHECK(refusal("1.234,5;0\n1;2\n3;4\n").find("none between its thousands") != std::string::npos);
-  CHECK(refusal("0,0\n4,0\n4,x\n") == "line 3, column 1: \"x\" is no number");
+  CHECK(refusal("0,0\n4,0\n4,x\n") == "line 3, column 3: \"x\" is no number");
+  CHECK(refusal("x;y\n0; 0\n4; \"abc\"\n") == "line 3, column 5: \"abc\" is no number");
   CHECK(refusal("0,0\n4\n4,3\n") == "line 2, column 1: the line has no y");
   CHECK(refusal("5\n").find("two numbers, x and y") != std::string::npos);
   CHECK(refusal("hello world\n").find("evenlift reads lines") != std::string::npos);
+  for (const char* poses :
+       {"{\"frame\": \"object\", \"origin\": \"file\", \"robots\": []}",
+        "# geometry_msgs/msg/PoseArray, in metres\nheader:\n  frame_id: \"object\"\nposes:\n"})
+    CHECK(refusal(poses).find("the robots of a result") != std::string::npos);
   CHECK(refusal("robot,team,end,x,y,load,share_of_team,load_ratio\n1,1,r1,0,0,1,1,1\n")
-            .find("a table of robots") != std::string::npos);
+            .find("the robots of a result") != std::string::npos);
   CHECK(refusal("set,polygon,method,teams\na,b,area,1\n").find("a table of an experiment") !=
         std::string::npos);
 }

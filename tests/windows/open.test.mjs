@@ -146,7 +146,7 @@ const bad = [
   [svg("<text>a</text>"), /no closed shape, only 1 text \(in Inkscape: Path, Object to Path/],
   [svg('<path d="M0 0L1 1"/><path d="M0 0L1 1"/>'), /no closed shape/],
   ["0\nSECTION\n2\nENTITIES\n0\nLINE\n11\n5\n0\nENDSEC\n0\nEOF\n", /DXF drawing has no closed outline: the chain from \(0, 0\) ends at \(5, 0\)/],
-  ["robot,team,end,x,y,load\n1,1,r1,0,0,5\n", /table of robots, a result and no polygon: open the JSON/],
+  ["robot,team,end,x,y,load\n1,1,r1,0,0,5\n", /the robots of a result and no polygon: open the JSON/],
   ["1,5 2,3\n2,5 4,3\n", /write decimals with a point/],
   ['{"type":"Point","coordinates":[1,2]}', /no polygon, only 1 Point/],
   [svg('<path d="L0 0 1 1"/>'), /character 1/],

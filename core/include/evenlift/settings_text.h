@@ -81,7 +81,7 @@ InputError setting_error(Setting setting, std::string why);
 //   no_go      edges from 1, or parts of them from 0 to 1, such as "3,5:0.25-0.75"; or "none"
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
 // hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text, and any value
-// out of range, is an error and changes nothing. loads and failed are not settings of a document, and
+// out of range, is an error and changes nothing; of no_go the error quotes the first part that is wrong if it is short. loads and failed are not settings of a document, and
 // always an error. A setting that says where robots stand puts robots that were moved by hand back:
 // every one except weight, overlays, step, com_radius, capacity, unit and weight_unit. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);

@@ -256,7 +256,11 @@ InputError setting_error(Setting setting, std::string why) {
 }
 
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document) {
-  if (!entry(setting).read(text, document)) return setting_error(setting);
+  if (!entry(setting).read(text, document)) {
+    const std::string_view part = setting == Setting::no_go ? refused_part(text) : "";
+    if (part.empty()) return setting_error(setting);
+    return setting_error(setting, requirement(setting) + (", not \"" + std::string(part) + "\""));
+  }
   if (entry(setting).places_robots) document.moved = {};
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #include "document/stand_settings.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "evenlift/numbers.h"
@@ -87,6 +88,19 @@ bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go) {
                     });
   if (good) no_go = std::move(read);
   return good;
+}
+
+std::string_view refused_part(std::string_view text) {
+  std::string_view refused;
+  for_each_word(text, [&](std::string_view word) {
+    if (read_part(word)) return true;
+    refused = word;
+    return false;
+  });
+  const bool quotable =
+      refused.size() <= 40 &&
+      std::all_of(refused.begin(), refused.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  return quotable ? refused : std::string_view();
 }
 
 bool is_robot_size(const RobotSize& robot) {

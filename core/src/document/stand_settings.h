@@ -24,6 +24,9 @@ bool read_size(std::string_view text, double& size);
 bool read_robot(std::string_view text, RobotSize& robot);
 bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go);
 
+// The first word that is no edge or part of one; empty if all are, or if it is too long or strange to be quoted. O(bytes).
+std::string_view refused_part(std::string_view text);
+
 // Whether the values are in their ranges. O(1) and O(parts).
 bool is_robot_size(const RobotSize& robot);
 bool is_no_go(const std::vector<EdgePart>& no_go);

@@ -74,7 +74,10 @@ class ColumnReader {
   Result<Import> read();
 
  private:
-  InputError error(const Line& line, ErrorCode code, std::string_view message) const;
+  InputError error(std::string_view at, ErrorCode code, std::string_view message) const;
+  InputError error(const Line& line, ErrorCode code, std::string_view message) const {
+    return error(line.text, code, message);
+  }
   void find_separator();
   std::optional<InputError> read_lines();
   Fields split(std::string_view line) const;
@@ -83,7 +86,7 @@ class ColumnReader {
   std::optional<InputError> heading(const Line& line, const Fields& fields);
   std::optional<InputError> row(const Line& line);
   std::optional<InputError> choose_columns(const Line& line, const Fields& fields);
-  InputError not_a_number(const Line& line, std::string_view field) const;
+  InputError not_a_number(std::string_view field) const;
   void end_shape();
 
   std::string_view text_;
@@ -99,8 +102,10 @@ class ColumnReader {
   Points points_;
 };
 
-InputError ColumnReader::error(const Line& line, ErrorCode code, std::string_view message) const {
-  const auto offset = static_cast<std::size_t>(line.text.data() - text_.data());
+// `at` is a part of the text.
+InputError ColumnReader::error(std::string_view at, ErrorCode code,
+                               std::string_view message) const {
+  const auto offset = static_cast<std::size_t>(at.data() - text_.data());
   return text_error(code, std::string(message), text_, offset);
 }
 
@@ -167,9 +172,7 @@ bool has_field(const Fields& fields, std::string_view name) {
 
 std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& fields) {
   if (has_field(fields, "robot") && has_field(fields, "load"))
-    return error(line, ErrorCode::unsupported,
-                 "this is a table of robots, a result and no polygon: open the JSON that was saved "
-                 "with it, which holds the polygon and all settings");
+    return error(line, ErrorCode::unsupported, robots_are_no_polygon);
   if (has_field(fields, "polygon") && has_field(fields, "method"))
     return error(line, ErrorCode::unsupported,
                  "this is a table of an experiment, a result and no polygon: open the polygons "
@@ -193,19 +196,19 @@ std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& 
   return std::nullopt;
 }
 
-InputError ColumnReader::not_a_number(const Line& line, std::string_view field) const {
+InputError ColumnReader::not_a_number(std::string_view field) const {
   const std::string quoted = "\"" + clean_name(field.substr(0, 60)) + "\"";
   if (separator_ == ',' && field.find(' ') != std::string_view::npos)
-    return error(line, ErrorCode::bad_syntax,
+    return error(field, ErrorCode::bad_syntax,
                  quoted +
                      " is no number: write decimals with a point (1.5, 2.3), or with a comma and a "
                      "semicolon between x and y (1,5; 2,3)");
   if (field.find(',') != std::string_view::npos || field.find('.') != std::string_view::npos)
-    return error(line, ErrorCode::bad_syntax,
+    return error(field, ErrorCode::bad_syntax,
                  quoted +
                      " is no number: a number has one mark, a point or a comma, before its "
                      "decimals and none between its thousands");
-  return error(line, ErrorCode::bad_syntax, quoted + " is no number");
+  return error(field, ErrorCode::bad_syntax, quoted + " is no number");
 }
 
 // The first two columns with numbers.
@@ -214,7 +217,7 @@ std::optional<InputError> ColumnReader::choose_columns(const Line& line, const F
   for (const std::string_view field : fields)
     if (!number(field) &&
         field.find_first_not_of("0123456789+-.,eE \t") == std::string_view::npos && !field.empty())
-      return not_a_number(line, field);
+      return not_a_number(field);
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!number(fields[i])) continue;
@@ -228,7 +231,7 @@ std::optional<InputError> ColumnReader::choose_columns(const Line& line, const F
     const auto wrong = std::find_if(fields.begin(), fields.end(), [&](std::string_view field) {
       return !field.empty() && !number(field);
     });
-    if (wrong != fields.end()) return not_a_number(line, *wrong);
+    if (wrong != fields.end()) return not_a_number(*wrong);
     return error(line, ErrorCode::bad_syntax, "a line has two numbers, x and y");
   }
   more_columns_ = numbers > 2;
@@ -245,7 +248,7 @@ std::optional<InputError> ColumnReader::row(const Line& line) {
     if (columns[i] >= fields.size() || fields[columns[i]].empty())
       return error(line, ErrorCode::bad_syntax, i == 0 ? "the line has no x" : "the line has no y");
     const std::optional<double> value = number(fields[columns[i]]);
-    if (!value) return not_a_number(line, fields[columns[i]]);
+    if (!value) return not_a_number(fields[columns[i]]);
     values[i] = *value;
   }
   if (points_.size() > max_vertices)  // one more may close it
@@ -286,10 +289,15 @@ bool ColumnReader::is_heading(const Line& line, const Fields& fields) const {
                       [&](std::string_view field) { return number(field).has_value(); });
 }
 
+// Whether a line is what poses for ROS 2 have above them.
+bool is_pose_array(std::string_view line) { return line == "poses:"; }
+
 std::optional<InputError> ColumnReader::read_lines() {
   Lines lines(text_);
   bool first = true;
   for (std::optional<Line> line = lines.next(); line && !gathering_.full(); line = lines.next()) {
+    if (is_pose_array(line->text) && !has_rows_)
+      return error(*line, ErrorCode::unsupported, robots_are_no_polygon);
     if (line->after_blank) end_shape();
     const bool begins = first || (line->after_blank && points_.empty());
     const Fields fields = split(line->text);

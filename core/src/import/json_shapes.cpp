@@ -411,6 +411,8 @@ Result<Import> JsonShapes::read() {
     return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]", {}});
   }
   if (tree_.member(0, "polygon")) return result_of_evenlift();
+  if (is(tree_.member(0, "robots"), Kind::array) && tree_.member(0, "frame"))
+    return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
   if (!tree_.member(0, "type"))
     return InputError{
         ErrorCode::bad_syntax,

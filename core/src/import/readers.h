@@ -22,4 +22,9 @@ bool looks_like_dxf(std::string_view text);
 inline constexpr char known_formats[] =
     "evenlift reads lines \"x, y\", columns of a table (CSV), SVG, DXF, WKT and GeoJSON";
 
+// Where somebody opens the robots' poses that evenlift saved, whatever their format.
+inline constexpr char robots_are_no_polygon[] =
+    "these are the robots of a result and no polygon: open the JSON that was saved with them, which holds the "
+    "polygon and all settings";
+
 }  // namespace evenlift
