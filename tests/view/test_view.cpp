@@ -400,18 +400,21 @@ TEST_CASE("a notice of several lines covers no robot where the view fits", "[vie
   const std::string text =
       "The drawing has 3 shapes; the largest is open, with its holes filled. Curves became straight edges that are at "
       "most 0.1 mm away from them, and Open can read it again with other choices.";
+  const std::string shorter =
+      "“drawing.svg” is opened. 1 text was left out. Curves were flattened to within 0.2 units of the drawing, which "
+      "“Open” can change. Undo brings back the previous polygon.";
   for (const auto& path : assets()) {
     CAPTURE(path.stem().string());
     Page page(asset(path));
     AppState& state = page.app.state;
-    for (const auto& [width, height] : {std::pair(390.0, 844.0), {1280.0, 800.0}}) {
+    for (const auto& [width, height] : {std::pair(320.0, 568.0), {390.0, 844.0}, {1280.0, 800.0}}) {
       state.screen.width = width;
       state.screen.height = height;
       page.app.commands = {ShowNotice{}, FitView{}};
       settle(page.app);
       page.frame();
       const Rect without = layout(state).room;
-      page.app.commands = {ShowNotice{{Notice::Kind::problem, text}}};
+      page.app.commands = {ShowNotice{{Notice::Kind::problem, width < 390 ? shorter : text}}};
       settle(page.app);
       for (int i = 0; i < 4; ++i) page.frame();  // it measures itself
       REQUIRE(state.notice_height > 40);
@@ -426,6 +429,18 @@ TEST_CASE("a notice of several lines covers no robot where the view fits", "[vie
       CHECK(layout(state).room == without);
     }
   }
+}
+
+TEST_CASE("on a sheet that is pulled up to the top a notice stands at its foot", "[view]") {
+  Page page;
+  AppState& state = page.app.state;
+  state.screen.width = 390;
+  state.screen.height = 844;
+  page.app.commands = {ShowNotice{{Notice::Kind::info, "“table.txt” is opened."}}};
+  settle(page.app);
+  state.sheet = Sheet::full;
+  for (int i = 0; i < 4; ++i) page.frame();
+  CHECK(layout(state).notice.bottom - state.notice_height > layout(state).panel.middle().y());
 }
 
 TEST_CASE(

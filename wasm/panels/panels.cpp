@@ -109,7 +109,7 @@ void draw_side_panel(const Ui& ui) {
   constexpr double least_height = 560;
   const bool lesson = walkthrough_is_open(ui.state),
              stays = !lesson && ui.layout.panel.height() >= least_height;
-  begin_card(ui, "panel", ui.layout.panel, {.scrolls = !stays});
+  begin_card(ui, "panel", ui.layout.panel, {.scrolls = !stays, .stays_below = true});
   if (!stays) begin_at_head(ui);
   if (lesson)
     draw_close_button(ui);
@@ -214,7 +214,8 @@ void draw_open_sheet(const Ui& ui) {
 }
 
 void draw_sheet(const Ui& ui) {
-  begin_card(ui, "sheet", ui.layout.panel, {.fixed_height = true, .padding = 16, .scrolls = false});
+  begin_card(ui, "sheet", ui.layout.panel,
+             {.fixed_height = true, .padding = 16, .scrolls = false, .stays_below = true});
   draw_handle(ui);
   if (ui.state.sheet == Sheet::closed)
     draw_closed_sheet(ui);

@@ -185,8 +185,11 @@ void draw_notice(const Ui& ui) {
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
   const Rect& seat = ui.layout.notice;
+  // In large letters a long one would cover half of a small phone's drawing.
+  constexpr double small = 640;
+  const Face face = !ui.layout.wide && ui.state.screen.height < small ? Face::label : Face::text;
   const float text =
-      std::min(text_size(Face::text, notice.text).x, static_cast<float>(seat.width()) - 84);
+      std::min(text_size(face, notice.text).x, static_cast<float>(seat.width()) - 84);
   const double width = static_cast<double>(text) + 84, x = seat.middle().x() - width / 2;
   begin_card(ui, "notice", {x, seat.top, x + width, seat.bottom},
              {.at_bottom = true, .padding = 10});
@@ -197,7 +200,7 @@ void draw_notice(const Ui& ui) {
   draw_icon(list, problem ? Icon::warning : Icon::check, ImVec2(at.x + 11, at.y + 12), 15,
             ui.theme.panel);
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y + 3));
-  text_block(Face::text, ui.theme.text, notice.text, 30);
+  text_block(face, ui.theme.text, notice.text, 30);
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(at.x + static_cast<float>(width) - 20 - 24, at.y));
   if (icon_button(ui, "close", Icon::close, true, "Close (Esc)", 24)) ui.push(ShowNotice{});

@@ -207,9 +207,13 @@ Rect inset(const Rect& r, double by) {
   return {r.left + by, r.top + by, r.right - by, r.bottom - by};
 }
 
-// Where it covers neither a bar nor what is being drawn nor, before a room, the words; above a card of the page.
+// Where it covers neither a bar nor what is being drawn nor, before a room, the words; above a card of the page. On a sheet
+// that is pulled up to the top, at its foot: the verdict is at its head.
 Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
+  if (!l.wide && state.sheet == Sheet::full && !state.presenting && !state.screen.embed)
+    return {l.margin, l.panel.middle().y(), state.screen.width - l.margin,
+            state.screen.height - gap};
   const Rect seat = state.presenting ? inset(l.free, gap) : seat_of_card(state, l);
   const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
                head = l.toolbar.bottom + 12;
@@ -224,7 +228,7 @@ void make_room_for_notice(const AppState& state, Layout& l) {
   const bool two = l.second.width() > 0;
   const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
   const double covered = lowest + robot - (l.notice.bottom - state.notice_height);
-  l.room.bottom -= std::clamp(covered, 0.0, l.room.height() / 3);
+  l.room.bottom -= std::clamp(covered, 0.0, l.room.height() * 2 / 3);
 }
 
 }  // namespace

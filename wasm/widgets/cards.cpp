@@ -73,6 +73,7 @@ void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptio
                            ImGuiWindowFlags_NoScrollbar;
   if (!options.fixed_height) flags |= ImGuiWindowFlags_AlwaysAutoResize;
   if (!options.scrolls) flags |= ImGuiWindowFlags_NoScrollWithMouse;
+  if (options.stays_below) flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::Begin(id, nullptr, flags);
   ImGui::GetStateStorage()->SetBool(ImGui::GetID("scrolls"), options.scrolls);
   enter_card(id);

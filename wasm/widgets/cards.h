@@ -13,6 +13,7 @@ struct CardOptions {
   bool fixed_width = true;
   float padding = 20;
   bool scrolls = true;
+  bool stays_below = false;  // a press on it does not bring it before other cards
 };
 void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options = {});
 void end_card(const Ui& ui);
