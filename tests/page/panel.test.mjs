@@ -405,6 +405,24 @@ test("on a phone a robot's card takes the presses on it, also where a field of t
   await page.done();
 });
 
+test("above a keyboard the row below the verdict is seen whole, also while one draws", async () => {
+  const page = await browser.open({ viewport: { width: 390, height: 500 }, hasTouch: true, isMobile: true });
+  await idle(page);
+  const teams = await control(page, "teams");
+  assert.ok(teams.y + teams.height <= 500, JSON.stringify(teams));
+  await page.keyboard.press("d");
+  for (const [x, y] of [[80, 180], [200, 200]]) {
+    await page.touchscreen.tap(x, y);
+    await idle(page);
+  }
+  for (const field of await page.locator("#mirror").getByLabel(/^(Length|Angle)/).all()) {
+    const { y, height } = await field.boundingBox();
+    assert.ok(y + height <= 500, `${y} ${height}`);
+  }
+  assert.equal(await page.locator("#mirror").getByLabel(/^(Length|Angle)/).count(), 2);
+  await page.done();
+});
+
 test("the sheet's handle and headline stay, and no field that scrolls reaches them", async () => {
   const page = await browser.open({ viewport: phone, ...touch });
   await tap(page, "handle");

@@ -554,6 +554,24 @@ test("the handout has a picture and the words for each stop of the lesson, and o
   await page.done();
 });
 
+test("on a handout the candidates that a caption compares have their numbers in its picture", async () => {
+  const page = await browser.open();
+  await begin(page, "metrics-area");
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: "Handout" }).click();
+  const figures = page.locator("#handout figure");
+  await figures.first().waitFor();
+  let compared = 0;
+  for (const figure of await figures.all()) {
+    const named = [...(await figure.textContent()).matchAll(/candidate (\d+) has/gi)].map(([, number]) => number);
+    const words = await figure.locator("svg .words").allTextContents();
+    for (const number of named) assert.ok(words.includes(number), `${number} of ${named}: ${words}`);
+    compared += named.length;
+  }
+  assert.ok(compared >= 4);
+  await page.done();
+});
+
 test("the handout of a lesson about balanced robots has the robots, with their own numbers", async () => {
   const page = await browser.open();
   await begin(page, "exchange");

@@ -52,6 +52,7 @@ test("a picture that is dropped is seen behind the drawing, and drawing begins",
     const [red, green] = await colourAt(page, Math.round(left + width / 2) + 3, Math.round(top + height / 2) + 3);
     assert.ok(red > 200 && green < 120, `${type}: ${red}, ${green}`);
     assert.match(await page.locator("#photo").textContent(), /stays on this device/);
+    assert.match(await page.locator("#alert").textContent(), /^“table\.\w+” lies behind the drawing/);
     assert.equal(await page.evaluate(() => document.querySelector('#mirror [aria-label^="Draw"]').getAttribute("aria-pressed")), "true");
     await page.done();
   }

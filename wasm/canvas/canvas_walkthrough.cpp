@@ -172,13 +172,10 @@ void draw_ranked(const Painter& painter, const CanvasView& view, double reach, O
   const Walkthrough& walk = view.state.walkthrough;
   const std::optional<TeamScores>& scores = walk.detail.scores;
   if (!scores || walk.ask || walk.answered) return;
-  constexpr std::size_t most_numbered = 6;
   Ask ranked;
   ranked.detail = walk.detail;
   ranked.question.kind = QuestionKind::winning_chord;
-  for (const std::uint32_t c : scores->ranking)
-    if (scores->of_candidate[c].eligible && ranked.choices.size() < most_numbered)
-      ranked.choices.push_back(c);
+  ranked.choices = best_ranked(*scores);
   draw_names_of_choices(painter, view, ranked, reach, occupied);
 }
 

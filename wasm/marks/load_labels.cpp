@@ -91,6 +91,10 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
     if (n <= 40 && !view.state.screen.embed) occupied.box(about(at, 6));
     last = at;
   }
+  const Points& base = placement.lifting_base;
+  for (std::size_t i = 0; i < base.size(); ++i)
+    occupied.line(view.camera.to_screen(base[i]),
+                  view.camera.to_screen(base[i + 1 == base.size() ? 0 : i + 1]));
   if (const std::optional<Rect> coverage = coverage_box(view)) occupied.box(*coverage);
   return occupied;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "evenlift/output/label_places.h"
@@ -67,6 +68,14 @@ class Words {
     }
     for (const Figure& figure : figures) add_name(figure);
     add_ratios(figures);
+  }
+
+  // The numbers of candidates that the caption compares, beyond their ends.
+  void add_ranked(const TeamScores& scores) {
+    for (const std::uint32_t c : best_ranked(scores)) {
+      const Vec2 end = paper_(placement_.candidates[c].chord.r2.position);
+      add(std::to_string(c + 1), around(end, Paper::disc), end - centre_);
+    }
   }
 
   std::vector<PaperWords> placed() const {
@@ -184,6 +193,7 @@ std::vector<PaperWords> words_on_paper(const Paper& paper, const Trace& trace,
   }
   words.add_robots(robots_on_paper(paper, trace, detail));
   words.add_figures(figures);
+  if (detail.scores) words.add_ranked(*detail.scores);
   return words.placed();
 }
 

@@ -94,7 +94,7 @@ void draw_verdict(const Ui& ui) {
   if (!ui.layout.brief) draw_verdict_details(ui);
 }
 
-void draw_verdict_details(const Ui& ui) {
+void draw_verdict_words(const Ui& ui) {
   const Verdict v = verdict(ui.state);
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
@@ -105,6 +105,10 @@ void draw_verdict_details(const Ui& ui) {
   ImGui::Dummy(ImVec2(width, 0));
   if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
   ImGui::PopStyleVar();
+}
+
+void draw_verdict_details(const Ui& ui) {
+  draw_verdict_words(ui);
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() +
                        (ui.layout.wide ? 8 : 4));  // words may fill their room
   draw_failures(ui);

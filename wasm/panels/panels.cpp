@@ -182,9 +182,20 @@ void draw_row_below_verdict(const Ui& ui) {
   draw_edge_fields(ui, width, width);
 }
 
+// Where there is little height, as above a keyboard: the row stands at the foot, and the failures can be had by pulling the sheet up.
+void draw_low_sheet(const Ui& ui) {
+  draw_headline(ui);
+  draw_verdict_words(ui);
+  ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y - ui.control());
+  draw_row_below_verdict(ui);
+}
+
 void draw_closed_sheet(const Ui& ui) {
   if (walkthrough_is_open(ui.state))
     return ui.layout.brief ? draw_player_row(ui) : draw_step_and_row(ui);
+  constexpr double too_low = 8;  // so many pixels of the row's margin may be missing
+  if (!ui.layout.brief && ui.state.closed_sheet_height > ui.layout.panel.height() + too_low)
+    return draw_low_sheet(ui);
   draw_verdict(ui);
   draw_row_below_verdict(ui);
   if (ui.layout.brief) return;

@@ -18,7 +18,8 @@ void draw_panels(const AppState& state, Commands& commands);
 // The sections, each in its own file.
 void draw_verdict(const Ui& ui);
 void draw_headline(const Ui& ui);         // its first sentence, two lines high
-void draw_verdict_details(const Ui& ui);  // the rest of it
+void draw_verdict_words(const Ui& ui);    // its other sentences
+void draw_verdict_details(const Ui& ui);  // these, and what is left if a robot fails
 void draw_failures(const Ui& ui);         // below the verdict, always as high
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);

@@ -66,6 +66,7 @@ export class Bindings {
       aboutLink: (url) => this.#aboutLink(url),
       windows: () => this.#windows(),
       notice: (text, problem) => this.#publisher.notice(text, problem),
+      announce: (text) => this.announce(text),  // to those who listen: nothing is shown
       pictures: this.#pictures,  // gets an event "drawn" after each of the program's pictures
       nameLesson: (name) => this.#publisher.nameLesson(name),
     };

@@ -41,6 +41,7 @@ export async function layBehind(page, file) {
   show(page);
   closeWindows();
   await openControls(page);
+  page.announce(`“${file.name}” lies behind the drawing, to be traced. A card has its scale and opacity.`);
 }
 
 const worldAt = (program, x, y) => [program.number("page_world_x", x, y), program.number("page_world_y", x, y)];

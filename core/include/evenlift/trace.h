@@ -19,6 +19,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -362,6 +363,13 @@ struct TeamScores {
   std::vector<std::uint32_t> ranking;
   DecidedBy decided_by = DecidedBy::only_one;
 };
+
+// So many candidates have their numbers in pictures of a choice; more would hide it.
+inline constexpr std::size_t most_ranked_numbered = 6;
+
+// The candidates that a picture numbers: the best that were eligible, at most most_ranked_numbered. O(K).
+std::vector<std::uint32_t> best_ranked(const TeamScores& scores);
+
 // The scores for the choice of team `team`, in traces by_candidates() only. Every score is exact if
 // candidates times vertices are at most exact_score_budget; beyond that, only the scores that the
 // selection itself evaluated are. O(K log K) plus the cost of the scores.

@@ -195,4 +195,11 @@ TeamScores look_at_scores(const Trace& trace, std::uint32_t team) {
   return scores;
 }
 
+std::vector<std::uint32_t> best_ranked(const TeamScores& scores) {
+  std::vector<std::uint32_t> best;
+  for (const std::uint32_t c : scores.ranking)
+    if (scores.of_candidate[c].eligible && best.size() < most_ranked_numbered) best.push_back(c);
+  return best;
+}
+
 }  // namespace evenlift
