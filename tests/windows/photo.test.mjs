@@ -1,7 +1,7 @@
 // A photo or scan behind the drawing, to be traced.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fragment, idle, sharedBrowser, state } from "../page/browser.mjs";
+import { fragment, idle, set, sharedBrowser, state } from "../page/browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -99,9 +99,9 @@ test("two points and their distance set the scale, and what is traced has it", a
 
 test("both points and the line between them are seen where they were pressed, while the distance is asked for", async () => {
   const page = await withPhoto();
+  const before = await boxOf(page);
   await page.getByRole("button", { name: "Set scale" }).click();
   await idle(page);
-  const before = await boxOf(page);
   const marks = () => page.locator("#measured").evaluate((svg) => {
     const box = document.getElementById("backdrop").getBoundingClientRect();
     const on = (x, y) => [(x - box.left) / box.width, (y - box.top) / box.height];
@@ -122,12 +122,31 @@ test("both points and the line between them are seen where they were pressed, wh
   await idle(page);
   near((await marks()).circles, ends);
   near((await marks()).line, ends);
+  assert.deepEqual(await boxOf(page), before, "the picture stays where it is");
   await distance.fill("0.5 m");
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => /“0\.5 m” is not a number/.test(document.getElementById("alert").textContent));
   near((await marks()).line, ends);
   await page.locator("#scale .away").click();
   assert.equal(await page.locator("#measured").count(), 0);
+  await page.done();
+});
+
+test("where lengths have a unit the distance has it too, and another one is converted", async () => {
+  const page = await withPhoto();
+  await set(page, { unit: "cm" });
+  await page.getByRole("button", { name: "Set scale" }).click();
+  await page.locator("#points").getByRole("button", { name: "Cancel" }).click();
+  await page.getByRole("button", { name: "Set scale" }).click();
+  await idle(page);
+  const { left, top, width, height } = await boxOf(page);
+  await page.mouse.click(left + width * 0.25, top + height / 2);
+  await page.mouse.click(left + width * 0.75, top + height / 2);
+  assert.match(await page.locator("#scale").textContent(), /Distance\s*cm/);
+  await page.getByLabel("Distance", { exact: true }).first().fill("0,6 m");
+  await page.keyboard.press("Enter");
+  await page.locator("#photo").waitFor();
+  assert.ok(Math.abs(Number(await page.getByLabel("Width", { exact: true }).first().inputValue()) - 120) < 1);
   await page.done();
 });
 

@@ -1,7 +1,7 @@
 // The first visit: the card that says what this is, and the tour.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, idle, link, load, reload, set, sharedBrowser, state, thrown, toScreen } from "../page/browser.mjs";
+import { asset, control, idle, link, load, reload, set, sharedBrowser, state, tap, thrown, toScreen } from "../page/browser.mjs";
 import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
@@ -310,3 +310,34 @@ test("Escape leaves the tour, and nothing moves for those who asked for less mot
   assert.equal(await thrown(page, "set", { teams: 2 }), undefined);
   await page.done();
 });
+
+for (const [width, height] of [[390, 844], [320, 568]]) {
+  test(`at ${width} by ${height} a card stands whole below a sheet that is pulled up to the top`, async () => {
+    const page = await browser.open({ viewport: { width, height }, hasTouch: true, isMobile: true, first: true });
+    await page.locator("#welcome").waitFor();
+    await idle(page);
+    const pullUp = async () => {
+      for (let presses = 0; presses < 2 && (await control(page, "handle")).y > 120; ++presses) {
+        await tap(page, "handle");
+        await idle(page);
+      }
+    };
+    const stands = async (name) => {
+      const card = await page.locator(name).boundingBox(), handle = await control(page, "handle");
+      assert.ok(card.height > 80 && card.y + card.height <= height, `${name}: ${JSON.stringify(card)}`);
+      assert.ok(card.y > height / 2 && handle.y < 120, `${name} is below the verdict`);
+      const spilt = await page.locator(`${name} *`).evaluateAll((all, { y, height: high }) => all.map((one) => one.getBoundingClientRect())
+        .filter((box) => box.height > 0 && (box.top < y - 1 || box.bottom > y + high + 1)).length, card);
+      assert.equal(spilt, 0, `nothing of ${name} is beside it`);
+    };
+    await pullUp();
+    await stands("#welcome");
+    await page.getByRole("button", { name: /tour/ }).tap();
+    await page.locator("#tour").waitFor();
+    await pullUp();
+    await stands("#tour");
+    await page.locator("#tour").getByRole("button", { name: "Skip" }).tap();
+    await tap(page, "handle");
+    await page.done();
+  });
+}

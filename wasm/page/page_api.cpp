@@ -288,9 +288,10 @@ EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
   AppState& state = app().state;
   height /= state.screen.zoom;
   const double before = std::exchange(state.screen.foot, 0);
+  const double card_before = std::exchange(state.screen.card, height);
   if (height > 0)
     state.screen.foot = std::max(0.0, layout(state).free.bottom - card_seat(state).bottom + height);
-  if (state.screen.foot == before) return;
+  if (state.screen.foot == before && height == card_before) return;
   frame_view(state);
   browser::request_frame();
 }

@@ -116,8 +116,9 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
 bool has_tool_bar(const AppState& state) {
   if (state.screen.embed) return false;
   const bool held = state.held.kind != Pick::Kind::none;
-  // On a small screen it would cover robots while one asks about them.
   const Layout places = layout(state);
+  if (!places.wide && state.sheet == Sheet::full) return false;  // the drawing is covered
+  // On a small screen it would cover robots while one asks about them.
   const bool asks = state.explanation && (!places.wide || places.low);
   return state.tool != Tool::parts || (state.selected && !held && !asks);
 }

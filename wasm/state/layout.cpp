@@ -148,6 +148,9 @@ Layout narrow(const AppState& state) {
   if (state.sheet == Sheet::half) height = most;
   if (state.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};
+  // A sheet that is pulled up to the top ends above a card of the page, which stands at the foot of the screen then.
+  if (state.sheet == Sheet::full && screen.card > 0)
+    l.panel.bottom -= std::min(screen.card + 2 * l.margin, height / 2);
   l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + bar_height(l)};
   // A sheet that is pulled up to the top covers the drawing for a moment; the drawing does not
   // move.
@@ -165,7 +168,7 @@ Layout narrow(const AppState& state) {
   split(l, screen, state.second_method.has_value(), 60, 52, 52);
   // Beside the tools: a corner of the frame is no use under them.
   if (state.tool == Tool::transform && l.tools.height() > 0)
-    l.room.right = std::max(l.room.middle().x(), l.tools.left - 30);
+    l.room.right = std::max(l.room.middle().x(), l.tools.left - 54);
   return l;
 }
 
@@ -197,6 +200,9 @@ Rect seat_of_card(const AppState& state, const Layout& l) {
   }
   if (state.screen.embed || state.presenting || state.screen.window_foot > 0)
     return {left, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
+  if (!l.wide && state.sheet == Sheet::full)
+    return {left, l.panel.top + (state.screen.height - l.panel.top) / 2, right,
+            state.screen.height - l.margin};
   if (!l.wide) return {left, l.free.top, l.tools.left - l.margin, l.tools.bottom};
   if (right - l.tools.right - l.margin >= least)
     return {l.tools.right + l.margin, l.free.top, right, l.tools.bottom};
@@ -212,8 +218,7 @@ Rect inset(const Rect& r, double by) {
 Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
   if (!l.wide && state.sheet == Sheet::full && !state.presenting && !state.screen.embed)
-    return {l.margin, l.panel.middle().y(), state.screen.width - l.margin,
-            state.screen.height - gap};
+    return {l.margin, l.panel.middle().y(), state.screen.width - l.margin, l.panel.bottom - gap};
   const Rect seat = state.presenting ? inset(l.free, gap) : seat_of_card(state, l);
   const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
                head = l.toolbar.bottom + 12;

@@ -56,6 +56,7 @@ struct Screen {
   bool finger = false;     // the main pointer is a finger, so controls are larger
   bool touch = false;      // the last pointer was a finger, which hovers over nothing
   double foot = 0;         // covered by a card of the page at the foot of the drawing, in pixels
+  double card = 0;         // the height of that card
   double side = 0;         // covered by a window at the left
   double window_foot = 0;  // covered from below by a window that is as wide as the screen
   Rect area() const { return {0, 0, width, height}; }

@@ -1,6 +1,7 @@
 #include "widgets/cards.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "state/browser.h"
@@ -60,7 +61,8 @@ void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptio
   ImGui::SetNextWindowPos(vec(place.left, options.at_bottom ? place.bottom : place.top),
                           ImGuiCond_Always, ImVec2(0, options.at_bottom ? 1.0f : 0.0f));
   if (options.fixed_height) {
-    ImGui::SetNextWindowSize(vec(place.width(), place.height()));
+    // A window begins at a whole pixel: it ends where the place ends, or a strip of the drawing is seen below it.
+    ImGui::SetNextWindowSize(vec(place.width(), std::ceil(place.bottom - std::floor(place.top))));
   } else {
     const double least = options.fixed_width ? place.width() : 0;
     ImGui::SetNextWindowSizeConstraints(vec(least, 0), vec(place.width(), place.height()));

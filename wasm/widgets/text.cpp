@@ -94,7 +94,7 @@ void place_tip(const Ui& ui, const char* text) {
                pointer = ImGui::GetIO().MousePos,
                size(text_size(Face::label, text).x + 20, line_height(Face::label) + 14);
   const float panel = static_cast<float>(ui.layout.panel.left);
-  if (ui.layout.wide && pointer.x >= panel)
+  if (ui.layout.wide && ui.layout.panel.width() > 0 && pointer.x >= panel)
     return ImGui::SetNextWindowPos(
         ImVec2(std::max(8.0f, panel - size.x - 8), pointer.y - size.y / 2));
   const auto width = static_cast<float>(ui.state.screen.width),

@@ -90,24 +90,28 @@ const pixelsOf = ({ program }) => ({
   },
 });
 
-function lengthProblem(text, length) {
-  const typed = text.trim();
-  if (!typed) return "please type a number above 0.";
-  if (!Number.isFinite(length)) return `“${typed}” is not a number. Please type it without a unit, such as 2.5.`;
-  return length > 0 ? "" : `${typed} is not above 0.`;
+const inMetres = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254 };
+
+// A length that somebody typed, in the unit of the polygon: another unit behind it is converted. Returns { length } or { problem }.
+function typedLength(text, unit) {
+  const typed = text.trim(), [, amount, of] = typed.match(/^(.*?)\s*(m|cm|mm|in)$/) ?? [];
+  const converted = unit && of ? typedNumber(amount) * inMetres[of] / inMetres[unit] : typedNumber(typed);
+  if (!typed) return { problem: "please type a number above 0." };
+  if (!Number.isFinite(converted)) return { problem: `“${typed}” is not a number. Please type it ${unit ? `in ${unit}` : "without a unit"}, such as 2.5.` };
+  return converted > 0 ? { length: converted } : { problem: `${typed} is not above 0.` };
 }
 
 // A field for a length and its button, of a class; `set` takes it over.
 function lengthField(page, label, value, set, of = "") {
+  const { unit } = JSON.parse(page.program.text("page_state"));
   const field = el("input", { class: "field", type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": label, size: "8" });
   field.value = value;
   const take = () => {
-    const length = typedNumber(field.value);
-    const problem = lengthProblem(field.value, length);
+    const { length, problem } = typedLength(field.value, unit);
     return problem ? page.notice(`${label}: ${problem}`, true) : set(length);
   };
   field.addEventListener("keydown", (event) => event.key === "Enter" && take());
-  return [el("label", { class: `row ${of}` }, label, field), button("Set", { class: `button ${of}`, onclick: take })];
+  return [el("label", { class: `row ${of}` }, label, field, ...(unit ? [unit] : [])), button("Set", { class: `button ${of}`, onclick: take })];
 }
 
 async function openControls(page) {
@@ -118,19 +122,30 @@ async function openControls(page) {
     photo.opacity = Number(opacity.value);
     image.style.opacity = photo.opacity;
   });
+  // The cards that follow each other are as high as this one: the picture stays where it is.
+  const alike = ({ root, seat }) => {
+    root.style.minHeight = `${height}px`;
+    seat();
+    return root;
+  };
+  let height;
   const measure = async () => {
-    page.notice("Press two points on the picture whose distance you know. Esc gives up.", false);
-    const measured = await twoPoints(page, pixelsOf(page));
-    page.notice("", false);
+    const givenUp = new AbortController();
+    const asking = await openCard(page, { name: "points", title: "Two points of the picture", cross: false, closed: () => givenUp.abort(), body: [
+      el("p", {}, "Press two points on the picture whose distance you know."),
+      el("div", { class: "ways" }, button("Cancel", { onclick: () => asking.close() }))] });
+    alike(asking);
+    page.announce("Press two points on the picture whose distance you know.");
+    const measured = await twoPoints(page, pixelsOf(page), givenUp.signal);
     if (!photo) return measured?.unmark();
     if (!measured) return openControls(page);
     const scaled = (length) => {
       scaleTo(page, measured.pixels, length);
       openControls(page);
     };
-    const { root } = await openCard(page, { name: "scale", title: "Scale of the picture", closed: measured.unmark, body: [
-      el("p", {}, "How far apart are the two points?"), el("div", { class: "ways" }, ...lengthField(page, "Distance", "", scaled))] });
-    root.querySelector("input").focus({ preventScroll: true });
+    alike(await openCard(page, { name: "scale", title: "Scale of the picture", closed: measured.unmark, body: [
+      el("p", {}, "How far apart are the two points?"), el("div", { class: "ways" }, ...lengthField(page, "Distance", "", scaled))] }))
+      .querySelector("input").focus({ preventScroll: true });
   };
   // Where there is little room, the card is small until somebody wants more of it.
   const more = button("More …", { class: "button more", "aria-expanded": "false", onclick: () => {
@@ -139,9 +154,13 @@ async function openControls(page) {
     more.textContent = whole ? "Less" : "More …";
     card.seat();
   } });
+  const measuring = button("Set scale", { title: "Press two points and type their distance", onclick: () => {
+    height = card.root.offsetHeight;
+    measure();
+  } });
   const card = await openCard(page, { name: "photo", title: "Picture behind the drawing", body: [
     el("p", {}, `“${photo.name}” lies behind the drawing. `, el("span", { class: "second" }, "It stays on this device, is in no link or file, and is gone with this page.")),
-    el("div", { class: "ways" }, opacity, closingButton("Set scale", { title: "Press two points and type their distance" }, measure),
+    el("div", { class: "ways" }, opacity, measuring,
       ...lengthField(page, "Width", tidy(photo.unit * image.naturalWidth), (length) => scaleTo(page, image.naturalWidth, length), "seldom"),
       closingButton("Remove", { class: "button seldom" }, () => remove(page)), more)] });
 }

@@ -31,8 +31,9 @@ function marksOver(page, { toScreen }) {
 const distance = ([x1, y1], [x2, y2]) => Math.hypot(x1 - x2, y1 - y2);
 
 // Waits for presses on two points of the picture. `frame` leads from the screen to its pixels and back: { fromScreen, toScreen }.
-// Returns { pixels, unmark }, the distance in pixels and what takes the marks away; nothing if somebody gives up.
-export function twoPoints(page, frame) {
+// Returns { pixels, unmark }, the distance in pixels and what takes the marks away; nothing if somebody gives up, by Esc or by
+// what aborts `givenUp`.
+export function twoPoints(page, frame, givenUp) {
   return new Promise((done) => {
     const marks = marksOver(page, frame);
     const sheet = el("div", { id: "measure", role: "application", "aria-label": "Two points of the picture", tabindex: "-1" });
@@ -62,6 +63,7 @@ export function twoPoints(page, frame) {
       event.stopImmediatePropagation();
       end();
     }, { capture: true, signal: leave.signal });
+    givenUp.addEventListener("abort", () => end(), { signal: leave.signal });
     document.getElementById("canvas").after(sheet);
     sheet.focus({ preventScroll: true });  // the canvas would take Esc for itself
   });

@@ -72,9 +72,9 @@ export function picture({ width, height, disc, polygon, centre: [[cx, cy]] }, st
     ...step.candidates.map((chord) => shape(chord, "candidate")),
     ...step.teams.map((ends) => shape(ends, "chord")),
     ...step.figures.filter(({ kind }) => !["robot", "left"].includes(kind)).flatMap(drawnFigure),
+    svgEl("circle", { cx, cy, r: 3.5, class: "centre" }),
     ...step.figures.filter(({ kind }) => kind === "left").flatMap(({ points: [at], number }) => numbered(at, number, disc, "left")),
     ...step.robots.flatMap(({ at, number }) => numbered(at, number, disc, "robot")),
-    svgEl("circle", { cx, cy, r: 3.5, class: "centre" }),
     ...step.words.map(({ text, at: [x, y] }) => svgEl("text", { x, y: y + 3.5, class: "words" }, text)));
 }
 
@@ -83,7 +83,9 @@ export function legend({ steps }) {
   const kinds = new Set(steps.flatMap((step) => [
     ...(step.base.length > 1 ? ["base"] : []), ...(step.candidates.length ? ["candidate"] : []), ...(step.teams.length ? ["team"] : []),
     ...step.figures.map(({ kind }) => kind)]));
-  const named = Object.entries(looks).filter(([kind, [, name]]) => name && kinds.has(kind));
+  // Balanced robots are no teams of two: there such a line leads from a robot to C.
+  const balanced = !steps.some((step) => step.teams.length);
+  const named = Object.entries({ ...looks, ...(balanced && { team: ["chord", "from a robot to C"] }) }).filter(([kind, [, name]]) => name && kinds.has(kind));
   if (!named.length) return [];
   const sample = (kind, look) => svgEl("svg", { viewBox: "0 0 34 12", class: "paper line-sample", "aria-hidden": "true" },
     ...(arrows.includes(kind) ? arrow([2, 6], [32, 6], look) : [svgEl("line", { x1: 2, y1: 6, x2: 32, y2: 6, class: look })]));
