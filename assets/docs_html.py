@@ -25,6 +25,17 @@ INLINE = re.compile(
     r"|(?<![\w*])\*(?P<emphasis>(?:`[^`]*`|[^*`\s])(?:`[^`]*`|[^*`])*?)\*(?![\w*])")
 
 
+def text_as_html(text):
+    """Text as HTML. "82 %" stays on one line."""
+    return html.escape(re.sub(r"(?<=\d) (?=%)", "\u00a0", text), quote=False)
+
+
+def code(text):
+    """Code within a line. The name of an option stays on one line, which might break behind its hyphens."""
+    kind = ' class="option"' if re.fullmatch(r"-\S+", text) else ""
+    return f"<code{kind}>{html.escape(text, quote=False)}</code>"
+
+
 class Page:
     """One file: its lines become HTML from the first to the last."""
 
@@ -61,13 +72,13 @@ class Page:
     def inline(self, text):
         out, end = [], 0
         for match in INLINE.finditer(text):
-            out.append(html.escape(text[end:match.start()], quote=False))
+            out.append(text_as_html(text[end:match.start()]))
             end = match.end()
             kind, found = match.lastgroup, match.groupdict()
             if kind == "escaped":
                 out.append(html.escape(found["escaped"]))
             elif found["code"] is not None:
-                out.append(f"<code>{html.escape(found['code'].strip(), quote=False)}</code>")
+                out.append(code(found["code"].strip()))
             elif kind == "picture":
                 name = Path(found["picture"]).name
                 out.append(f'<img src="docs-{name}" alt="{html.escape(found["alternative"])}">')
@@ -76,7 +87,7 @@ class Page:
             else:
                 tag = "strong" if kind == "strong" else "em"
                 out.append(f"<{tag}>{self.inline(found[kind])}</{tag}>")
-        out.append(html.escape(text[end:], quote=False))
+        out.append(text_as_html(text[end:]))
         return "".join(out)
 
     def fenced(self, indent):

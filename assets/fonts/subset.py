@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Makes the page's fonts from Inter's; the build runs it (wasm/CMakeLists.txt), with fonttools:
 
-    subset.py FOLDER OUTPUT
+    subset.py page FOLDER OUTPUT
+    subset.py letters FOLDER OUTPUT
 
-FOLDER holds Inter-Regular.otf and Inter-SemiBold.otf, the results go to OUTPUT: the same fonts give the same bytes. Under
-those names they are small, and part of the program; letters-regular.otf and letters-semibold.otf have the letters of
-European languages and mathematics, too, and the page fetches them when a text needs them.
+FOLDER holds Inter-Regular.otf and Inter-SemiBold.otf, the results go to OUTPUT: the same fonts give the same bytes. For the
+page, under the same names, they are small, and part of the program; letters-regular.otf and letters-semibold.otf have the
+letters of European languages and mathematics, too, and the page fetches them when a text needs them.
 Figures are the tabular ones (Dear ImGui knows no OpenType features), so that a number that changes does not make
 the text beside it dance; for the same reason kerning stays out.
 """
@@ -46,10 +47,10 @@ def tabular_figures(font):
                 table.cmap[code] = substitutes.get(table.cmap[code], table.cmap[code])
 
 
-def main(folder, output):
-    for style, wanted in ((style, wanted) for style in ("Regular", "SemiBold") for wanted in (CHARACTERS, LETTERS)):
+def main(wanted, folder, output):
+    for style in ("Regular", "SemiBold"):
         name = f"Inter-{style}.otf"
-        result = name if wanted is CHARACTERS else f"letters-{style.lower()}.otf"
+        result = name if wanted == "page" else f"letters-{style.lower()}.otf"
         font = TTFont(Path(folder) / name, recalcTimestamp=False)  # the date of the build is not in it
         tabular_figures(font)
         options = Options()
@@ -58,7 +59,7 @@ def main(folder, output):
         options.hinting = False
         options.name_IDs = [0, 1, 2, 13, 14]
         subsetter = Subsetter(options)
-        subsetter.populate(text="".join(wanted))
+        subsetter.populate(text="".join(CHARACTERS if wanted == "page" else LETTERS))
         subsetter.subset(font)
         for table in ("GPOS", "GSUB", "GDEF", "STAT", "DSIG", "kern"):
             if table in font:
@@ -69,6 +70,6 @@ def main(folder, output):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4 or sys.argv[1] not in ("page", "letters"):
         sys.exit(__doc__)
     main(*sys.argv[1:])

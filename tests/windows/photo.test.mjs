@@ -111,6 +111,8 @@ test("both points and the line between them are seen where they were pressed, wh
   });
   const near = (got, want) => got.forEach(([x, y], i) => assert.ok(Math.abs(x - want[i][0]) < 0.01 && Math.abs(y - want[i][1]) < 0.01, JSON.stringify(got)));
   const at = ([x, y]) => [before.left + before.width * x, before.top + before.height * y];
+  const says = (words) => page.waitForFunction((of) => document.getElementById("summary").textContent.includes(of), words);
+  await says("Two points set the scale.");
   const ends = [[0.25, 0.5], [0.75, 0.25]];
   await page.mouse.dblclick(...at(ends[0]));
   assert.equal(await page.locator("#measured circle").count(), 1, "a double press is one point");
@@ -129,6 +131,7 @@ test("both points and the line between them are seen where they were pressed, wh
   near((await marks()).line, ends);
   await page.locator("#scale .away").click();
   assert.equal(await page.locator("#measured").count(), 0);
+  await says("Draw a shape.");
   await page.done();
 });
 
@@ -147,6 +150,68 @@ test("where lengths have a unit the distance has it too, and another one is conv
   await page.keyboard.press("Enter");
   await page.locator("#photo").waitFor();
   assert.ok(Math.abs(Number(await page.getByLabel("Width", { exact: true }).first().inputValue()) - 120) < 1);
+  await page.done();
+});
+
+const widthOfPhoto = (page) => page.getByLabel("Width", { exact: true }).first();
+async function setWidth(page, text) {
+  await widthOfPhoto(page).fill(text);
+  await page.keyboard.press("Enter");
+  await idle(page);
+}
+
+test("what was traced goes with the picture when its scale is set afterwards, and back with undo", async () => {
+  const page = await withPhoto();
+  await setWidth(page, "4");
+  const picture = await boxOf(page);
+  const at = (x, y) => [picture.left + picture.width * x, picture.top + picture.height * y];
+  const corners = [[0.25, 0.25], [0.75, 0.25], [0.75, 0.75]];
+  for (const corner of corners) await page.mouse.click(...at(...corner));
+  await setWidth(page, "8");  // while one draws
+  await page.mouse.click(...at(0.25, 0.75));
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Enter");
+  await idle(page);
+  const near = (polygon, want) => polygon.forEach(([x, y], i) =>
+    assert.ok(Math.abs(x - want[i][0]) < 0.1 && Math.abs(y - want[i][1]) < 0.1, JSON.stringify(polygon)));
+  near((await state(page)).polygon, [[2, 3], [6, 3], [6, 1], [2, 1]]);
+  await setWidth(page, "800");
+  near((await state(page)).polygon.map((p) => p.map((c) => c / 100)), [[2, 3], [6, 3], [6, 1], [2, 1]]);
+  assert.equal(await page.evaluate(() => document.querySelector('#mirror [aria-label^="Draw"]').getAttribute("aria-pressed")), "false");
+  assert.match(await page.locator("#alert").textContent(), /The picture is now 800 wide\. What is traced on it goes with it\./);
+  const about = async () => {  // where the picture is, by the polygon
+    const { left, width } = await boxOf(page), [x] = await page.evaluate((p) => evenlift.view.to_screen(...p), (await state(page)).polygon[0]);
+    return (x - left) / width;
+  };
+  assert.ok(Math.abs(await about() - 0.25) < 0.02);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  near((await state(page)).polygon, [[2, 3], [6, 3], [6, 1], [2, 1]]);
+  assert.ok(Math.abs(await about() - 0.25) < 0.02, "the picture is as it was, too");
+  await setWidth(page, "1e12");
+  assert.match(await page.locator("#alert").textContent(), /Width: The picture would reach beyond the largest coordinate\./);
+  near((await state(page)).polygon, [[2, 3], [6, 3], [6, 1], [2, 1]]);
+  await page.done();
+});
+
+test("two points of the picture can be taken by keys", async () => {
+  const page = await withPhoto();
+  await page.getByRole("button", { name: "Set scale" }).click();
+  await page.locator("#measure").waitFor();
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Enter");
+  assert.match(await page.locator("#alert").textContent(), /The first point is taken/);
+  for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  const distance = page.getByLabel("Distance", { exact: true }).first();
+  await distance.waitFor();
+  const { width } = await boxOf(page);
+  await distance.fill("1");
+  await page.keyboard.press("Enter");
+  await page.locator("#photo").waitFor();
+  const wanted = width / 100;  // the two points are 100 pixels of the screen apart
+  assert.ok(Math.abs(Number((await widthOfPhoto(page).inputValue())) / wanted - 1) < 0.01);
   await page.done();
 });
 

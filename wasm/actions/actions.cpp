@@ -34,8 +34,7 @@ void change_number(const AppState& s, Commands& out) {
 void next_method(const AppState& s, Commands& out) {
   const auto* at = std::find(std::begin(all_methods), std::end(all_methods), settings(s).method);
   const auto next = static_cast<std::size_t>(at - std::begin(all_methods)) + 1;
-  out.push_back(SetSettings{
-      with_method(settings(s), all_methods[next % std::size(all_methods)], placed_teams(s))});
+  out.push_back(SetMethod{all_methods[next % std::size(all_methods)]});
 }
 
 void change_ratio(const AppState& s, Commands& out, double steps) {

@@ -17,6 +17,7 @@
 #include "evenlift/output/words.h"
 #include "state/browser.h"
 #include "state/layout.h"
+#include "state/method.h"
 #include "state/notice.h"
 #include "state/screen.h"
 #include "state/seen.h"
@@ -58,6 +59,12 @@ struct Applier {
     const bool robots_stay = stand_alike(c.settings, settings(state));
     state.document.settings = c.settings;
     recompute(state, robots_stay);
+  }
+  void operator()(const SetMethod& c) const {
+    auto [changed, aside] =
+        with_method(settings(state), c.method, placed_teams(state), std::move(state.aside));
+    state.aside = std::move(aside);
+    (*this)(SetSettings{std::move(changed)});
   }
   void operator()(const MoveVertex& c) const {
     if (c.vertex >= state.document.vertices.size() || state.document.vertices[c.vertex] == c.to)

@@ -152,14 +152,7 @@ void finish_drawing(AppState& state) {
     return;
   }
   open(state, std::move(polygon).value(), Edit::drawn);
-}
-
-void lay_behind(AppState& state, const std::optional<Box>& picture) {
-  state.backdrop = picture;
-  if (!picture) return;
-  if (state.tool != Tool::draw) take_tool(state, Tool::draw);
-  state.camera = fitting_camera(state);
-  state.camera_follows = true;  // cards come and go beside it
+  if (state.backdrop) state.backdrop->traced = true;
 }
 
 }  // namespace evenlift::view

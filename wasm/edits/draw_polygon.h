@@ -28,7 +28,4 @@ void withdraw_edge(AppState& state);
 // Opens the polygon that was drawn, with the present settings.
 void finish_drawing(AppState& state);
 
-// Lays a picture behind the drawing, at this place in polygon coordinates, shows all of it and begins to draw; or ends that.
-void lay_behind(AppState& state, const std::optional<Box>& picture);
-
 }  // namespace evenlift::view

@@ -14,6 +14,8 @@ void forget_former(AppState& state) {
   if (state.tool == Tool::draw) state.tool = Tool::parts;
   state.drawing = {};
   state.selected.reset();
+  state.aside = {};
+  if (state.backdrop) state.backdrop->traced = false;
   state.hover = state.held = {};
   // The walkthrough begins with the document's step, if it has one.
   state.walkthrough.trace.reset();

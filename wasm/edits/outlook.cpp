@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "evenlift/output/robustness_words.h"
 #include "evenlift/settings_text.h"
 #include "state/browser.h"
 
@@ -49,12 +48,6 @@ bool is_quick(const Placement& placement) {
   return count_robots(placement.teams) <= 16 && placement.vertices().size() <= 2000;
 }
 
-std::string words_of(const Failure& failure) {
-  return failure_in_words(failure.robot, count_robots(failure.placement.teams), failure.rest,
-                          std::nullopt, failure.placement.settings.units) +
-         " " + rest_in_words(failure.placement);
-}
-
 }  // namespace
 
 void renew_outlook(AppState& state) {
@@ -87,7 +80,6 @@ void let_fail(AppState& state, std::optional<std::size_t> robot) {
   if (robot ? state.failure && state.failure->robot == *robot : !state.failure) return;
   const Placement& placement = *state.placement;
   if (robot && *robot >= count_robots(placement.teams)) return;
-  std::string words;
   if (robot) {
     const bool known = *robot < state.failures.size();
     state.failure = Failure{*robot,
@@ -95,13 +87,11 @@ void let_fail(AppState& state, std::optional<std::size_t> robot) {
                             with_failure(placement, *robot),
                             {}};
     state.failure->outlook = outlook_of(state, *state.failure);
-    words = words_of(*state.failure);
   } else {
-    words = "Robot " + std::to_string(state.failure->robot + 1) + " works again.";
+    browser::announce("Robot " + std::to_string(state.failure->robot + 1) + " works again.");
     state.failure.reset();
   }
   ++state.revision;
-  browser::announce(words);
   browser::summary_changed();
 }
 

@@ -133,7 +133,7 @@ void recompute(AppState& state, bool robots_stay) {
   follow_placement(state);
 }
 
-Beside beside(const AppState& state) { return {state.second_method}; }
+Beside beside(const AppState& state) { return {state.second_method, state.backdrop}; }
 
 void begin_edit(AppState& state, bool live, Edit edit) {
   if (live && state.edit_open) return;

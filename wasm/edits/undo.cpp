@@ -30,7 +30,14 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   if (other_shape) state.selected.reset();
   drop_stale_picks(state);
   const bool other_object = recalled.edit == Edit::opened || recalled.edit == Edit::drawn;
+  if (other_object) state.aside = {};
   if (state.camera_follows && (other_object || !well_shown(state))) state.fit_due = true;
+  // A change of the picture's scale is undone with what was traced on it.
+  const std::optional<Backdrop>& picture = recalled.beside.backdrop;
+  if (state.backdrop && picture && picture->picture == state.backdrop->picture)
+    state.backdrop = picture;
+  else if (state.backdrop)
+    state.backdrop->traced = false;
   state.second_method.reset();  // so that the two methods are not exchanged
   adopt(state, compute_placement(state.document, state.placement));
   if (!walkthrough_is_open(state)) state.second_method = recalled.beside.second_method;

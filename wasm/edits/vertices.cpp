@@ -19,6 +19,8 @@ void insert_vertex(AppState& state, std::size_t edge, const Vec2& at) {
   const double part = std::clamp(dot(at - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
   state.document.settings.no_go =
       after_split(settings(state).no_go, static_cast<std::uint32_t>(edge), part);
+  if (state.aside.no_go)
+    state.aside.no_go = after_split(*state.aside.no_go, static_cast<std::uint32_t>(edge), part);
   vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(edge) + 1, at);
   state.selected = edge + 1;
   recompute(state);
@@ -34,6 +36,9 @@ void remove_vertex(AppState& state, std::size_t vertex) {
   begin_edit(state, false, Edit::vertex_removed);
   state.document.settings.no_go =
       after_removal(settings(state).no_go, vertices, static_cast<std::uint32_t>(vertex));
+  if (state.aside.no_go)
+    state.aside.no_go =
+        after_removal(*state.aside.no_go, vertices, static_cast<std::uint32_t>(vertex));
   vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(vertex));
   state.selected.reset();
   state.hover = state.held = {};

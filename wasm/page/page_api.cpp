@@ -14,6 +14,7 @@
 #include "app/opening_sample.h"
 #include "app/set_settings.h"
 #include "app/update.h"
+#include "edits/backdrop.h"
 #include "edits/draw_polygon.h"
 #include "edits/placing.h"
 #include "edits/sight.h"
@@ -298,10 +299,34 @@ EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
 
 // A picture lies behind the canvas, at these polygon coordinates; without width there is none.
 EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width, double height) {
-  std::optional<evenlift::Box> place;
+  AppState& state = app().state;
   if (width > 0 && height > 0)
-    place = evenlift::Box{{left, bottom}, {left + width, bottom + height}};
-  lay_behind(app().state, place);
+    lay_behind(state, {left, bottom}, {left + width, bottom + height});
+  else
+    take_picture_away(state);
+  browser::request_frame();
+}
+
+// Where it lies now: `LEFT BOTTOM WIDTH`, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_backdrop_place() {
+  const std::optional<Backdrop>& picture = app().state.backdrop;
+  if (!picture) return hand_over({});
+  return hand_over(evenlift::shortest(picture->low.x()) + ' ' +
+                   evenlift::shortest(picture->low.y()) + ' ' +
+                   evenlift::shortest(picture->width()));
+}
+
+// Makes it so wide. Returns why it cannot be, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_scale_backdrop(double width) {
+  const std::string problem = scale_picture(app().state, width);
+  browser::request_frame();
+  return hand_over(problem);
+}
+
+// Whether presses go to that picture, whose scale is being set.
+EMSCRIPTEN_KEEPALIVE void page_measuring(int on) {
+  app().state.measuring = on != 0;
+  browser::summary_changed();
   browser::request_frame();
 }
 

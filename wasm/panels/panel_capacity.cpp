@@ -57,7 +57,8 @@ void draw_capacity(const Ui& ui) {
   const std::optional<double>& capacity = settings(ui.state).capacity;
   const float width = labelled(ui, "A robot carries", "What one robot can lift at most");
   if (!capacity) {
-    if (flat_button(ui, "limit", "No limit – set one", width))
+    if (flat_button(ui, "limit", "No limit – set one", width, true, false,
+                    "A robot carries: no limit. Set one"))
       action(ActionId::type_capacity).run(ui.state, ui.commands);
     if (ImGui::IsItemHovered()) tip(ui, "Set what one robot can carry, to see how many are needed");
     return;

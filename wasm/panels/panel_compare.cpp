@@ -6,6 +6,7 @@
 #include "evenlift/output/words.h"
 #include "panels/methods.h"
 #include "panels/panels.h"
+#include "ui/controls.h"
 #include "widgets/dropdown.h"
 #include "widgets/text.h"
 
@@ -36,7 +37,9 @@ std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed
       {"Form closure", both([](const Placement& p) { return form_closure_in_words(p.closure); })}};
 }
 
-void draw_row(const Ui& ui, const Row& row, Face face, Colour colour) {
+// `methods` are the names of both.
+void draw_row(const Ui& ui, const Row& row, Face face, Colour colour,
+              const std::array<std::string, 2>& methods) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -47,6 +50,8 @@ void draw_row(const Ui& ui, const Row& row, Face face, Colour colour) {
     draw_text(list, face, ImVec2(right - text_size(face, text).x, low.y + 2), colour, text);
   }
   ImGui::Dummy(ImVec2(width, 21));
+  if (!row.label.empty())
+    list_text(row.label, methods[0] + " " + row.values[0] + ", " + methods[1] + " " + row.values[1]);
 }
 
 }  // namespace
@@ -80,11 +85,11 @@ void draw_comparison(const Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   const bool fails = failing(ui.state) != nullptr;
   const std::string first = words_of(ui.state.placement->settings.method).label;
-  draw_row(ui,
-           {"", {first + (fails ? ", one fails" : ""), words_of(*ui.state.second_method).label}},
-           Face::label, ui.theme.second_text);
+  const std::array<std::string, 2> both = {first + (fails ? ", one fails" : ""),
+                                           words_of(*ui.state.second_method).label};
+  draw_row(ui, {"", both}, Face::label, ui.theme.second_text, both);
   for (const Row& row : rows(shown_placement(ui.state), *ui.state.second, fails ? 1 : 0))
-    draw_row(ui, row, Face::strong_label, ui.theme.text);
+    draw_row(ui, row, Face::strong_label, ui.theme.text, both);
   ImGui::PopStyleVar();
 }
 

@@ -7,6 +7,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/settings_text.h"
 #include "panels/panels.h"
+#include "state/method.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
 #include "widgets/fields.h"
@@ -116,13 +117,16 @@ void draw_size_rows(const Ui& ui) {
 }  // namespace
 
 void draw_robot_size(const Ui& ui) {
-  const Method method = settings(ui.state).method;
   // The row stays where the method has no use for it, so that what is below does not move.
-  const bool useful = method == Method::balanced || selects_candidates(method);
+  const bool useful = takes_sizes(settings(ui.state).method);
   const bool open = useful && ui.state.robot_open;
   const float head = ImGui::GetCursorPosY();
-  if (flat_button(ui, "robot size", open ? "Hide the robots' size" : "Robots' size and no-go edges",
-                  ImGui::GetContentRegionAvail().x, useful))
+  const bool kept = !useful && (ui.state.aside.robot.value_or(RobotSize{}) != RobotSize{} ||
+                                !ui.state.aside.no_go.value_or(std::vector<EdgePart>{}).empty());
+  const char* label = kept   ? "Robots are points; their size is kept"
+                      : open ? "Hide the robots' size"
+                             : "Robots' size and no-go edges";
+  if (flat_button(ui, "robot size", label, ImGui::GetContentRegionAvail().x, useful))
     ui.push(SetRobotOpen{!open});
   if (open) draw_size_rows(ui);
   show_opened("robot size is open", open, head);

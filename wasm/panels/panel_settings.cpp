@@ -26,7 +26,7 @@ void draw_method(const Ui& ui) {
   const auto current = static_cast<std::size_t>(&words_of(now.method) - std::begin(methods));
   const auto chosen = dropdown(ui, "methods", "Method", choices, current, width);
   if (!chosen || *chosen == current) return;
-  ui.push(SetSettings{with_method(now, methods[*chosen].method, placed_teams(ui.state))});
+  ui.push(SetMethod{methods[*chosen].method});
 }
 
 // Why the minimum load ratio does not count; nothing where it does.

@@ -94,13 +94,22 @@ void draw_number(const Ui& ui, const Columns& c, float y, const std::string& num
             number);
 }
 
+// What a row says, for those who cannot see it: "Team 2: loads 15.2 and 18.1 kg, length 320, ratio 0.84".
+std::string team_row_in_words(const Ui& ui, std::size_t index) {
+  const Team& team = ui.state.placement->teams[index];
+  const double span = team.robots[0].arm + team.robots[1].arm;
+  return "Team " + std::to_string(index + 1) + ": loads " + load_text(ui, 2 * index) + " and " +
+         load_text(ui, 2 * index + 1) + " " + weight_unit(ui.state) + ", length " +
+         amount(span, span) + ", ratio " + ratio_in_words(team.ratio);
+}
+
 bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   const Placement& placement = *ui.state.placement;
   const Team& team = placement.teams[index];
   const float height = std::max(28.0f, ui.control() - 8);
   const std::string name = "Team " + std::to_string(index + 1);
   const auto [low, high, pressed, hovered] =
-      pressable_row(ui, name.c_str(), name + ": why here?", c.ratio - c.left, height);
+      pressable_row(ui, name.c_str(), team_row_in_words(ui, index) + ". Why here?", c.ratio - c.left, height);
   if (pressed) ui.push(Explain{Pick{Pick::Kind::chord, index, 0, team.robots[0].point.position}});
   const bool named =
       (ui.state.hover.kind == Pick::Kind::chord || ui.state.hover.kind == Pick::Kind::robot) &&
@@ -143,7 +152,10 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   const Pick pick{Pick::Kind::robot, 0, static_cast<int>(index), robot.point.position};
   const std::string number = std::to_string(index + 1), name = "Robot " + number;
   const auto [low, high, pressed, hovered] = pressable_row(
-      ui, name.c_str(), name + ": why here?", c.ratio - c.left, std::max(28.0f, ui.control() - 8));
+      ui, name.c_str(),
+      name + ": at " + words.at[index] + ", load " + load_text(ui, index) + " " +
+          weight_unit(ui.state) + ". Why here?",
+      c.ratio - c.left, std::max(28.0f, ui.control() - 8));
   if (pressed) ui.push(Explain{pick});
   const Pick& over = ui.state.hover;
   const bool named = over.kind == pick.kind && over.end == pick.end && !over.second;

@@ -41,9 +41,19 @@ Verdict of_failure(const AppState& state, const Failure& failure) {
               (teams ? " The discs number the robots, not the teams, while one fails." : "")};
 }
 
+const char* press_word(const AppState& state) {
+  return state.screen.touch || state.screen.finger ? "Tap" : "Click";
+}
+
+Verdict of_measuring(const AppState& state) {
+  return {Mood::drawing, "Two points set the scale.",
+          std::string(press_word(state)) +
+              " two points of the picture, then type how far apart they are."};
+}
+
 Verdict of_drawing(const AppState& state) {
   const std::size_t n = state.drawing.points.size();
-  const std::string press = state.screen.touch || state.screen.finger ? "Tap" : "Click";
+  const std::string press = press_word(state);
   if (n == 0) return {Mood::drawing, "Draw a shape.", press + " where its first vertex is."};
   const auto crossed = crossings(state.drawing.points);
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
@@ -160,6 +170,7 @@ std::string failure_words(const AppState& state, std::size_t robot) {
 }
 
 Verdict verdict(const AppState& state) {
+  if (state.measuring) return of_measuring(state);
   if (state.tool == Tool::draw) return of_drawing(state);
   if (state.refusal) {
     return {Mood::refused, sentence(*state.refusal) + ".",
@@ -234,8 +245,10 @@ std::string news(const AppState& state) {
   if (state.tool == Tool::transform)
     lines += "The whole shape is in hand: arrow keys move it, [ and ] turn it, { and } scale it.\n";
   if (state.tool == Tool::draw) lines += news_of_drawing(state);
-  if (state.snap.grid) lines += "Points snap to the grid.\n";
-  if (state.snap.axis) lines += "Points snap to the axis.\n";
+  // Elsewhere a notice tells it.
+  const bool bar = state.tool != Tool::parts || state.selected;
+  if (bar && state.snap.grid) lines += "Points snap to the grid.\n";
+  if (bar && state.snap.axis) lines += "Points snap to the axis.\n";
   for (const auto& [shown, name] : {std::pair(&Overlays::lifting_base, "the lifting base"),
                                     {&Overlays::chords, "chords"},
                                     {&Overlays::candidates, "candidates"},

@@ -18,6 +18,9 @@ struct SetSettings {
   Settings settings;
   bool live = false;
 };
+struct SetMethod {
+  Method method;
+};
 struct MoveVertex {
   std::size_t vertex;
   Vec2 to;
@@ -219,7 +222,7 @@ struct ShowNotice {
 };
 
 using Command = std::variant<
-    SetSettings, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex, OpenDocument,
+    SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex, OpenDocument,
     SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show, SetTool, GripPolygon, AddPoint,
     MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge,
     SetSnap, Compare, Fail, SetLoadModel, SetCapacity, SetComRadius, SetUnits, SetMotion,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "evenlift/document.h"
+#include "state/backdrop.h"
 
 namespace evenlift::view {
 
@@ -49,6 +50,7 @@ const char* in_words(Edit edit);
 // What undo brings back besides the document.
 struct Beside {
   std::optional<Method> second_method;
+  std::optional<Backdrop> backdrop;  // not kept in the browser, as the picture is not
   bool operator==(const Beside&) const = default;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "state/state.h"
 
@@ -15,6 +16,11 @@ inline std::uint32_t placed_teams(const AppState& state) {
       1, static_cast<std::uint32_t>(count_robots(state.placement->teams) / 2));
 }
 
+// Whether a method looks for places, for robots of a size; to the others robots are points.
+inline bool takes_sizes(Method method) {
+  return method == Method::balanced || selects_candidates(method);
+}
+
 // The settings with another method. Settings that the new method does not support are reset: "max" to
 // `teams`, the goal, the robots' size, and what they must not touch. A goal of balanced robots is reset for
 // teams, too.
@@ -23,12 +29,28 @@ inline Settings with_method(Settings settings, Method method, std::uint32_t team
   if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;
   const bool from_balanced = settings.method == Method::balanced;
   if (!balanced && (from_balanced || !selects_candidates(method))) settings.goal.reset();
-  if (!balanced && !selects_candidates(method)) {
+  if (!takes_sizes(method)) {
     settings.robot = {};
     settings.no_go.clear();
   }
   settings.method = method;
   return settings;
+}
+
+// What a method has no use for is set aside, and is there again with the next method that has.
+struct WithMethod {
+  Settings settings;
+  SetAside aside;
+};
+inline WithMethod with_method(const Settings& now, Method method, std::uint32_t teams,
+                              SetAside aside) {
+  Settings settings = with_method(now, method, teams);
+  if (!takes_sizes(method) && takes_sizes(now.method)) aside = {now.robot, now.no_go, now.goal};
+  if (!takes_sizes(method)) return {std::move(settings), std::move(aside)};
+  if (aside.robot) settings.robot = *std::exchange(aside.robot, {});
+  if (aside.no_go) settings.no_go = *std::exchange(aside.no_go, {});
+  if (method != Method::balanced && aside.goal) settings.goal = std::exchange(aside.goal, {});
+  return {std::move(settings), std::move(aside)};
 }
 
 // Balanced robots: how few there may be.

@@ -18,7 +18,9 @@ double reading_time(const std::string& text) {
 }  // namespace
 
 void show(AppState& state, Notice notice) {
-  if (notice.text != state.notice.text) browser::announce(notice.text);
+  // What is refused again is told again, but not for each point of a drag.
+  const bool again = notice.kind == Notice::Kind::problem && !state.edit_open;
+  if (again || notice.text != state.notice.text) browser::announce(notice.text);
   state.notice = std::move(notice);
   const bool ends = !state.notice.text.empty() && state.notice.kind == Notice::Kind::info;
   browser::end_notice_after(ends ? std::optional(reading_time(state.notice.text)) : std::nullopt);

@@ -102,6 +102,13 @@ struct Search {
   bool under_way = false;
 };
 
+// What the robots' size, the edges that must not be touched and the goal were before a method that has no use for them.
+struct SetAside {
+  std::optional<RobotSize> robot;
+  std::optional<std::vector<EdgePart>> no_go;
+  std::optional<Goal> goal;
+};
+
 struct Notice {
   enum class Kind : std::uint8_t { info, problem };
   Kind kind = Kind::info;
@@ -135,6 +142,7 @@ struct AppState {
   std::optional<Failure> failure;                     // the robot that somebody let fail
   bool motion = true;  // changes are animated, except with reduced motion
   Search search;
+  SetAside aside;
   std::optional<LiftingPoint>
       closed_to;  // where the robot is wanted that is dragged, if the others
                   // cannot follow it there
@@ -142,7 +150,9 @@ struct AppState {
   Walkthrough walkthrough;
   std::optional<Explanation> explanation;  // the card that is open beside a robot or chord
 
-  std::optional<Box> backdrop;  // where a picture lies behind the drawing, in polygon coordinates
+  std::optional<Backdrop> backdrop;
+  std::uint32_t pictures = 0;  // that were laid behind since the start
+  bool measuring = false;      // two points of the picture are asked for, to set its scale
 
   Camera camera;
   bool camera_follows = true;           // the view fits its window until somebody pans or zooms

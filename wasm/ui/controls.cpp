@@ -87,6 +87,13 @@ Asked list_control(Control control) {
   return asked;
 }
 
+void list_text(std::string label, std::string value) {
+  Control control{ControlKind::text, label};
+  control.label = std::move(label);
+  control.value = std::move(value);
+  list_control(std::move(control));
+}
+
 void cover_controls(const Rect& place) {
   const auto overlaps = [&](const Rect& r) {
     return r.left < place.right && place.left < r.right && r.top < place.bottom &&
@@ -99,7 +106,7 @@ void cover_controls(const Rect& place) {
 const std::vector<Control>& controls() { return listed.of_pass; }
 
 std::string controls_text(double zoom) {
-  constexpr std::string_view kinds[] = {"button", "toggle", "number", "slider", "choice"};
+  constexpr std::string_view kinds[] = {"button", "toggle", "number", "slider", "choice", "text"};
   std::string text;
   for (const Control& c : listed.of_pass) {
     text += kinds[static_cast<std::size_t>(c.kind)];

@@ -12,7 +12,8 @@
 
 namespace evenlift::view {
 
-enum class ControlKind : std::uint8_t { button, toggle, number, slider, choice };
+// A text is nothing to press: a number of the result, for those who cannot see it.
+enum class ControlKind : std::uint8_t { button, toggle, number, slider, choice, text };
 
 struct Control {
   ControlKind kind = ControlKind::button;
@@ -20,7 +21,7 @@ struct Control {
   std::string label;  // what it is, in words
   bool enabled = true;
   bool on = false;                   // of a toggle
-  std::string value;                 // of a number or slider: as it is shown
+  std::string value;                 // of a number, slider or text: as it is shown
   std::string setting;               // of a number: which setting it is, see settings_text.h
   double low = 0, high = 0, at = 0;  // of a slider
   double step = 0;
@@ -48,6 +49,9 @@ struct Asked {
   bool withdrawn = false;             // what was typed of a number without a setting is taken back
 };
 Asked list_control(Control control);
+
+// Lists the item that Dear ImGui laid out last as a text.
+void list_text(std::string label, std::string value);
 
 // What was laid out so far in other cards and is overlapped by this place is covered from now on: the pointer does not reach it.
 void cover_controls(const Rect& place);

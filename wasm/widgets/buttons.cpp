@@ -46,8 +46,9 @@ bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, con
 
 float text_button_width(const char* label) { return 38 + text_size(Face::text, label).x + 12; }
 bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled,
-                 bool strong) {
-  const Area a = area(ui, ImVec2(width, ui.control()), button_control(id, label, enabled));
+                 bool strong, const char* spoken) {
+  const Area a =
+      area(ui, ImVec2(width, ui.control()), button_control(id, spoken ? spoken : label, enabled));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Colour still = strong && enabled ? ui.theme.accent : ui.theme.well;
   const Colour hovered = strong ? ui.theme.accent.at(0.88f) : ui.theme.panel_line;

@@ -16,9 +16,10 @@ bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, con
 
 float text_button_width(const char* label);  // with an icon before it
 
-// A button with its own background; a strong one stands out as the next thing to do.
+// A button with its own background; a strong one stands out as the next thing to do. `spoken` is its name for those who cannot
+// see what stands beside it, if that is another one.
 bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled = true,
-                 bool strong = false);
+                 bool strong = false, const char* spoken = nullptr);
 
 // A button that stays down while `on`.
 bool toggle_button(const Ui& ui, const char* id, const char* label, const char* about, float width,

@@ -91,7 +91,10 @@ function field(entry, actions) {
   return element;
 }
 
-const makers = { button, toggle: button, choice, slider, number: field };
+// A number of the result: it is read, and does nothing.
+const text = () => document.createElement("p");
+
+const makers = { button, toggle: button, choice, slider, number: field, text };
 
 export function createElement(control, actions) {
   const entry = { control };
@@ -118,10 +121,15 @@ function showChoices(element, { choices, current }) {
 export function showControl(entry, control) {
   const { element } = entry, changed = entry.control.value !== control.value;
   entry.control = control;
+  for (const side of ["left", "top", "width", "height"]) element.style[side] = `${control[side]}px`;
+  if (control.kind === "text") {
+    const words = `${control.label}: ${control.value}`;
+    if (element.textContent !== words) element.textContent = words;
+    return;
+  }
   setAttribute(element, "aria-label", control.label);
   element.disabled = !control.enabled;
   element.classList.toggle("unseen", !control.seen);
-  for (const side of ["left", "top", "width", "height"]) element.style[side] = `${control[side]}px`;
   if (control.kind === "toggle") setAttribute(element, "aria-pressed", String(control.on === 1));
   if (control.kind === "choice") showChoices(element, control);
   if (control.kind === "slider") {

@@ -166,7 +166,9 @@ export class Bindings {
   }
 
   announce(text) {
-    document.getElementById("alert").textContent = text;
+    const region = document.getElementById("alert");
+    // A text that does not change would not be read out again.
+    region.textContent = text && region.textContent === text ? `${text}\u00a0` : text;
   }
 
   beginSearch(...given) {

@@ -44,6 +44,7 @@ export class Publisher {
   #speakTimer = 0;
   #lesson = "";
   #held = false;
+  #told = [];  // the lines of news that were there last
   #drawn = true;  // whether what is to be written was drawn
   #late = false;  // it is due, and waits for its picture
 
@@ -209,6 +210,10 @@ export class Publisher {
   #speak({ aloud = true } = {}) {
     const sentences = this.#program.text("page_summary").split(/(?<=[.!?]) (?=[A-Z\d])/);
     showSentences(document.getElementById("summary"), sentences.map((text, i) => (i ? ` ${text}` : text)), true);
-    showSentences(document.getElementById("news"), this.#program.text("page_news").split("\n").filter(Boolean), aloud);
+    // Each overlay is a switch that can be asked; what is told here is that one has changed.
+    const news = this.#program.text("page_news").split("\n").filter(Boolean), told = this.#told;
+    this.#told = news;
+    const changed = news.filter((line) => !/^(Shown|Hidden): /.test(line) || (aloud && !told.includes(line)));
+    showSentences(document.getElementById("news"), changed, aloud);
   }
 }

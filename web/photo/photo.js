@@ -7,7 +7,7 @@ import { twoPoints } from "./two_points.js";
 
 const mostPixels = 50e6;
 
-let photo;  // { name, url, image, left, bottom, unit, opacity }; `unit` is the size of a pixel in the polygon's coordinates
+let photo;  // { name, url, image, opacity }; where it lies is the program's to know
 
 export function isPhoto(head, bytes) {
   const webp = head === "RIFF" && String.fromCharCode(...bytes.subarray(8, 12)) === "WEBP";
@@ -34,11 +34,12 @@ export async function layBehind(page, file) {
   // At first as large as it would be in the middle of the screen; the scale is set afterwards.
   const [left, bottom] = worldAt(page.program, innerWidth * 0.2, innerHeight * 0.8);
   const [right] = worldAt(page.program, innerWidth * 0.7, innerHeight * 0.8);
-  photo = { name: file.name, url, image, left, bottom, unit: tidy((right - left) / image.naturalWidth), opacity: 0.7 };
+  const unit = tidy((right - left) / image.naturalWidth);
+  photo = { name: file.name, url, image, opacity: 0.7 };
   document.getElementById("canvas").before(image);
   image.style.opacity = photo.opacity;
   page.program.onPicture = () => place(page);
-  show(page);
+  page.program.call("page_backdrop", left, bottom, unit * image.naturalWidth, unit * image.naturalHeight);
   closeWindows();
   await openControls(page);
   page.announce(`“${file.name}” lies behind the drawing, to be traced. A card has its scale and opacity.`);
@@ -48,14 +49,15 @@ const worldAt = (program, x, y) => [program.number("page_world_x", x, y), progra
 
 const tidy = (value) => Number(value.toPrecision(6));
 
-function show(page) {
-  const { image, left, bottom, unit } = photo;
-  page.program.call("page_backdrop", left, bottom, unit * image.naturalWidth, unit * image.naturalHeight);
+// Where the picture lies in the polygon's coordinates: its lower left corner, and the size of a pixel.
+function lie({ program }) {
+  const [left, bottom, width] = program.text("page_backdrop_place").split(" ").map(Number);
+  return { left, bottom, unit: width / photo.image.naturalWidth };
 }
 
 // Puts the image where the view shows its place.
-function place({ program }) {
-  const { image, left, bottom, unit } = photo;
+function place(page) {
+  const { image } = photo, { program } = page, { left, bottom, unit } = lie(page);
   const width = unit * image.naturalWidth, top = bottom + unit * image.naturalHeight;
   const x = program.number("page_screen_x", left, top), y = program.number("page_screen_y", left, top);
   const shown = program.number("page_screen_x", left + width, top) - x;
@@ -71,21 +73,29 @@ function remove(page) {
   photo = undefined;
 }
 
-// So many pixels of the picture are so long: the picture becomes larger or smaller about its corner, and is shown as a whole.
-function scaleTo(page, pixels, length) {
-  photo.unit = tidy(length / pixels);
-  photo.left = photo.bottom = 0;
-  show(page);
+// So many pixels of the picture are so long: the picture becomes larger or smaller, with what was traced on it, and is shown
+// as a whole. Returns whether that can be.
+function scaleTo(page, label, pixels, length) {
+  const width = tidy(length / pixels) * photo.image.naturalWidth;
+  const problem = page.program.text("page_scale_backdrop", width);
+  const { unit } = JSON.parse(page.program.text("page_state"));
+  if (problem) page.notice(`${label}: ${problem}.`, true);
+  else page.notice(`The picture is now ${number(tidy(width))}${unit ? ` ${unit}` : ""} wide. What is traced on it goes with it.`, false);
+  return !problem;
 }
 
-// Between the screen and the pixels of the picture, counted from its lower left corner.
-const pixelsOf = ({ program }) => ({
+// Between the screen and the pixels of the picture, counted from its lower left corner; and where its middle is on the screen.
+const pixelsOf = (page) => ({
+  middle() {
+    return this.toScreen([photo.image.naturalWidth / 2, photo.image.naturalHeight / 2]);
+  },
   fromScreen(x, y) {
-    const [right, up] = worldAt(program, x, y);
-    return [(right - photo.left) / photo.unit, (up - photo.bottom) / photo.unit];
+    const { left, bottom, unit } = lie(page), [right, up] = worldAt(page.program, x, y);
+    return [(right - left) / unit, (up - bottom) / unit];
   },
   toScreen([right, up]) {
-    const x = photo.left + right * photo.unit, y = photo.bottom + up * photo.unit;
+    const { left, bottom, unit } = lie(page), { program } = page;
+    const x = left + right * unit, y = bottom + up * unit;
     return [program.number("page_screen_x", x, y), program.number("page_screen_y", x, y)];
   },
 });
@@ -131,19 +141,23 @@ async function openControls(page) {
   let height;
   const measure = async () => {
     const givenUp = new AbortController();
+    page.program.call("page_measuring", 1);
     const asking = await openCard(page, { name: "points", title: "Two points of the picture", cross: false, closed: () => givenUp.abort(), body: [
       el("p", {}, "Press two points on the picture whose distance you know."),
       el("div", { class: "ways" }, button("Cancel", { onclick: () => asking.close() }))] });
     alike(asking);
-    page.announce("Press two points on the picture whose distance you know.");
+    page.announce("Press two points on the picture whose distance you know. By keys: arrows move a ring, Enter takes the point.");
     const measured = await twoPoints(page, pixelsOf(page), givenUp.signal);
-    if (!photo) return measured?.unmark();
-    if (!measured) return openControls(page);
-    const scaled = (length) => {
-      scaleTo(page, measured.pixels, length);
-      openControls(page);
+    const over = () => {
+      measured?.unmark();
+      page.program.call("page_measuring", 0);
     };
-    alike(await openCard(page, { name: "scale", title: "Scale of the picture", closed: measured.unmark, body: [
+    if (!photo || !measured) {
+      over();
+      return photo && openControls(page);
+    }
+    const scaled = (length) => scaleTo(page, "Distance", measured.pixels, length) && openControls(page);
+    alike(await openCard(page, { name: "scale", title: "Scale of the picture", closed: over, body: [
       el("p", {}, "How far apart are the two points?"), el("div", { class: "ways" }, ...lengthField(page, "Distance", "", scaled))] }))
       .querySelector("input").focus({ preventScroll: true });
   };
@@ -161,7 +175,7 @@ async function openControls(page) {
   const card = await openCard(page, { name: "photo", title: "Picture behind the drawing", body: [
     el("p", {}, `“${photo.name}” lies behind the drawing. `, el("span", { class: "second" }, "It stays on this device, is in no link or file, and is gone with this page.")),
     el("div", { class: "ways" }, opacity, measuring,
-      ...lengthField(page, "Width", tidy(photo.unit * image.naturalWidth), (length) => scaleTo(page, image.naturalWidth, length), "seldom"),
+      ...lengthField(page, "Width", tidy(lie(page).unit * image.naturalWidth), (length) => scaleTo(page, "Width", image.naturalWidth, length), "seldom"),
       closingButton("Remove", { class: "button seldom" }, () => remove(page)), more)] });
 }
 

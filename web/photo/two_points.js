@@ -1,6 +1,7 @@
 // Measures on the picture behind the drawing: two presses, which stay marked, with the line between them, wherever the view goes.
 import { el, svgEl } from "../kit/elements.js";
 
+const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 const nearest = 8;  // on the screen: what is pressed nearer than this to the first point is that point again
 
 // Marks that lie over the picture: show() takes one point or two, in pixels of the picture.
@@ -30,7 +31,7 @@ function marksOver(page, { toScreen }) {
 
 const distance = ([x1, y1], [x2, y2]) => Math.hypot(x1 - x2, y1 - y2);
 
-// Waits for presses on two points of the picture. `frame` leads from the screen to its pixels and back: { fromScreen, toScreen }.
+// Waits for presses on two points of the picture, or for Enter where arrow keys moved a ring. `frame` leads from the screen to its pixels and back: { fromScreen, toScreen, middle }.
 // Returns { pixels, unmark }, the distance in pixels and what takes the marks away; nothing if somebody gives up, by Esc or by
 // what aborts `givenUp`.
 export function twoPoints(page, frame, givenUp) {
@@ -38,24 +39,41 @@ export function twoPoints(page, frame, givenUp) {
     const marks = marksOver(page, frame);
     const sheet = el("div", { id: "measure", role: "application", "aria-label": "Two points of the picture", tabindex: "-1" });
     const leave = new AbortController();
-    let first;
+    let first, ring;  // in pixels of the picture; where keys moved the ring, on the screen
     const end = (result) => {
       leave.abort();
       sheet.remove();
       if (!result) marks.unmark();
       done(result);
     };
-    sheet.addEventListener("pointermove", ({ clientX, clientY }) => first && marks.show([first, frame.fromScreen(clientX, clientY)]));
-    sheet.addEventListener("pointerdown", (event) => {
-      event.preventDefault();
-      const { clientX, clientY } = event, point = frame.fromScreen(clientX, clientY);
+    const aim = (at) => (first || ring) && marks.show([...(first ? [first] : []), frame.fromScreen(...at)]);
+    const take = (at) => {
+      const point = frame.fromScreen(...at);
       if (!first) {
         first = point;
         marks.show([first]);
-      } else if (distance(frame.toScreen(first), [clientX, clientY]) >= nearest) {
+        page.announce("The first point is taken.");
+      } else if (distance(frame.toScreen(first), at) >= nearest) {
         marks.show([first, point]);
         end({ pixels: distance(first, point), unmark: marks.unmark });
       }
+    };
+    sheet.addEventListener("pointermove", ({ clientX, clientY }) => {
+      ring = undefined;
+      aim([clientX, clientY]);
+    });
+    sheet.addEventListener("pointerdown", (event) => {
+      event.preventDefault();
+      take([event.clientX, event.clientY]);
+    });
+    sheet.addEventListener("keydown", (event) => {
+      const way = keys[event.key];
+      if (!way && !["Enter", " "].includes(event.key)) return;
+      event.preventDefault();
+      if (!way) return ring && take(ring);
+      const far = event.shiftKey ? 1 : 10, [x, y] = ring ?? frame.middle();
+      ring = [x + far * way[0], y + far * way[1]];
+      aim(ring);
     });
     addEventListener("keydown", (event) => {
       if (event.key !== "Escape") return;

@@ -15,11 +15,14 @@ function points(text) {
   return Array.from({ length: numbers.length / 2 }, (_, i) => numbers.slice(2 * i, 2 * i + 2));
 }
 
+// "82 %" stays on one line.
+const unbroken = (text) => text.replace(/(?<=\d) (?=%)/g, "\u00a0");
+
 // The paragraphs of a teacher's words.
-const paragraphs = (words) => words ? words.split("\v") : [];
+const paragraphs = (words) => words ? unbroken(words).split("\v") : [];
 
 function readStep([, chapter, caption, formula, words]) {
-  return { chapter, caption, formula, inWords: paragraphs(words), base: [], candidates: [], teams: [], figures: [], robots: [], words: [] };
+  return { chapter, caption: unbroken(caption), formula, inWords: paragraphs(words), base: [], candidates: [], teams: [], figures: [], robots: [], words: [] };
 }
 
 // The lines of handout_steps() as { width, height, disc, polygon, centre, steps, question, answer }.

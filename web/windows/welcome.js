@@ -9,7 +9,8 @@ const welcomedKey = "evenlift.welcomed";  // page.js asks for it
 
 // At the first visit it does not take the focus; the key and the window About bring it back with the focus.
 export async function show(page, { first = false } = {}) {
-  if (document.getElementById("welcome")) return;
+  const there = document.getElementById("welcome");
+  if (there) return there.querySelector("button").focus({ preventScroll: true });
   const leave = new AbortController();
   const draw = () => {
     page.program.number("page_key", "d", 0, 0);
@@ -32,6 +33,7 @@ export async function show(page, { first = false } = {}) {
       write(lasting, welcomedKey, "1");
     },
   });
+  if (first) page.announce("How to begin: draw your own shape, choose a sample, or take the tour. Shift+W leads there.");
   // Whoever has begun needs it no more. The program tells of a change in the midst of it, so this waits for its end.
   const done = () => queueMicrotask(() => card.close());
   document.addEventListener("evenlift-change", done, { signal: leave.signal });

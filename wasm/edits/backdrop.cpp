@@ -1,0 +1,87 @@
+#include "edits/backdrop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "edits/draw_polygon.h"
+#include "edits/placing.h"
+#include "evenlift/document.h"
+#include "state/browser.h"
+#include "state/layout.h"
+
+namespace evenlift::view {
+namespace {
+
+void show_all_of_it(AppState& state) {
+  state.camera = fitting_camera(state);
+  state.camera_follows = true;  // cards come and go beside it
+}
+
+// Where a point of the picture comes to when the picture is scaled.
+struct Scaled {
+  Vec2 low;
+  double factor;
+  Vec2 operator()(const Vec2& p) const { return (p - low) * factor; }
+  void operator()(Points& points) const {
+    for (Vec2& p : points) p = (*this)(p);
+  }
+  void operator()(std::optional<Vec2>& p) const {
+    if (p) p = (*this)(*p);
+  }
+};
+
+bool all_within(const Points& points, const Scaled& scaled) {
+  return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
+    return scaled(p).cwiseAbs().maxCoeff() <= max_coordinate;
+  });
+}
+
+void scale_drawing(Drawing& drawing, const Scaled& scaled) {
+  for (Points* points : {&drawing.points, &drawing.undone}) scaled(*points);
+  scaled(drawing.cursor);
+  scaled(drawing.last_cursor);
+  drawing.length.reset();
+  drawing.degrees.reset();
+  drawing.checked = false;
+  drawing.refusal.reset();
+}
+
+}  // namespace
+
+void lay_behind(AppState& state, const Vec2& low, const Vec2& high) {
+  state.backdrop = Backdrop{low, high, ++state.pictures};
+  if (state.tool != Tool::draw) take_tool(state, Tool::draw);
+  show_all_of_it(state);
+}
+
+void take_picture_away(AppState& state) { state.backdrop.reset(); }
+
+std::string scale_picture(AppState& state, double width) {
+  if (!state.backdrop) return {};
+  const Scaled scaled{state.backdrop->low, width / state.backdrop->width()};
+  const bool draws = state.tool == Tool::draw, traced = !draws && state.backdrop->traced;
+  Points corners = draws    ? state.drawing.points
+                   : traced ? state.document.vertices
+                            : Points();
+  corners.push_back(state.backdrop->high);
+  if (!(scaled.factor > 0) || !std::isfinite(scaled.factor)) return "It would have no size";
+  if (!all_within(corners, scaled)) return "The picture would reach beyond the largest coordinate";
+  if (traced) begin_edit(state, false, Edit::whole);
+  state.backdrop->high = scaled(state.backdrop->high);
+  state.backdrop->low = Vec2(0, 0);
+  if (draws) {
+    scale_drawing(state.drawing, scaled);
+    browser::document_changed();
+  }
+  if (traced) {
+    scaled(state.document.vertices);
+    scaled(state.document.centre_of_mass);
+    recompute(state);
+  }
+  show_all_of_it(state);
+  return {};
+}
+
+}  // namespace evenlift::view
