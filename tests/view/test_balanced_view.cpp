@@ -339,7 +339,7 @@ TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
     action(id).run(state, commands);
     apply(state, commands);
     REQUIRE(state.explanation);
-    CHECK(state.explanation->at == shown(state)[0].position);
+    CHECK(state.explanation->of.at == shown(state)[0].position);
     moved += shown(state)[0].position != before;
   }
   // Across the edge on which it stands there is no way.

@@ -8,6 +8,7 @@
 #include "marks/robot_discs.h"
 #include "marks/stands.h"
 #include "state/method.h"
+#include "state/opened.h"
 #include "tools/brush.h"
 #include "view/view_page.h"
 
@@ -98,6 +99,37 @@ TEST_CASE("a method that looks for no places takes robots as points", "[view][st
   CHECK(distributed.no_go.empty());
   CHECK(with_method(changed, Method::circle, 3).robot == changed.robot);
   CHECK(with_method(changed, Method::balanced, 3).no_go == changed.no_go);
+}
+
+TEST_CASE(
+    "the robots' size, no-go edges and the goal come back after methods that have no use for them",
+    "[view][stands]") {
+  Page page;
+  const auto now = [&]() -> const Settings& { return settings(page.app.state); };
+  Settings changed = now();
+  changed.robot.radius = 10;
+  changed.no_go = {{2, 0, 1}};
+  changed.goal = Goal::hold;
+  give(page, SetSettings{changed});
+  for (const Method method : {Method::distributed, Method::random}) {
+    give(page, SetMethod{method});
+    CHECK(now().robot == evenlift::RobotSize{});
+    CHECK_FALSE(page.app.state.refusal);
+  }
+  give(page, InsertVertex{0, {100, 0}});  // the marked edge gets the next number
+  give(page, SetMethod{Method::balanced});
+  CHECK(now().robot.radius == 10);
+  REQUIRE(now().no_go.size() == 1);
+  CHECK(now().no_go[0].edge == 3);
+  give(page, SetMethod{Method::area});
+  CHECK(now().robot.radius == 10);
+  CHECK(now().goal == Goal::hold);
+  give(page, SetMethod{Method::random});
+  Result<Opened> again = opened(Document{page.app.state.document});
+  REQUIRE(again);
+  give(page, OpenDocument{std::move(again).value()});
+  give(page, SetMethod{Method::area});
+  CHECK(now().robot == evenlift::RobotSize{});  // that was another object's
 }
 
 TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][stands]") {

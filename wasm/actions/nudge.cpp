@@ -30,7 +30,7 @@ void nudge(const AppState& s, Commands& out, int x, int y) {
   if (when::transforming(s)) return out.push_back(moved_polygon(s, x, y));
   if (when::on_robot(s)) {
     const Vec2 along = Vec2(x, y) * (grid_step(s.camera) / 10);
-    out.push_back(MoveRobot{*s.explanation->robot, s.explanation->at + along});
+    out.push_back(MoveRobot{*s.explanation->robot, s.explanation->of.at + along});
     return out.push_back(EndEdit{});
   }
   const double step = grid_step(s.camera) / (s.snap.grid ? 1 : 10);

@@ -152,6 +152,8 @@ struct Applier {
     state.explanation.reset();
     if (!c.of || state.refusal || !state.placement) return;
     state.explanation = explain(state, *c.of);
+    // What a finger pressed may have been a vertex beside it.
+    if (state.screen.touch) state.hover = {};
     browser::announce(in_words(*state.explanation));
   }
   void operator()(const ShowInLesson& c) const {

@@ -38,7 +38,7 @@ void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
 }
 
 bool named(const CanvasView& view, std::optional<std::uint32_t> team) {
-  const Pick& hover = view.state.hover;
+  const Pick hover = marked_part(view.state);
   return (hover.kind == Pick::Kind::chord || hover.kind == Pick::Kind::robot) &&
          hover.second == view.second && team == hover.index;
 }
@@ -75,9 +75,10 @@ void draw_chord(const Painter& painter, const CanvasView& view, const Shape& sha
   constexpr std::size_t many = 60;
   const std::size_t teams = view.placement->teams.size();
   // What joins a balanced robot with C is no chord.
-  const bool thin = view.placement->settings.method == Method::balanced || teams > many;
+  const bool balanced = view.placement->settings.method == Method::balanced,
+             thin = balanced || teams > many;
   const float width = thin ? 1.0f : 2.0f;
-  if (named(view, shape.team)) {
+  if (!balanced && named(view, shape.team)) {
     painter.line(shape.points[0], shape.points[1], theme.accent_on_object, width + 1);
     return;
   }
@@ -116,8 +117,8 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
 
 // The candidate or team that is pointed at while teams may stand anywhere in their ranges.
 std::optional<Chord> pointed_chord(const CanvasView& view) {
-  const Pick& named =
-      view.state.held.kind == Pick::Kind::robot ? view.state.held : view.state.hover;
+  const Pick named =
+      view.state.held.kind == Pick::Kind::robot ? view.state.held : marked_part(view.state);
   const Placement& placement = *view.placement;
   if (!can_move_teams(placement) || named.second != view.second) return std::nullopt;
   if (named.kind == Pick::Kind::candidate && named.index < placement.candidates.size())
@@ -150,6 +151,17 @@ void draw_range(const Painter& painter, const CanvasView& view) {
   }
 }
 
+// Among many candidates the marked one is a whole line, as a marked chord is.
+void draw_marked_candidate(const Painter& painter, const CanvasView& view) {
+  const Pick marked = marked_part(view.state);
+  const std::vector<Candidate>& all = view.placement->candidates;
+  if (marked.kind != Pick::Kind::candidate || marked.second != view.second ||
+      marked.index >= all.size())
+    return;
+  const Chord& chord = all[marked.index].chord;
+  painter.line(chord.r1.position, chord.r2.position, view.theme.accent_on_object, 3);
+}
+
 void draw_picture(const Painter& painter, const CanvasView& view) {
   const std::vector<Shape>& shapes = view.scene.shapes;
   const auto candidates = std::count_if(shapes.begin(), shapes.end(),
@@ -157,6 +169,7 @@ void draw_picture(const Painter& painter, const CanvasView& view) {
   for (const Shape& shape : shapes)
     draw_shape(painter, view, shape, static_cast<std::size_t>(candidates));
   draw_range(painter, view);
+  draw_marked_candidate(painter, view);
 }
 
 // The outline of a document that is refused, and the place of its fault.

@@ -62,9 +62,7 @@ std::string scale_picture(AppState& state, double width) {
   if (!state.backdrop) return {};
   const Scaled scaled{state.backdrop->low, width / state.backdrop->width()};
   const bool draws = state.tool == Tool::draw, traced = !draws && state.backdrop->traced;
-  Points corners = draws    ? state.drawing.points
-                   : traced ? state.document.vertices
-                            : Points();
+  Points corners = draws ? state.drawing.points : traced ? state.document.vertices : Points();
   corners.push_back(state.backdrop->high);
   if (!(scaled.factor > 0) || !std::isfinite(scaled.factor)) return "It would have no size";
   if (!all_within(corners, scaled)) return "The picture would reach beyond the largest coordinate";

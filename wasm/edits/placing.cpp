@@ -59,9 +59,11 @@ void renew_second(AppState& state) {
   Document document = state.placed;
   document.moved = {};
   const std::uint32_t teams = placed_teams(state);
-  // So that both methods have as many teams.
-  if (!document.settings.teams && document.settings.method != balanced)
+  // So that both methods have as many robots.
+  if (!document.settings.teams || document.settings.method == balanced)
     document.settings.teams = teams;
+  if (state.second_method == balanced)
+    document.settings.robots = std::clamp(2 * teams, fewest_robots(document.settings), most_robots);
   document.settings = with_method(document.settings, *state.second_method, teams);
   if (Result<Placement> placement = compute_placement(document, state.placement, haste(state)))
     state.second = std::move(placement).value();

@@ -42,7 +42,7 @@ Rect free_window(const CanvasView& view) {
 
 // The chord of the team or candidate that is pointed at. Balanced robots have none, and one that fails leaves its partner alone.
 std::optional<Chord> pointed_chord(const CanvasView& view) {
-  const Pick& at = view.state.hover;
+  const Pick at = marked_part(view.state);
   const Placement& placement = *view.placement;
   if (placement.settings.method == Method::balanced || view.failure() || at.second != view.second ||
       view.state.held.kind != Pick::Kind::none)

@@ -143,7 +143,8 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
   const bool wide = view.layout.wide;
   const std::string name =
-      capitalised(std::string(evenlift::name(view.placement->settings.method)));
+      capitalised(std::string(evenlift::name(view.placement->settings.method))) + ", " +
+      count_of(count_robots(view.placement->teams), "robot", "robots");
   const std::string result = result_in_words(*view.placement, wide);
   const Face face = wide ? Face::strong : Face::strong_label;
   const ImVec2 title = text_size(face, name), text = text_size(Face::label, result);

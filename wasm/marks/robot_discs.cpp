@@ -59,6 +59,7 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
                     look.over ? 3.0f : 2.0f);
     list.AddCircleFilled(at, size.disc - 1, theme.robot.packed(), 32);
   }
+  if (look.explained) list.AddCircle(at, size.ring + 4, theme.accent_on_object.packed(), 40, 3);
   if (!size.numbered) return;
   const std::string number = std::to_string(look.number);
   const ImVec2 text = text_size(Face::tiny, number);

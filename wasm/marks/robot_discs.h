@@ -35,6 +35,7 @@ struct RobotLook {
   std::size_t number = 1;
   double share = 1;  // of the greatest load
   bool over = false, failed = false;
+  bool explained = false;  // its card is open
 };
 void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
                 const Vec2& world, const RobotLook& look);

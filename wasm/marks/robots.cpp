@@ -1,5 +1,6 @@
 #include "marks/robots.h"
 
+#include <optional>
 #include <vector>
 
 #include "marks/free_motions.h"
@@ -28,6 +29,10 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
   }
   // Discs of one team have its number; balanced robots, which are a single team, one each, and so do all
   // while one of them fails, since words then speak of single robots.
+  const std::optional<Explanation>& card = view.state.explanation;
+  const auto is_explained = [&](std::size_t robot) {
+    return card && !view.second && card->robot == robot;
+  };
   const bool alone = placement.settings.method == Method::balanced || view.failure();
   for (std::size_t i = placement.teams.size(); i-- > 0;) {
     std::size_t number = robots_of(placement.teams, i);
@@ -41,7 +46,8 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
       const double load = outlook.loads[number].greatest;
       draw_robot(painter, view.theme, now, at,
                  {alone ? number + 1 : i + 1, outlook.greatest > 0 ? load / outlook.greatest : 0,
-                  view.overloads(load), view.failure() && view.failure()->robot == number});
+                  view.overloads(load), view.failure() && view.failure()->robot == number,
+                  is_explained(number)});
       ++number;
     }
   }

@@ -32,6 +32,7 @@
 #include "state/layout.h"
 #include "state/notice.h"
 #include "tools/drawing.h"
+#include "ui/controls.h"
 
 namespace evenlift::view {
 namespace {
@@ -50,6 +51,14 @@ void open_undoably(Opened opened) {
 std::string link_or_nothing(const Document& document) {
   Result<std::string> link = encode_link(document);
   return link ? std::move(link).value() : std::string();
+}
+
+// A place on the screen as `left top right bottom`.
+std::string in_css_pixels(const Rect& place) {
+  std::string text;
+  for (const double value : {place.left, place.top, place.right, place.bottom})
+    text += std::to_string(static_cast<int>(value * app().state.screen.zoom)) + ' ';
+  return text;
 }
 
 }  // namespace
@@ -274,14 +283,14 @@ EMSCRIPTEN_KEEPALIVE void page_cover(double left, double below) {
   browser::request_frame();
 }
 
-// Where a card may stand at the foot of the drawing, as `left top right bottom` in CSS pixels. It does not depend on
-// whether there is one.
+// Where a card may stand at the foot of the drawing. It does not depend on whether there is one.
 EMSCRIPTEN_KEEPALIVE const char* page_card_seat() {
-  const Rect seat = card_seat(app().state);
-  std::string text;
-  for (const double value : {seat.left, seat.top, seat.right, seat.bottom})
-    text += std::to_string(static_cast<int>(value * app().state.screen.zoom)) + ' ';
-  return hand_over(std::move(text));
+  return hand_over(in_css_pixels(card_seat(app().state)));
+}
+
+// Where a list is open, which a card would cover; or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_open_list() {
+  return hand_over(open_list() ? in_css_pixels(*open_list()) : std::string());
 }
 
 // Makes room for a card of this height there; 0 ends that.

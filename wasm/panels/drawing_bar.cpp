@@ -7,6 +7,7 @@
 #include "widgets/cards.h"
 #include "widgets/dropdown.h"
 #include "widgets/fields.h"
+#include "widgets/text.h"
 
 namespace evenlift::view {
 namespace {
@@ -48,8 +49,17 @@ void draw_drawing_bar(const Ui& ui) {
   if (word_button(ui, roomy ? "Take one back" : "Back", some)) ui.push(TakePointBack{});
   ImGui::SameLine(0, 6);
   if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
-  if (!some || !ui.layout.wide) return;
-  if (roomy) ImGui::SameLine(0, 12);
+  if (!ui.layout.wide) return;
+  if (roomy && some) ImGui::SameLine(0, 12);
+  // The bar is as high before the first vertex, so that it does not come to lie over that.
+  if (!some && !roomy) {
+    constexpr char hint[] = "Each vertex can be moved as you draw.";
+    const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, hint);
+    ImGui::Dummy(ImVec2(text.x, ui.control()));
+    draw_text(*ImGui::GetWindowDrawList(), Face::label,
+              ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, hint);
+  }
+  if (!some) return;
   draw_edge_fields(ui, roomy ? 84 : 68, roomy ? 72 : 60);
 }
 

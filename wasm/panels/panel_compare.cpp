@@ -51,7 +51,8 @@ void draw_row(const Ui& ui, const Row& row, Face face, Colour colour,
   }
   ImGui::Dummy(ImVec2(width, 21));
   if (!row.label.empty())
-    list_text(row.label, methods[0] + " " + row.values[0] + ", " + methods[1] + " " + row.values[1]);
+    list_text(row.label,
+              methods[0] + " " + row.values[0] + ", " + methods[1] + " " + row.values[1]);
 }
 
 }  // namespace

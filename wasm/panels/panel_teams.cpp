@@ -108,8 +108,8 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   const Team& team = placement.teams[index];
   const float height = std::max(28.0f, ui.control() - 8);
   const std::string name = "Team " + std::to_string(index + 1);
-  const auto [low, high, pressed, hovered] =
-      pressable_row(ui, name.c_str(), team_row_in_words(ui, index) + ". Why here?", c.ratio - c.left, height);
+  const auto [low, high, pressed, hovered] = pressable_row(
+      ui, name.c_str(), team_row_in_words(ui, index) + ". Why here?", c.ratio - c.left, height);
   if (pressed) ui.push(Explain{Pick{Pick::Kind::chord, index, 0, team.robots[0].point.position}});
   const bool named =
       (ui.state.hover.kind == Pick::Kind::chord || ui.state.hover.kind == Pick::Kind::robot) &&
@@ -151,11 +151,11 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   const Robot& robot = placement.teams[0].robots[index];
   const Pick pick{Pick::Kind::robot, 0, static_cast<int>(index), robot.point.position};
   const std::string number = std::to_string(index + 1), name = "Robot " + number;
-  const auto [low, high, pressed, hovered] = pressable_row(
-      ui, name.c_str(),
-      name + ": at " + words.at[index] + ", load " + load_text(ui, index) + " " +
-          weight_unit(ui.state) + ". Why here?",
-      c.ratio - c.left, std::max(28.0f, ui.control() - 8));
+  const auto [low, high, pressed, hovered] =
+      pressable_row(ui, name.c_str(),
+                    name + ": at " + words.at[index] + ", load " + load_text(ui, index) + " " +
+                        weight_unit(ui.state) + ". Why here?",
+                    c.ratio - c.left, std::max(28.0f, ui.control() - 8));
   if (pressed) ui.push(Explain{pick});
   const Pick& over = ui.state.hover;
   const bool named = over.kind == pick.kind && over.end == pick.end && !over.second;

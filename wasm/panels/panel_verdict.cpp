@@ -7,7 +7,9 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
+#include "state/browser.h"
 #include "widgets/buttons.h"
+#include "widgets/cards.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {
@@ -49,6 +51,15 @@ void draw_fitting(Colour colour, const std::string& text, float width, std::span
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
 }
 
+void draw_sign(const Ui& ui, Mood mood, ImVec2 middle) {
+  const Sign sign = sign_of(ui.theme, mood);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircleFilled(middle, 11, sign.disc.packed(), 32);
+  // A tick says that all is as asked for. While a robot fails that is not the question: there the sign is that of the row below.
+  if (!failing(ui.state) || mood != Mood::good)
+    draw_icon(list, sign.icon, middle, 15, ui.theme.panel);
+}
+
 // Where no chord is even enough: a way to the best that there is, in the room that the verdict leaves.
 void draw_lower_ratio(const Ui& ui, double best) {
   const ImVec2 below = ImGui::GetCursorScreenPos();
@@ -66,16 +77,12 @@ void draw_lower_ratio(const Ui& ui, double best) {
 
 void draw_headline(const Ui& ui) {
   const Verdict v = verdict(ui.state);
-  const Sign sign = sign_of(ui.theme, v.mood);
-  // A tick says that all is as asked for. While a robot fails that is not the question: there the sign is that of the row below.
-  const bool plain_disc = failing(ui.state) && v.mood == Mood::good;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddCircleFilled(ImVec2(at.x + 11, at.y + 14), 11, sign.disc.packed(), 32);
+  const ImVec2 middle(at.x + 11, at.y + 14);
+  draw_sign(ui, v.mood, middle);
   if (v.searching)
-    list.AddCircle(ImVec2(at.x + 11, at.y + 14), 14, ui.theme.accent.packed(), 32, 1.5f);
-  if (!plain_disc) draw_icon(list, sign.icon, ImVec2(at.x + 11, at.y + 14), 15, ui.theme.panel);
+    ImGui::GetWindowDrawList()->AddCircle(middle, 14, ui.theme.accent.packed(), 32, 1.5f);
 
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y));
   // The fold button stands to the right of the headline.
@@ -112,6 +119,34 @@ void draw_verdict_details(const Ui& ui) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() +
                        (ui.layout.wide ? 8 : 4));  // words may fill their room
   draw_failures(ui);
+}
+
+void draw_embedded_verdict(const Ui& ui) {
+  const float padding = static_cast<float>(ui.layout.bar_padding), size = ui.control();
+  begin_card(ui, "bar", ui.layout.player,
+             {.fixed_height = true, .padding = padding, .scrolls = false});
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = static_cast<float>(ui.layout.player.height()) - 2 * padding;
+  const bool named = ui.layout.wide;
+  const float button = named ? text_button_width("Open in evenlift") : size;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Verdict v = verdict(ui.state);
+  draw_sign(ui, v.mood, ImVec2(at.x + 8 + 11, at.y + height / 2));
+  // What is not as asked for is said, too.
+  const std::string text =
+      v.mood == Mood::good ? v.headline : v.headline + " " + overload_in_brief(ui.state) + v.detail;
+  const float left = 8 + 22 + 10, room = width - left - button - 8;
+  const Face face = broken_lines(Face::text, text, room).size() == 1 ? Face::text : Face::label;
+  const std::size_t lines = std::min<std::size_t>(broken_lines(face, text, room).size(), 2);
+  const float high = line_height(face) * static_cast<float>(lines);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + left, at.y + (height - high) / 2));
+  text_block_of(face, ui.theme.text, text, room, lines);
+  ImGui::SetCursorScreenPos(ImVec2(at.x + width - button, at.y + (height - size) / 2));
+  const bool pressed =
+      named ? text_button(ui, "out", Icon::open_out, "Open in evenlift", nullptr, size)
+            : icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size);
+  if (pressed) browser::open_page();
+  end_card(ui);
 }
 
 }  // namespace evenlift::view

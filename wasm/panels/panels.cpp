@@ -249,25 +249,6 @@ void draw_floating_player(const Ui& ui) {
   end_card(ui);
 }
 
-// In an <iframe> without a lesson: the result in one line, and the way to the page.
-void draw_embedded_verdict(const Ui& ui) {
-  const float padding = static_cast<float>(ui.layout.bar_padding), size = ui.control();
-  begin_card(ui, "bar", ui.layout.player,
-             {.fixed_height = true, .padding = padding, .scrolls = false});
-  const float width = ImGui::GetContentRegionAvail().x;
-  const bool named = ui.layout.wide;
-  const float button = named ? text_button_width("Open in evenlift") : size;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(at.x + 8, at.y + (size - line_height(Face::text)) / 2));
-  text_block_of(Face::text, ui.theme.text, verdict(ui.state).headline, width - button - 16, 1);
-  ImGui::SetCursorScreenPos(ImVec2(at.x + width - button, at.y));
-  const bool pressed =
-      named ? text_button(ui, "out", Icon::open_out, "Open in evenlift", nullptr, size)
-            : icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size);
-  if (pressed) browser::open_page();
-  end_card(ui);
-}
-
 }  // namespace
 
 void draw_panels(const AppState& state, Commands& commands) {

@@ -20,7 +20,9 @@ void draw_verdict(const Ui& ui);
 void draw_headline(const Ui& ui);         // its first sentence, two lines high
 void draw_verdict_words(const Ui& ui);    // its other sentences
 void draw_verdict_details(const Ui& ui);  // these, and what is left if a robot fails
-void draw_failures(const Ui& ui);         // below the verdict, always as high
+void draw_embedded_verdict(
+    const Ui& ui);  // in an <iframe> without a lesson: the result, and the way to the page
+void draw_failures(const Ui& ui);  // below the verdict, always as high
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);

@@ -16,8 +16,8 @@ namespace {
 constexpr double widest = 300, away = 26;  // pixels from what it is about
 
 Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
-  Vec2 at = ui.state.camera.to_screen(explanation.at);
-  if (!explanation.second) return at;
+  Vec2 at = ui.state.camera.to_screen(explanation.of.at);
+  if (!explanation.of.second) return at;
   return at + Vec2(ui.layout.second.left - ui.layout.first.left,
                    ui.layout.second.top - ui.layout.first.top);
 }
@@ -26,7 +26,8 @@ Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
 // on its side over the panel, since beside the spot it would cover the object.
 struct CardPlace {
   Rect rect;
-  bool at_bottom;  // the card stands on the bottom of the rectangle
+  bool at_bottom;      // the card stands on the bottom of the rectangle
+  bool fills = false;  // and is as high as it
 };
 CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const Rect& free = ui.layout.free;
@@ -38,9 +39,9 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
     const double foot = ui.state.screen.height - 4;
     const double head =
         std::max(spot.y() + away, free.bottom);  // the loads above the sheet stay in sight
-    return {{left, std::clamp(head, top, foot - least), right, foot}, true};
+    return {{left, std::clamp(head, top, foot - least), right, foot}, true, true};
   }
-  if (ui.layout.low && ui.state.panel_open) return {ui.layout.panel, false};
+  if (ui.layout.low && ui.state.panel_open) return {ui.layout.panel, false, true};
   const double width = std::min(widest, right - left);
   const bool outward_left =
       spot.x() < ui.state.camera.to_screen(ui.state.placement->centre_of_mass).x();
@@ -115,7 +116,7 @@ void draw_why_card(const Ui& ui) {
   const CardPlace place = place_of(ui, spot_of(ui, explanation));
   begin_card(ui, "why here", place.rect,
              {.at_bottom = place.at_bottom,
-              .fixed_height = !ui.layout.wide,
+              .fixed_height = place.fills,
               .padding = ui.layout.wide ? 14.0f : 10.0f});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;

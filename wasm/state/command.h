@@ -222,15 +222,15 @@ struct ShowNotice {
 };
 
 using Command = std::variant<
-    SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex, OpenDocument,
-    SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show, SetTool, GripPolygon, AddPoint,
-    MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge,
-    SetSnap, Compare, Fail, SetLoadModel, SetCapacity, SetComRadius, SetUnits, SetMotion,
-    OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed,
-    SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson,
-    LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
-    ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet,
-    MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, ShowNotice>;
+    SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
+    OpenDocument, SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show, SetTool,
+    GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor,
+    TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetCapacity, SetComRadius,
+    SetUnits, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters,
+    SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain,
+    ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld,
+    SetCamera, FitView, ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen,
+    CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -1,6 +1,7 @@
-// The answer to "why here?" about a robot, a team's chord or a candidate that somebody pressed.
+// A part of the drawing, and the answer to "why here?" about one that somebody pressed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,12 +11,35 @@
 
 namespace evenlift::view {
 
+// What the pointer is over, or holds.
+struct Pick {
+  enum class Kind : std::uint8_t {
+    none,
+    vertex,
+    centre,
+    robot,
+    chord,
+    candidate,
+    edge,
+    object,
+    frame,
+    ground,
+    doubt  // the grip of the ring within which the centre of mass is known
+  };
+  Kind kind = Kind::none;
+  std::size_t index = 0;   // of the vertex, edge, team or candidate; of the frame its grip
+  int end = 0;             // of a robot: 0 for r1, 1 for r2
+  Vec2 at = Vec2::Zero();  // in polygon coordinates; on an edge or chord, its nearest point
+  bool second = false;     // whether it is in the picture of the second method
+  bool operator==(const Pick&) const = default;
+};
+
+// About a robot, a team's chord or a candidate.
 struct Explanation {
   struct Row {
     std::string label, value;
   };
-  Vec2 at = Vec2::Zero();            // what it is about, in polygon coordinates
-  bool second = false;               // whether it is in the picture of the second method
+  Pick of;                           // what it is about
   std::optional<std::size_t> robot;  // that it is about, in the first picture: its number from 0
   std::string title;
   std::vector<Row> rows;

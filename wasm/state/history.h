@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "evenlift/document.h"
-#include "state/backdrop.h"
+#include "evenlift/vec.h"
 
 namespace evenlift::view {
 
@@ -46,6 +46,15 @@ inline constexpr std::size_t edit_count = 25;
 
 // "moved a vertex". O(1).
 const char* in_words(Edit edit);
+
+// A picture that lies behind the drawing, to be traced. The page draws it; the view knows where it lies.
+struct Backdrop {
+  Vec2 low, high;             // its corners, in polygon coordinates
+  std::uint32_t picture = 0;  // which one it is, counted from the start
+  bool traced = false;        // the open polygon was drawn on it
+  bool operator==(const Backdrop&) const = default;
+  double width() const { return high.x() - low.x(); }
+};
 
 // What undo brings back besides the document.
 struct Beside {

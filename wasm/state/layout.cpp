@@ -63,9 +63,10 @@ Layout embedded(const AppState& state) {
   l.wide = screen.width >= 640;
   l.free = screen.area();
   const double most = l.control + (l.wide ? 150 : 170);
+  constexpr double two_lines = 40;  // of the result
   seat_player(l, screen.width - l.margin,
               walkthrough_is_open(state) ? std::min(screen.height * 0.44, most)
-                                         : l.control + 2 * l.bar_padding);
+                                         : std::max(l.control, two_lines) + 2 * l.bar_padding);
   split(l, screen, false, 72, 44, 48);
   return l;
 }
@@ -236,13 +237,24 @@ void make_room_for_notice(const AppState& state, Layout& l) {
   l.room.bottom -= std::clamp(covered, 0.0, l.room.height() * 2 / 3);
 }
 
+// A window at the left takes its width from the drawing, whose margins get narrower if little is left.
+void make_room_for_window(Layout& l, double width) {
+  constexpr double least = 180;  // two thirds of it are the drawing's
+  const double side = std::clamp(l.free.width() - least, 0.0, width);
+  const double at_left = l.room.left - l.free.left, at_right = l.free.right - l.room.right;
+  for (Rect* rect : {&l.free, &l.first, &l.room, &l.tools, &l.player}) rect->left += side;
+  l.tools.right += side;
+  if (side == 0) return;
+  const double most = l.free.width() / 6;
+  l.room.left = l.free.left + std::min(at_left, most);
+  l.room.right = l.free.right - std::min(at_right, most);
+}
+
 }  // namespace
 
 Layout layout(const AppState& state) {
   Layout l = in_mode(state);
-  const double side = std::clamp(l.room.width() - 120, 0.0, state.screen.side);
-  for (Rect* rect : {&l.free, &l.first, &l.room, &l.tools, &l.player}) rect->left += side;
-  l.tools.right += side;
+  make_room_for_window(l, state.screen.side);
   l.notice = seat_of_notice(state, l);
   make_room_for_notice(state, l);
   return l;

@@ -19,29 +19,6 @@
 
 namespace evenlift::view {
 
-// What the pointer is over, or holds.
-struct Pick {
-  enum class Kind : std::uint8_t {
-    none,
-    vertex,
-    centre,
-    robot,
-    chord,
-    candidate,
-    edge,
-    object,
-    frame,
-    ground,
-    doubt  // the grip of the ring within which the centre of mass is known
-  };
-  Kind kind = Kind::none;
-  std::size_t index = 0;   // of the vertex, edge, team or candidate; of the frame its grip
-  int end = 0;             // of a robot: 0 for r1, 1 for r2
-  Vec2 at = Vec2::Zero();  // in polygon coordinates; on an edge or chord, its nearest point
-  bool second = false;     // whether it is in the picture of the second method
-  bool operator==(const Pick&) const = default;
-};
-
 // What the page tells the view about the screen.
 struct Screen {
   // Of the canvas, as the browser tells: in CSS pixels, and device pixels per CSS pixel.

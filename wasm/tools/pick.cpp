@@ -97,7 +97,7 @@ namespace {
 
 // Whether the card about this robot is open.
 bool is_asked_about(const AppState& state, const Pick& pick) {
-  if (pick.kind != Pick::Kind::robot || !state.explanation || state.explanation->second)
+  if (pick.kind != Pick::Kind::robot || !state.explanation || state.explanation->of.second)
     return false;
   const std::size_t in_team = shown_placement(state).teams.front().robots.size();
   return state.explanation->robot == pick.index * in_team + static_cast<std::size_t>(pick.end);
@@ -122,6 +122,13 @@ double doubt_for_grip(const AppState& state, const Vec2& screen) {
   const double away = distance(state.camera.to_screen(centre_of_mass(state)), screen);
   const double radius = std::max(0.0, away - grip_stands_off(state)) / state.camera.scale;
   return std::max(0.0, rounded_to_pixels(state.camera, Vec2(radius, 0)).x());
+}
+
+Pick marked_part(const AppState& state) {
+  const Pick::Kind over = state.hover.kind;
+  const bool part =
+      over == Pick::Kind::robot || over == Pick::Kind::chord || over == Pick::Kind::candidate;
+  return part || !state.explanation ? state.hover : state.explanation->of;
 }
 
 Vec2 centre_of_mass(const AppState& state) {

@@ -31,6 +31,9 @@ double doubt_for_grip(const AppState& state, const Vec2& screen);
 // Whether the pointer holds this, or else is over it.
 bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index);
 
+// The robot, chord or candidate under the pointer, or else the one whose card is open: the drawing marks it.
+Pick marked_part(const AppState& state);
+
 // The document's centre of mass; if it has none, that of the last good placement.
 Vec2 centre_of_mass(const AppState& state);
 

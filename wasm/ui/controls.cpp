@@ -21,6 +21,7 @@ struct Listed {
   std::vector<Control> of_pass;
   std::string card;
   bool on_list = false;
+  std::optional<Rect> open_list;
   std::vector<Request> requests;  // in the order in which they were asked
 };
 Listed listed;
@@ -53,12 +54,19 @@ void append_rectangle(std::string& text, const Rect& r, double zoom) {
 
 void begin_controls() {
   listed.of_pass.clear();
+  listed.open_list.reset();
   // What was asked of a control that is not laid out any more is forgotten.
   for (Request& request : listed.requests) ++request.passes;
   std::erase_if(listed.requests, [](const Request& request) { return request.passes > 4; });
 }
 
-void enter_list(bool on_list) { listed.on_list = on_list; }
+void enter_list(bool on_list) {
+  listed.on_list = on_list;
+  if (!on_list) return;
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  listed.open_list = rectangle(low, ImVec2(low.x + size.x, low.y + size.y));
+}
+const std::optional<Rect>& open_list() { return listed.open_list; }
 
 void enter_card(const char* name) { listed.card = name; }
 

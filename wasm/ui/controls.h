@@ -38,8 +38,10 @@ void begin_controls();
 // From now on controls are on this card.
 void enter_card(const char* name);
 
-// From now on controls are, or are not, on an open list, which covers those of the cards below it.
+// From now on controls are, or are not, on an open list, the window that is being filled: it covers those of the cards below it.
 void enter_list(bool on_list);
+// Where that list is, in pixels, if one is open.
+const std::optional<Rect>& open_list();
 
 // Lists the item that Dear ImGui laid out last. What is asked of the control is returned once.
 struct Asked {

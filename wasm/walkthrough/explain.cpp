@@ -127,8 +127,7 @@ void explain_candidate(Explanation& explanation, const Placement& placement, con
 Explanation explain(const AppState& state, const Pick& pick) {
   const Placement& placement = pick.second ? *state.second : *state.placement;
   Explanation explanation;
-  explanation.at = pick.at;
-  explanation.second = pick.second;
+  explanation.of = pick;
   if (placement.settings.method == Method::balanced) {
     explain_balanced(explanation, placement, pick);
     return explanation;

@@ -66,7 +66,16 @@ export async function openCard(page, { name, title, body, closed, focus = false,
   const follow = new ResizeObserver(seat);
   follow.observe(root);
   signal.addEventListener("abort", () => follow.disconnect());
-  page.pictures.addEventListener("drawn", () => place() !== placed && seat(), { signal });
+  // A list of the panels is drawn on the canvas, below this card, and yet has to be seen.
+  const giveWay = () => {
+    const [left, top, right, bottom] = page.program.text("page_open_list").trim().split(" ").map(Number);
+    const card = root.getBoundingClientRect();
+    root.classList.toggle("gives-way", bottom > card.top && top < card.bottom && right > card.left && left < card.right);
+  };
+  page.pictures.addEventListener("drawn", () => {
+    if (place() !== placed) seat();
+    giveWay();
+  }, { signal });
   root.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
     event.preventDefault();

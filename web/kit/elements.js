@@ -56,6 +56,9 @@ export async function rasterise(svg, scale) {
   }
 }
 
+// "82 %" stays on one line.
+export const unbroken = (text) => text.replace(/(?<=\d) (?=%)/g, "\u00a0");
+
 export const number = (value) => value.toLocaleString("en");
 
 // What somebody typed, in which a decimal comma is one, too; NaN if it is no number.

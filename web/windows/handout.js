@@ -2,7 +2,7 @@
 // own (wasm/modules/handout_api.cpp); handout_picture.js draws them.
 import { coreModule } from "../kit/core_module.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
-import { button, el } from "../kit/elements.js";
+import { button, el, unbroken } from "../kit/elements.js";
 import { legend, picture } from "./handout_picture.js";
 import { titleOf } from "./lesson_source.js";
 import { openLessonOf } from "./lesson_watch.js";
@@ -14,9 +14,6 @@ function points(text) {
   const numbers = text ? text.split(" ").map(Number) : [];
   return Array.from({ length: numbers.length / 2 }, (_, i) => numbers.slice(2 * i, 2 * i + 2));
 }
-
-// "82 %" stays on one line.
-const unbroken = (text) => text.replace(/(?<=\d) (?=%)/g, "\u00a0");
 
 // The paragraphs of a teacher's words.
 const paragraphs = (words) => words ? unbroken(words).split("\v") : [];

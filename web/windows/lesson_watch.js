@@ -1,6 +1,6 @@
 // Which lesson is open, and what comes at its end: how the guesses went, a question with its answer, and the next lesson.
 import { closingButton, openCard } from "../kit/card.js";
-import { button, el } from "../kit/elements.js";
+import { button, el, unbroken } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
 import { lasting, read, write } from "../page/storage.js";
 import { underWay } from "../page/under_way.js";
@@ -56,7 +56,7 @@ function look() {
   underWay(showEnd(page, lesson, now, playing));
 }
 
-const paragraphs = (text, attributes = {}) => text.split("\n").map((words) => el("p", attributes, words));
+const paragraphs = (text, attributes = {}) => unbroken(text).split("\n").map((words) => el("p", attributes, words));
 
 // The question at the lesson's end, and the button that shows its answer. Once shown, it is there whenever the end comes again.
 function questionOf(program, of) {
