@@ -219,6 +219,18 @@ test("balanced robots are compared with teams, on either side", async () => {
   await page.done();
 });
 
+test("balanced robots beside teams are as many as those", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { teams: 4 });
+  await press(page, "compared");
+  await press(page, "Balanced");
+  await idle(page);
+  assert.match(await page.locator("#news").textContent(), /Compared with balanced: 8 robots carry 12\.5/);
+  assert.match(await page.locator("#mirror p", { hasText: /^Robots:/ }).textContent(), /^Robots: Area 8, Balanced 8$/);
+  await page.done();
+});
+
 test("set() refuses with a sentence what balanced robots cannot be asked", async () => {
   const page = await browser.open();
   const bad = [[{ robots: 1 }, /^The number of robots is a whole number from 2 to 64/], [{ robots: 65 }, /robots/], [{ robots: 2.5 }, /robots/],

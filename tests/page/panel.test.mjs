@@ -401,7 +401,7 @@ test("on a phone a robot's card takes the presses on it, also where a field of t
   assert.equal(await elementAt(page, fail.middle), "canvas");
   await press(page, "fail");
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^Robot 1 fails: /);
+  await page.waitForFunction(() => document.getElementById("summary").textContent.startsWith("Robot 1 fails: "));
   await page.done();
 });
 
@@ -636,6 +636,37 @@ test("what is copied is said as it is", async () => {
   await page.keyboard.press("d");
   await page.mouse.click(500, 400);
   assert.match(await said(), /not closed yet: the link holds the one before\. It has \d+ characters\.$/);
+  await page.done();
+});
+
+test("the numbers of the result are there for screen readers", async () => {
+  const page = await browser.open();
+  await idle(page);
+  const texts = await page.locator("#mirror p").allTextContents();
+  for (const wanted of ["Coverage: 96.0\u00a0%", "Spread of loads: 0.5 kg", "Form closure: yes"])
+    assert.ok(texts.map((text) => text.replaceAll("\u202f", " ").replaceAll("\u2009", " ")).some((text) => text.replace(/\s/g, " ") === wanted.replace(/\s/g, " ")), `${wanted} in ${texts}`);
+  const row = page.locator("#mirror").getByRole("button", { name: /^Team 2:/ });
+  assert.match(await row.getAttribute("aria-label"), /^Team 2: loads 16\.9 and 16\.4 kg, length \d+, ratio 0\.972\. Why here\?$/);
+  assert.equal(await page.locator("#mirror").getByRole("button", { name: "A robot carries: no limit. Set one" }).count(), 1);
+  await page.done();
+});
+
+test("a refusal is told again when it comes again", async () => {
+  const page = await browser.open();
+  await idle(page);
+  await page.evaluate(() => {
+    globalThis.told = [];
+    new MutationObserver(() => globalThis.told.push(document.getElementById("alert").textContent.trim())).observe(document.getElementById("alert"), { childList: true, characterData: true, subtree: true });
+  });
+  for (const wrong of ["abc", "-5"]) {
+    await press(page, "weight");
+    await page.keyboard.type(wrong);
+    await page.keyboard.press("Enter");
+    await idle(page);
+  }
+  const told = (await page.evaluate(() => globalThis.told)).filter(Boolean);
+  assert.equal(told.length, 2, told.join(" | "));
+  assert.equal(told[0], told[1]);
   await page.done();
 });
 

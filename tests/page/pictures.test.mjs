@@ -12,6 +12,7 @@ import { openWindow } from "./windows.mjs";
 const browser = sharedBrowser();
 
 const expected = fileURLToPath(new URL("expected/", import.meta.url));
+const ofReadme = fileURLToPath(new URL("../../docs/page.png", import.meta.url));
 // Other systems draw letters and the edges of shapes a little otherwise: up to 1.6 % of a window full of words on Debian 13.
 const system = /^PRETTY_NAME="?([^"\n]*)/m.exec(existsSync("/etc/os-release") ? readFileSync("/etc/os-release", "utf8") : "")?.[1] ?? process.platform;
 const drawnOn = readFileSync(path.join(expected, "drawn-on.txt"), "utf8").trim();
@@ -34,6 +35,10 @@ async function check(page, name) {
 }
 
 test("wide, light: the first sample", async () => check(await browser.open(), "wide-light"));
+
+test("the picture in README is the page as it looks now", () => {
+  assert.ok(readFileSync(ofReadme).equals(readFileSync(path.join(expected, "wide-light.png"))), "please copy tests/page/expected/wide-light.png to docs/page.png");
+});
 
 test("wide, dark: the first sample", async () => check(await browser.open({ colorScheme: "dark" }), "wide-dark"));
 
@@ -113,6 +118,12 @@ test("a polygon that is refused", async () => {
 
 test("embedded", async () => {
   await check(await browser.open({ address: "?embed=1", viewport: { width: 640, height: 420 } }), "embedded");
+});
+
+test("embedded, with what is not as asked for", async () => {
+  const page = await browser.open({ address: "?embed=1", viewport: { width: 480, height: 360 } });
+  await set(page, { capacity: 12 });
+  await check(page, "embedded-overloaded");
 });
 
 test("the keys", async () => {

@@ -40,6 +40,18 @@ test("a press on a placed vertex places none", async () => {
   await page.done();
 });
 
+test("the first key of a drawing shows the cursor, also Enter, and a sentence says what keys do", async () => {
+  const page = await browser.open();
+  await idle(page);
+  await page.keyboard.press("d");
+  await page.waitForFunction(() => /arrow keys move a cursor, and Enter places a vertex/.test(document.getElementById("news").textContent));
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => /^Cursor at /.test(document.getElementById("news").textContent));
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => /^Vertex 1 at/.test(document.getElementById("news").textContent));
+  await page.done();
+});
+
 test("a shape is drawn by keys alone, and what happens is told", async () => {
   const page = await browser.open();
   await idle(page);

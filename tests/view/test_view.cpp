@@ -422,6 +422,7 @@ TEST_CASE("a notice of several lines covers no robot where the view fits", "[vie
       for (const LiftingPoint& robot : lifting_points(state.placement->teams)) {
         const Vec2 at = state.camera.to_screen(robot.position);
         const bool beside = at.x() + 14 <= place.left || at.x() - 14 >= place.right;
+        CAPTURE(width, at.y(), place.bottom, state.notice_height, layout(state).room.height());
         CHECK((beside || at.y() + 14 <= place.bottom - state.notice_height));
       }
       page.app.commands = {ShowNotice{}};

@@ -222,7 +222,7 @@ test("how near the edges are to curves can be set, before and after", async () =
     await field.fill(wrong);
     await field.press("Enter");
     await idle(page);
-    assert.match(await page.locator("#shapes .problem").textContent(), /is a number above 0\.$/);
+    assert.match(await page.locator("#shapes .problem").textContent(), /is a number above 0, in .*, and not “.*”\.$/);
   }
   await field.fill("0,001");
   await field.press("Enter");

@@ -44,6 +44,22 @@ for (const [width, height, touch] of [[320, 568, true], [390, 844, true], [740, 
   });
 }
 
+test("the card is told, and a list of the panels that would be under it is seen", async () => {
+  for (const [width, height] of [[320, 568], [390, 844]]) {
+    const page = await browser.open({ first: true, viewport: { width, height }, hasTouch: true, isMobile: true });
+    await card(page).waitFor();
+    await idle(page);
+    assert.match(await page.locator("#alert").textContent(), /^How to begin: /);
+    await tap(page, "more");
+    await idle(page);
+    assert.equal(await card(page).isVisible(), false);
+    await page.keyboard.press("Escape");
+    await idle(page);
+    assert.equal(await card(page).isVisible(), true);
+    await page.done();
+  }
+});
+
 test("the card goes with the first edit, and does not come back", async () => {
   const page = await browser.open({ first: true });
   await idle(page);

@@ -65,14 +65,17 @@ void take(const AppState& s, Commands& out) {
   out.push_back(SetTool{s.tool == tool ? Tool::parts : tool});
 }
 
+// The first press of a key only shows where the cursor is.
 void place(const AppState& s, Commands& out) {
-  if (closes(s, s.camera.to_screen(*s.drawing.cursor)))
+  if (when::has_no_cursor(s))
+    move_cursor(s, out, 0, 0, false);
+  else if (closes(s, s.camera.to_screen(*s.drawing.cursor)))
     out.push_back(FinishDrawing{});
   else
     out.push_back(AddPoint{*s.drawing.cursor});
 }
 void finish(const AppState& s, Commands& out) {
-  if (when::keys_place(s))
+  if (when::keys_place(s) || when::has_no_cursor(s))
     place(s, out);
   else
     out.push_back(FinishDrawing{});

@@ -35,10 +35,14 @@ bool keys_place(const AppState& s) {
          !closes(s, s.camera.to_screen(*d.cursor));
 }
 
-bool can_place(const AppState& s) { return drawing(s) && s.drawing.cursor.has_value(); }
+bool has_no_cursor(const AppState& s) { return !s.drawing.cursor && s.drawing.points.empty(); }
+
+bool can_place(const AppState& s) {
+  return drawing(s) && (s.drawing.cursor.has_value() || has_no_cursor(s));
+}
 
 bool can_finish(const AppState& s) {
-  return drawing(s) && (keys_place(s) || s.drawing.points.size() >= 3);
+  return drawing(s) && (keys_place(s) || s.drawing.points.size() >= 3 || has_no_cursor(s));
 }
 
 bool can_take_back(const AppState& s) { return drawing(s) && !s.drawing.points.empty(); }

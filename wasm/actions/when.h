@@ -18,7 +18,8 @@ bool on_robot(const AppState& s);  // one that can be moved by hand, while its c
 bool can_nudge(const AppState& s);
 
 // While a polygon is drawn, undo takes back one vertex.
-bool keys_place(const AppState& s);  // keys moved the cursor to where a vertex can be placed
+bool has_no_cursor(const AppState& s);  // nothing is drawn, and neither pointer nor keys say where
+bool keys_place(const AppState& s);     // keys moved the cursor to where a vertex can be placed
 bool can_place(const AppState& s);
 bool can_finish(const AppState& s);
 bool can_take_back(const AppState& s);

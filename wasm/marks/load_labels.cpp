@@ -14,6 +14,13 @@
 namespace evenlift::view {
 namespace {
 
+// Where the picture is drawn and nothing lies over it.
+Rect free_window(const CanvasView& view) {
+  const Rect uncovered = view.uncovered();
+  return {uncovered.left + 4, uncovered.top + view.layout.caption + 4, uncovered.right - 4,
+          uncovered.bottom - 4};
+}
+
 // The box of the coverage's text, in pixels; nothing if it is not shown or there is no room for it.
 std::optional<Rect> coverage_box(const CanvasView& view) {
   const CoveragePlace& place = view.scene.coverage;
@@ -21,7 +28,12 @@ std::optional<Rect> coverage_box(const CanvasView& view) {
   if (!shown || place.room * view.camera.scale < 24) return std::nullopt;
   const Vec2 at = view.camera.to_screen(place.at);
   const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
-  return Rect{at.x() - text.x / 2, at.y() - text.y / 2, at.x() + text.x / 2, at.y() + text.y / 2};
+  const Rect box{at.x() - text.x / 2, at.y() - text.y / 2, at.x() + text.x / 2,
+                 at.y() + text.y / 2};
+  const Rect window = free_window(view);
+  const bool seen =
+      window.contains({box.left, box.top}) && window.contains({box.right, box.bottom});
+  return seen ? std::optional(box) : std::nullopt;
 }
 
 Rect about(const Vec2& middle, double reach) {
@@ -31,13 +43,6 @@ Rect about(const Vec2& middle, double reach) {
 // Of a robot with a size, in pixels.
 double body_radius(const CanvasView& view) {
   return view.placement->stands->robot().radius * view.camera.scale;
-}
-
-// Where the picture is drawn and nothing lies over it.
-Rect free_window(const CanvasView& view) {
-  const Rect uncovered = view.uncovered();
-  return {uncovered.left + 4, uncovered.top + view.layout.caption + 4, uncovered.right - 4,
-          uncovered.bottom - 4};
 }
 
 // The chord of the team or candidate that is pointed at. Balanced robots have none, and one that fails leaves its partner alone.

@@ -20,10 +20,13 @@ void draw_sign(const Theme& theme, ImDrawList& list, ImVec2 at, float reach, Moo
   const bool good = mood == Mood::good, falls = mood == Mood::falls;
   const ImU32 colour = (good ? theme.hull_outline : falls ? theme.red : theme.amber).packed();
   if (reach < 3.5f) {
-    const float half = good ? 2.5f : falls ? 9.0f : 5.5f, wide = std::max(0.6f, reach - 0.4f);
-    const float left = std::round(at.x - wide), right = std::round(at.x + wide);
-    list.AddRectFilled(ImVec2(left, at.y - half), ImVec2(std::max(right, left + 1), at.y + half),
-                       colour);
+    // All are as wide: else some would look darker.
+    const float half = good    ? 2.5f
+                       : falls ? 9.0f
+                               : 5.5f,
+                wide = std::max(1.0f, std::floor(2 * reach - 0.8f)),
+                left = std::round(at.x - wide / 2);
+    list.AddRectFilled(ImVec2(left, at.y - half), ImVec2(left + wide, at.y + half), colour);
   } else if (good) {
     list.AddCircleFilled(at, reach, colour, 24);
   } else if (falls) {

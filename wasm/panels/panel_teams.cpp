@@ -28,7 +28,7 @@ std::string load_text(const Ui& ui, std::size_t number) {
 }
 
 Columns columns(const Ui& ui, float left, float width) {
-  const float ratio_width = 42, span_width = 46, disc = 28;
+  const float ratio_width = 46, span_width = 50, disc = 28;
   const float bars = width - disc - ratio_width - span_width;
   float text = 32;
   const std::size_t rows = std::min(count_robots(ui.state.placement->teams), 2 * most_rows);

@@ -103,7 +103,10 @@ std::string news_of_drawing(const AppState& state) {
   if (!drawing.points.empty())
     lines += "Vertex " + std::to_string(drawing.points.size()) + " at " +
              given_point(drawing.points.back()) + ".\n";
-  if (!drawing.by_keys || !drawing.cursor) return lines;
+  if (!drawing.by_keys || !drawing.cursor)
+    return drawing.points.empty()
+               ? "By keys: arrow keys move a cursor, and Enter places a vertex there.\n"
+               : lines;
   if (closes(state, state.camera.to_screen(*drawing.cursor)))
     return lines + (drawing.refusal
                         ? "The shape cannot be closed: " + sentence(*drawing.refusal) + ".\n"

@@ -185,9 +185,8 @@ void draw_notice(const Ui& ui) {
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
   const Rect& seat = ui.layout.notice;
-  // In large letters a long one would cover half of a small phone's drawing.
-  constexpr double small = 640;
-  const Face face = !ui.layout.wide && ui.state.screen.height < small ? Face::label : Face::text;
+  // In large letters a long one would cover half of a phone's drawing.
+  const Face face = ui.layout.wide ? Face::text : Face::label;
   const float text =
       std::min(text_size(face, notice.text).x, static_cast<float>(seat.width()) - 84);
   const double width = static_cast<double>(text) + 84, x = seat.middle().x() - width / 2;

@@ -13,7 +13,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double widest = 300, away = 26;  // pixels from what it is about
+constexpr double widest = 320, away = 26;  // pixels from what it is about
 
 Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
   Vec2 at = ui.state.camera.to_screen(explanation.of.at);

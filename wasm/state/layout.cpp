@@ -5,7 +5,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double panel_width = 344, rail_width = 48;
+constexpr double panel_width = 360, rail_width = 48;
 // Below these heights the tools of the view would cover the object; they are in the toolbar's menu.
 constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
 constexpr double least_room_above_card = 165;
@@ -121,7 +121,7 @@ Layout wide(const AppState& state) {
   if (state.tool == Tool::transform)
     l.free.top += l.control + 60;  // the tool's bar, and the turning knob
   if (state.tool == Tool::mark && l.low) l.free.top += l.control + 24;  // the boundary is wanted
-  split(l, screen, state.second_method.has_value(), 88, 56, 84);
+  split(l, screen, state.second_method.has_value(), 88, 68, 84);
   return l;
 }
 
@@ -234,7 +234,7 @@ void make_room_for_notice(const AppState& state, Layout& l) {
   const bool two = l.second.width() > 0;
   const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
   const double covered = lowest + robot - (l.notice.bottom - state.notice_height);
-  l.room.bottom -= std::clamp(covered, 0.0, l.room.height() * 2 / 3);
+  l.room.bottom -= std::clamp(covered, 0.0, l.room.height() * 3 / 4);
 }
 
 // A window at the left takes its width from the drawing, whose margins get narrower if little is left.
@@ -280,12 +280,25 @@ Rect room_for_backdrop(const Layout& l) {
   return room;
 }
 
+// All of the picture is seen, as large as it can be clear of the tools of the view.
+Camera camera_of_backdrop(const Backdrop& picture, const Layout& l) {
+  const Rect room = room_for_backdrop(l);
+  const Points box{picture.low, picture.high};
+  const Camera largest = fit(box, room);
+  const Vec2 corner = largest.to_screen(Vec2(picture.high.x(), picture.low.y()));  // lower right
+  if (corner.x() <= l.tools.left || corner.y() <= l.tools.top) return largest;
+  Rect beside = room, above = room;
+  beside.right = l.tools.left - l.margin;
+  above.bottom = l.tools.top - l.margin;
+  const Camera first = fit(box, beside), second = fit(box, above);
+  return first.scale >= second.scale ? first : second;
+}
+
 }  // namespace
 
 Camera fitting_camera(const AppState& state) {
   const Layout l = layout(state);
-  if (state.backdrop && state.tool == Tool::draw)
-    return fit({state.backdrop->low, state.backdrop->high}, room_for_backdrop(l));
+  if (state.backdrop && state.tool == Tool::draw) return camera_of_backdrop(*state.backdrop, l);
   const Rect& room = l.room;
   const Points& vertices = state.document.vertices;
   const std::optional<Vec2>& centre = state.document.centre_of_mass;

@@ -82,12 +82,14 @@ constexpr Theme dark = {
     .shadow = {0x000000, 0.35f},
 };
 
+// The size of letters as people name it, in pixels. Dear ImGui counts a font's whole line, which is higher than that.
 struct FaceSpec {
   bool semibold;
-  float size;
+  float letters;
 };
-constexpr FaceSpec faces[face_count] = {{true, 12}, {false, 13}, {true, 13}, {false, 15},
-                                        {true, 15}, {true, 20},  {false, 20}};
+constexpr FaceSpec faces[face_count] = {{true, 11}, {false, 12},   {true, 12},    {false, 14},
+                                        {true, 14}, {true, 17.5f}, {false, 17.5f}};
+constexpr float line_of_inter = 1.21f;
 
 ImFont* loaded[face_count];
 
@@ -135,7 +137,7 @@ void load_fonts(double ratio) {
     const FontData data = faces[i].semibold ? semibold_font() : regular_font();
     // The atlas only reads what it does not own.
     loaded[i] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(data.bytes), data.size,
-                                           faces[i].size * density, &config, ranges);
+                                           size(static_cast<Face>(i)) * density, &config, ranges);
 #if IMGUI_VERSION_NUM < 19200
     loaded[i]->Scale = 1 / density;
 #endif
@@ -153,7 +155,7 @@ void push_face(Face face) {
 void pop_face() { ImGui::PopFont(); }
 
 ImFont* font(Face face) { return loaded[static_cast<int>(face)]; }
-float size(Face face) { return spec(face).size; }
+float size(Face face) { return spec(face).letters * line_of_inter; }
 
 ImVec2 text_size(Face face, std::string_view text, float wrap_width) {
   return font(face)->CalcTextSizeA(size(face), 1e9f, wrap_width, text.data(),

@@ -18,7 +18,7 @@ bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 ancho
   // In the right half of the window the list grows to the left, so that it never leaves the window.
   const bool leftwards = anchor_low.x + anchor_high.x > width;
   // Where it would be too narrow for its longest row, it reaches past its button to the right.
-  constexpr float longest = 328;
+  constexpr float longest = 346;
   const float right = std::max(anchor_high.x, std::min(width - 8, longest));
   ImGui::SetNextWindowPos(
       ImVec2(leftwards ? right : anchor_low.x, below ? anchor_high.y + 6 : anchor_low.y - 6),
@@ -50,7 +50,9 @@ void end_choices(const Ui& ui) {
 
 bool choice(const Ui& ui, const std::string& label, const char* about, bool current, Icon icon,
             bool enabled) {
-  const ImVec2 title = text_size(Face::text, label);
+  // On the smallest phones the longest rows of the menu have no room in larger letters.
+  const Face face = ui.state.screen.width < 344 ? Face::label : Face::text;
+  const ImVec2 title = text_size(face, label);
   const ImVec2 word = about ? text_size(Face::label, about) : ImVec2(0, 0);
   const float height = std::max(ui.control(), about ? 50.0f : 0.0f);
   const float width = std::max(ImGui::GetContentRegionAvail().x, std::max(title.x, word.x) + 56);
@@ -62,7 +64,7 @@ bool choice(const Ui& ui, const std::string& label, const char* about, bool curr
   draw_icon(list, icon, sign, 18, ink);
   if (current) draw_icon(list, Icon::check, sign, 15, ui.theme.accent);
   const float text = title.y + (about ? word.y + 3 : 0), y = row.low.y + (height - text) / 2;
-  draw_text(list, Face::text, ImVec2(row.low.x + 36, y), ink, label);
+  draw_text(list, face, ImVec2(row.low.x + 36, y), ink, label);
   if (about)
     draw_text(list, Face::label, ImVec2(row.low.x + 36, y + title.y + 3), ui.theme.second_text,
               about);

@@ -53,7 +53,7 @@ export async function openCard(page, { name, title, body, closed, focus = false,
     root.style.left = `${left}px`;
     root.style.width = `${width}px`;
     root.style.maxHeight = `${(bottom - top) / zoom}px`;
-    root.classList.toggle("in-a-row", width >= 620);
+    root.classList.toggle("in-a-row", width >= 600);
     root.classList.toggle("before-a-room", presenting === 1);
     const height = root.offsetHeight * zoom;
     root.style.top = `${bottom - height}px`;

@@ -45,6 +45,7 @@ export class Publisher {
   #lesson = "";
   #held = false;
   #told = [];  // the lines of news that were there last
+  #switched = new Set();  // the overlays that were shown or hidden since the start
   #drawn = true;  // whether what is to be written was drawn
   #late = false;  // it is due, and waits for its picture
 
@@ -210,10 +211,11 @@ export class Publisher {
   #speak({ aloud = true } = {}) {
     const sentences = this.#program.text("page_summary").split(/(?<=[.!?]) (?=[A-Z\d])/);
     showSentences(document.getElementById("summary"), sentences.map((text, i) => (i ? ` ${text}` : text)), true);
-    // Each overlay is a switch that can be asked; what is told here is that one has changed.
-    const news = this.#program.text("page_news").split("\n").filter(Boolean), told = this.#told;
+    // Each overlay is a switch that can be asked. What is told here is that one has changed.
+    const news = this.#program.text("page_news").split("\n").filter(Boolean);
+    const overlay = (line) => /^(?:Shown|Hidden): (.*)/.exec(line)?.[1];
+    for (const line of news) if (aloud && overlay(line) && !this.#told.includes(line)) this.#switched.add(overlay(line));
     this.#told = news;
-    const changed = news.filter((line) => !/^(Shown|Hidden): /.test(line) || (aloud && !told.includes(line)));
-    showSentences(document.getElementById("news"), changed, aloud);
+    showSentences(document.getElementById("news"), news.filter((line) => !overlay(line) || this.#switched.has(overlay(line))), aloud);
   }
 }

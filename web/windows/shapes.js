@@ -46,6 +46,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const list = el("ul", { class: "shapes" });
   const more = button("", { onclick: () => show(list.childElementCount + atOnce) });
   const curves = el("input", { class: "field", type: "text", inputmode: "decimal", size: "8", autocomplete: "off", "aria-describedby": "shapes-curves" });
+  const told = el("p", { class: "for-readers", role: "status" });
   const said = el("span", { class: "second", id: "shapes-curves" });
   const form = el("form", { class: "row curves", onsubmit: (event) => {
     event.preventDefault();
@@ -82,7 +83,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   async function readAgain() {
     const wanted = curves.value.trim() ? typedNumber(curves.value) : undefined;
     if (wanted !== undefined && !(wanted > 0)) {
-      problem.say("How far the edges may be from the curves is a number above 0");
+      problem.say(`How far the edges may be from the curves is a number above 0, in ${lengthUnit(found)}, and not “${curves.value.trim()}”`);
       return curves.focus();
     }
     const again = await readShapes(text, wanted ?? 0);
@@ -90,6 +91,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     if (again.problem) return curves.focus();
     found = again;
     fill();
+    told.textContent = "The curves are flattened anew, and the shapes are listed with their new numbers of vertices.";
   }
   connectKeys(list);
   fill();
@@ -99,7 +101,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     name: "shapes",
     title: several ? "Which shape?" : "Flatten curves",
     body: [el("div", { class: "scroll" }, el("p", {}, several ? `${what} has ${number(found.shapes.length)} shapes. Choose the one to open.` : `${what} has curves, and a polygon has straight edges.`),
-      notes, list, more), problem, el("footer", {}, form)],
+      notes, list, more, told), problem, el("footer", {}, form)],
     focus: likely(),
   });
 }

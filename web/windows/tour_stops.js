@@ -38,7 +38,7 @@ export const stops = [
   }, {
     title: "Lifting base",
     where: ({ baseHasArea }) => baseHasArea,
-    words: () => "The green area is the lifting base. No push down inside it tips the object; coverage says how much of it that is.",
+    words: ({ coverage }) => `The green area is the lifting base. No push down inside it tips the object; coverage${coverage ? `, here ${coverage},` : ""} says how much of it that is.`,
     points: (here) => here.base(),
   }, {
     title: "Can it still move?",

@@ -33,7 +33,7 @@ std::string significant(double value, int digits);
 int decimals_for(double largest);
 
 // A value with decimals_for(largest), where `largest` is the largest value of a column: so all of
-// them line up.
+// them line up. Where that would be a long row of zeros or of digits, below 1e-6 and from 1e12 on, three significant digits.
 std::string amount(double value, double largest);
 
 // "15.2–18.1", or one number where both look the same.

@@ -88,7 +88,9 @@ int decimals_for(double largest) {
 
 std::string amount(double value, double largest) {
   constexpr double least_fixed = 1e-6;  // below, fixed() would show fewer than three digits
-  if (std::fabs(largest) < least_fixed) return significant(value, 3);
+  constexpr double most_fixed = 1e12;   // from there on more than anybody reads
+  const double size = std::fabs(largest);
+  if (size < least_fixed || size >= most_fixed) return significant(value, 3);
   return fixed(value, decimals_for(largest));
 }
 
