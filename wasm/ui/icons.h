@@ -38,6 +38,10 @@ enum class Icon : std::uint8_t {
   transform,
   compare,
   board,
+  present,
+  charts,
+  book,
+  about,
   play,
   pause,
   step_on,
@@ -47,7 +51,7 @@ enum class Icon : std::uint8_t {
   last,
   first
 };
-inline constexpr std::size_t icon_count = 33;  // without `none`
+inline constexpr std::size_t icon_count = 37;  // without `none`
 
 // Within a square of `size` pixels about `middle`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour colour);
