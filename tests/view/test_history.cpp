@@ -149,7 +149,7 @@ TEST_CASE("the drawing makes room for what the page lays over it", "[view][layou
     CHECK(room.bottom - room.top >= free.height() / 2);
     state.screen.foot = 0;
     state.screen.side = 440;
-    CHECK(layout(state).room.width() >= std::min(before.room.width(), 120.0));
+    CHECK(layout(state).room.width() >= std::min(before.room.width(), 90.0));
     if (before.wide) CHECK(card_seat(state).left >= std::min(440.0, before.room.width() - 120));
     state.screen.side = 0;
     state.screen.window_foot = height / 2.0;  // the card stands above the window

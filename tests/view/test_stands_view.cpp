@@ -124,6 +124,16 @@ TEST_CASE(
   give(page, SetMethod{Method::area});
   CHECK(now().robot.radius == 10);
   CHECK(now().goal == Goal::hold);
+  give(page, SetMethod{Method::balanced});
+  give(page, SetMethod{Method::distance});
+  CHECK(now().goal == Goal::hold);
+  give(page, SetMethod{Method::random});
+  Settings otherwise = now();  // by a script
+  otherwise.method = Method::area;
+  give(page, SetSettings{otherwise});
+  give(page, SetMethod{Method::circle});
+  CHECK(now().robot == evenlift::RobotSize{});
+  give(page, SetSettings{changed});
   give(page, SetMethod{Method::random});
   Result<Opened> again = opened(Document{page.app.state.document});
   REQUIRE(again);

@@ -12,6 +12,7 @@
 #include "marks/boxed_text.h"
 #include "marks/load_labels.h"
 #include "marks/stands.h"
+#include "marks/walkthrough_robots.h"
 #include "ui/vec.h"
 #include "walkthrough/questions.h"
 
@@ -255,6 +256,7 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   draw_answered(painter, view, reach, occupied);
   draw_ranked(painter, view, reach, occupied);
   add_lines_of_step(view, occupied);
+  for (const LoadLabel& load : loads_of_walkthrough(view)) occupied.box(load.box);
   draw_part_names(painter, view, occupied);
 }
 

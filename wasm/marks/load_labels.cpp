@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
@@ -104,9 +105,9 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   return occupied;
 }
 
-void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
-                const Outlook& outlook, Occupied& occupied) {
-  if (outlook.greatest == 0) return;
+std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size,
+                                   const Outlook& outlook, Occupied& occupied) {
+  if (outlook.greatest == 0) return {};
   const Placement& placement = *view.placement;
   const Vec2 middle = view.camera.to_screen(placement.centre_of_mass);
   const bool few = pairs_of(placement.teams) <= 8;
@@ -135,23 +136,29 @@ void draw_loads(const Painter& painter, const CanvasView& view, const RobotSize&
   // A label may cross a line where there are few of them; of many only those are shown that fit.
   const auto places =
       place_labels(requests, occupied, static_cast<double>(size.ring) + 4, few ? 60 : 8);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!places[i]) continue;
-    const Rect& box = *places[i];
-    painter.list().AddRectFilled(vec(box.left, box.top), vec(box.right, box.bottom),
-                                 view.theme.panel.at(0.88f).packed(), 6);
-    draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3),
-              over[i] ? view.theme.amber : view.theme.text, texts[i]);
-  }
+  std::vector<LoadLabel> labels;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (places[i]) labels.push_back({*places[i], std::move(texts[i]), over[i]});
+  return labels;
 }
 
-void draw_planned_loads(const Painter& painter, const CanvasView& view, const RobotSize& size,
-                        Occupied& occupied) {
+std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const RobotSize& size) {
   const Placement& placement = *view.placement;
   Outlook outlook;
   outlook.loads = loads_by(LoadModel::plan, placement, std::nullopt, 0);
   outlook.greatest = placement.loads->max;
-  draw_loads(painter, view, size, outlook, occupied);
+  Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
+  return load_labels(view, size, outlook, occupied);
+}
+
+void draw_loads(const Painter& painter, const CanvasView& view,
+                const std::vector<LoadLabel>& labels) {
+  for (const auto& [box, text, over] : labels) {
+    painter.list().AddRectFilled(vec(box.left, box.top), vec(box.right, box.bottom),
+                                 view.theme.panel.at(0.88f).packed(), 6);
+    draw_text(painter.list(), Face::strong_label, vec(box.left + 6, box.top + 3),
+              over ? view.theme.amber : view.theme.text, text);
+  }
 }
 
 void draw_ratio(const Painter& painter, const CanvasView& view) {

@@ -128,27 +128,33 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
             view.theme.amber, capitalised(error.message));
 }
 
-// What a method came to: its loads, its coverage, and where there is room whether the object can move.
-std::string result_in_words(const Placement& placement, bool wide) {
+// What a method came to: its loads, and where there is room its coverage and whether the object can move.
+std::string result_in_words(const Placement& placement, float room) {
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
-  const std::string words =
-      load_in_words(loads.min, loads.max, loads.max, placement.settings.units) + " · " +
-      percentage(placement.coverage) + " covered";
-  return wide ? words + (is_held(placement) ? " · cannot move" : " · can move") : words;
+  std::string words = load_in_words(loads.min, loads.max, loads.max, placement.settings.units);
+  for (const std::string& more :
+       {" · " + percentage(placement.coverage) + " covered",
+        std::string(is_held(placement) ? " · cannot move" : " · can move")}) {
+    if (text_size(Face::label, words + more).x > room) break;
+    words += more;
+  }
+  return words;
 }
 
 // The method's name and result over its picture, while two methods are compared: two lines, or on a narrow screen one.
 void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
   const bool wide = view.layout.wide;
+  const float room = static_cast<float>(view.window.width()) - 40;
   const std::string name =
       capitalised(std::string(evenlift::name(view.placement->settings.method))) + ", " +
       count_of(count_robots(view.placement->teams), "robot", "robots");
-  const std::string result = result_in_words(*view.placement, wide);
   const Face face = wide ? Face::strong : Face::strong_label;
-  const ImVec2 title = text_size(face, name), text = text_size(Face::label, result);
+  const ImVec2 title = text_size(face, name);
   const float beside = title.x + 10;  // where the result begins in the same line
+  const std::string result = result_in_words(*view.placement, wide ? room : room - beside);
+  const ImVec2 text = text_size(Face::label, result);
   const float width = (wide ? std::max(title.x, text.x) : beside + text.x) + 24;
   const double height = wide ? 46 : 28;
   const ImVec2 low = vec(view.window.middle().x() - static_cast<double>(width) / 2,

@@ -22,7 +22,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
     Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
     draw_slide(painter, view, &occupied);
     draw_far_regions(painter, view, &occupied);
-    draw_loads(painter, view, size, outlook, occupied);
+    draw_loads(painter, view, load_labels(view, size, outlook, occupied));
   } else {
     draw_slide(painter, view, nullptr);
     draw_far_regions(painter, view, nullptr);

@@ -41,21 +41,13 @@ void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
   }
 }
 
-// The balanced robots of the current step, with their loads from where these are told.
+// The balanced robots of the current step.
 void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.walkthrough;
   if (asks_of_other_robots(view.state)) return draw_rest_of_question(painter, view);
   if (!walk.detail.balanced) return;
   const BalancedDetail& balanced = *walk.detail.balanced;
   const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);
-  const Chapter chapter = walk.detail.step.chapter;
-  if (chapter == Chapter::loads || chapter == Chapter::grasp) {
-    // Somebody may have moved the robots of the document by hand.
-    CanvasView found = view;
-    found.placement = &walk.trace->placement;
-    Occupied occupied = occupied_by_marks(found, static_cast<double>(size.ring) + 2);
-    draw_planned_loads(painter, found, size, occupied);
-  }
   for (const Figure& figure : walk.figures)
     if (figure.kind == FigureKind::left) draw_left(painter, view, figure);
   for (std::size_t i = balanced.robots.size(); i-- > 0;)
@@ -65,18 +57,32 @@ void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view
 
 }  // namespace
 
+std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view) {
+  const Walkthrough& walk = view.state.walkthrough;
+  const std::size_t teams = view.placement->teams.size();
+  if (!walk.trace->balanced()) {
+    const std::size_t shares = walk.known.shares;
+    const bool told = shares > 0 && shares == teams && shares <= most_labelled;
+    return told ? planned_load_labels(view, robot_size(teams)) : std::vector<LoadLabel>();
+  }
+  const Chapter chapter = walk.detail.step.chapter;
+  if (asks_of_other_robots(view.state) || !walk.detail.balanced ||
+      (chapter != Chapter::loads && chapter != Chapter::grasp))
+    return {};
+  // Somebody may have moved the robots of the document by hand.
+  CanvasView found = view;
+  found.placement = &walk.trace->placement;
+  return planned_load_labels(found, robot_size((walk.detail.balanced->robots.size() + 1) / 2));
+}
+
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
+  draw_loads(painter, view, loads_of_walkthrough(view));
   if (view.state.walkthrough.trace->balanced()) return draw_balanced_of_walkthrough(painter, view);
   const Progress& known = view.state.walkthrough.known;
   if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
   const std::vector<Team>& teams = teams_at(*view.state.walkthrough.trace, known);
   const std::vector<RobotSize> sizes = robot_sizes(view, teams, known.teams);
-  if (known.shares > 0 && known.shares == placement.teams.size() && known.shares <= most_labelled) {
-    const RobotSize size = robot_size(placement.teams.size());
-    Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
-    draw_planned_loads(painter, view, size, occupied);
-  }
   for (std::size_t i = known.teams; i-- > 0;) {
     std::size_t number = robots_of(teams, i);
     for (const Robot& robot : teams[i].robots) {

@@ -1,4 +1,8 @@
 // The bar of the present tool: the buttons for drawing a polygon, or for transforming it.
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
 #include "actions/actions.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
@@ -32,9 +36,47 @@ void snap_chips(const Ui& ui) {
       [] { ImGui::SameLine(0, 6); });
 }
 
+float word_button_width(const Ui& ui, const char* label) {
+  const bool ample = ui.layout.wide && ui.layout.toolbar.width() >= 300;
+  return text_size(Face::text, label).x + (ample ? 28 : 20);
+}
+
 bool word_button(const Ui& ui, const char* label, bool enabled, bool strong = false) {
-  const float width = text_size(Face::text, label).x + (ui.layout.wide ? 28 : 20);
-  return flat_button(ui, label, label, width, enabled, strong);
+  return flat_button(ui, label, label, word_button_width(ui, label), enabled, strong);
+}
+
+constexpr float gap = 6;
+
+// How wide a row of such buttons is.
+float row_width(const Ui& ui, std::initializer_list<const char*> labels) {
+  float width = -gap;
+  for (const char* label : labels) width += gap + word_button_width(ui, label);
+  return width;
+}
+
+// What a bar below the toolbar may hold beside its own margins.
+float room_of_bar(const Ui& ui) {
+  return static_cast<float>(std::min(ui.layout.toolbar.right, ui.layout.free.right) -
+                            ui.layout.toolbar.left) -
+         16;
+}
+
+// Goes on in the same row if a button with this label has room there, or else in the next.
+void next_button(const Ui& ui, const char* label) {
+  const float end = ImGui::GetItemRectMax().x + gap + word_button_width(ui, label);
+  if (end <= static_cast<float>(ui.layout.toolbar.left) + 8 + room_of_bar(ui))
+    ImGui::SameLine(0, gap);
+}
+
+constexpr float roomy_length = 84, roomy_angle = 72;  // of the fields
+
+// Whether buttons with their whole names and the fields of the next edge fit in one row.
+bool is_roomy(const Ui& ui) {
+  const float fields = text_size(Face::label, "Length").x + text_size(Face::label, "Angle").x + 6 +
+                       roomy_length + 8 + 6 + roomy_angle;
+  return ui.layout.wide &&
+         row_width(ui, {"Close the shape", "Take one back", "Cancel"}) + 12 + fields <=
+             room_of_bar(ui);
 }
 
 void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
@@ -42,7 +84,7 @@ void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 void draw_drawing_bar(const Ui& ui) {
   const bool some = !ui.state.drawing.points.empty();
   const bool closes = ui.state.drawing.points.size() >= 3 && !ui.state.drawing.refusal;
-  const bool roomy = ui.layout.wide && ui.layout.toolbar.width() >= 560;
+  const bool roomy = is_roomy(ui);
   if (word_button(ui, roomy || !ui.layout.wide ? "Close the shape" : "Close", closes, true))
     ui.push(FinishDrawing{});
   ImGui::SameLine(0, 6);
@@ -60,20 +102,35 @@ void draw_drawing_bar(const Ui& ui) {
               ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, hint);
   }
   if (!some) return;
-  draw_edge_fields(ui, roomy ? 84 : 68, roomy ? 72 : 60);
+  draw_edge_fields(ui, roomy ? roomy_length : 68, roomy ? roomy_angle : 60);
+}
+
+// The names of the buttons that turn and scale: as long as there is room for.
+struct WholeNames {
+  const char *right, *left, *larger, *smaller;
+};
+WholeNames whole_names(const Ui& ui) {
+  constexpr WholeNames longest{"Turn −15°", "Turn 15°", "Larger", "Smaller"},
+      shorter{"−15°", "15°", "Larger", "Smaller"}, shortest{"−15°", "15°", "+", "−"};
+  for (const WholeNames& names : {longest, shorter})
+    if (row_width(ui, {"Done", names.right, names.left, names.larger, names.smaller}) <=
+        room_of_bar(ui))
+      return names;
+  return shortest;
 }
 
 void draw_whole_bar(const Ui& ui) {
   if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
-  ImGui::SameLine(0, 6);
-  const bool wide = ui.layout.wide;
-  if (word_button(ui, wide ? "Turn −15°" : "−15°", true)) run(ui, ActionId::turn_right);
-  ImGui::SameLine(0, 6);
-  if (word_button(ui, wide ? "Turn 15°" : "15°", true)) run(ui, ActionId::turn_left);
-  ImGui::SameLine(0, 6);
-  if (word_button(ui, "Larger", true)) run(ui, ActionId::larger);
-  ImGui::SameLine(0, 6);
-  if (word_button(ui, "Smaller", true)) run(ui, ActionId::smaller);
+  const WholeNames names = whole_names(ui);
+  const auto button = [&](const char* name, const char* label, ActionId id) {
+    ImGui::SameLine(0, gap);
+    const float width = std::max(word_button_width(ui, label), ui.control());
+    if (flat_button(ui, name, label, width, true, false, name)) run(ui, id);
+  };
+  button("Turn −15°", names.right, ActionId::turn_right);
+  button("Turn 15°", names.left, ActionId::turn_left);
+  button("Larger", names.larger, ActionId::larger);
+  button("Smaller", names.smaller, ActionId::smaller);
 }
 
 void draw_marking_bar(const Ui& ui) {
@@ -89,7 +146,7 @@ void draw_marking_bar(const Ui& ui) {
 void draw_vertex_bar(const Ui& ui) {
   const bool can_remove = ui.state.document.vertices.size() > 3;
   if (word_button(ui, "Remove vertex", can_remove)) run(ui, ActionId::remove_vertex);
-  ImGui::SameLine(0, 6);
+  next_button(ui, "Add one after");
   if (word_button(ui, "Add one after", true)) run(ui, ActionId::insert_vertex);
 }
 

@@ -71,6 +71,7 @@ void draw_heat_key(const Ui& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   constexpr int bands = 7;
   const float each = width / bands, top = low.y + 20;
+  float written = low.x - 4;  // where the last number ends
   draw_text(list, Face::label, ImVec2(low.x, low.y), ui.theme.second_text,
             "A push that tips it, in " + weight_unit(ui.state));
   for (int i = 0; i < bands; ++i) {
@@ -86,7 +87,8 @@ void draw_heat_key(const Ui& ui) {
     const ImVec2 size = text_size(Face::tiny, text);
     // Each level stands at the border between two bands; the last one is a word.
     const float x = last ? left + (each - size.x) / 2 : left + each - size.x / 2;
-    if (i + 2 == bands) continue;
+    if (i + 2 == bands || x < written + 4) continue;
+    written = x + size.x;
     draw_text(list, Face::tiny, ImVec2(x, top + 13), ui.theme.second_text, text);
   }
   ImGui::Dummy(ImVec2(width, 50));

@@ -47,6 +47,8 @@ struct Faces {
 };
 constexpr Faces in_panel{Face::text, Face::text, Face::strong, Face::text, Face::label};
 constexpr Faces in_a_row{Face::text, Face::label, Face::strong, Face::label, Face::label};
+constexpr Faces in_little_room{Face::text, Face::label, Face::strong_label, Face::label,
+                               Face::label};
 constexpr Faces for_a_room{Face::large, Face::text, Face::verdict, Face::text, Face::label};
 
 std::string choice_name(const Ask& ask, std::uint32_t choice) {
@@ -162,7 +164,10 @@ void draw_walkthrough_step(const Ui& ui) {
 // question takes the place of the words, so that its buttons are seen.
 void draw_walkthrough_briefly(const Ui& ui, float height) {
   const Walkthrough& walk = ui.state.walkthrough;
-  const Faces& faces = ui.state.presenting ? for_a_room : in_a_row;
+  constexpr float little = 120;
+  const Faces& faces = ui.state.presenting ? for_a_room
+                       : height < little   ? in_little_room
+                                           : in_a_row;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
   begin_scrolling_box(ui, "told", height);
   const int moment = static_cast<int>(2 * walk.at + (walk.ask ? 1 : 0));

@@ -93,19 +93,25 @@ void draw_fail_button(const Ui& ui, std::size_t robot, float width) {
     ui.push(Fail{failed ? std::nullopt : std::optional<std::size_t>(robot)});
 }
 
-// What one can do about it: below each other, or on a narrow screen, where height is precious, beside each other if
-// there is room.
-void draw_buttons(const Ui& ui, const Explanation& explanation) {
+// What one can do about it: below each other, or where height is precious beside each other.
+void draw_buttons(const Ui& ui, const Explanation& explanation, bool in_a_row) {
   constexpr float gap = 6, padding = 16;
-  constexpr char lesson[] = "Show in the lesson";
   const bool can_fail = explanation.robot && !walkthrough_is_open(ui.state);
   const float width = ImGui::GetContentRegionAvail().x, half = (width - gap) / 2;
-  const bool beside = can_fail && explanation.step && !ui.layout.wide &&
-                      text_size(Face::text, lesson).x + padding <= half;
+  const bool beside = in_a_row && can_fail && explanation.step;
+  const char* lesson = "Show in the lesson";
+  if (beside && text_size(Face::text, lesson).x + padding > half) lesson = "In the lesson";
   if (can_fail) draw_fail_button(ui, *explanation.robot, beside ? half : width);
   if (beside) ImGui::SameLine(0, gap);
   if (explanation.step && flat_button(ui, "show in lesson", lesson, beside ? half : width))
     ui.push(ShowInLesson{*explanation.step});
+}
+
+void draw_words(const Ui& ui, const Explanation& explanation) {
+  const Failure* failure = failing(ui.state);
+  if (failure && explanation.robot) return draw_failing(ui, *failure, *explanation.robot);
+  for (const Explanation::Row& row : explanation.rows) draw_row(ui, row);
+  if (!explanation.reason.empty()) text_block(Face::label, ui.theme.text, explanation.reason);
 }
 
 }  // namespace
@@ -117,7 +123,8 @@ void draw_why_card(const Ui& ui) {
   begin_card(ui, "why here", place.rect,
              {.at_bottom = place.at_bottom,
               .fixed_height = place.fills,
-              .padding = ui.layout.wide ? 14.0f : 10.0f});
+              .padding = 14,
+              .scrolls = !place.fills});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
@@ -127,14 +134,12 @@ void draw_why_card(const Ui& ui) {
   if (icon_button(ui, "close explanation", Icon::close, true, "Close (Esc)", ui.control()))
     ui.push(Explain{});
   ImGui::SetCursorScreenPos(after);
-  const Failure* failure = failing(ui.state);
-  if (failure && explanation.robot) {
-    draw_failing(ui, *failure, *explanation.robot);
-  } else {
-    for (const Explanation::Row& row : explanation.rows) draw_row(ui, row);
-    if (!explanation.reason.empty()) text_block(Face::label, ui.theme.text, explanation.reason);
-  }
-  draw_buttons(ui, explanation);
+  // Where the card has a height of its own the words scroll, and the buttons stay in sight.
+  if (place.fills)
+    begin_scrolling_box(ui, "words", ImGui::GetContentRegionAvail().y - ui.control() - 8);
+  draw_words(ui, explanation);
+  if (place.fills) end_scrolling_box(ui);
+  draw_buttons(ui, explanation, place.fills);
   ImGui::PopStyleVar();
   end_card(ui);
 }

@@ -239,12 +239,15 @@ void make_room_for_notice(const AppState& state, Layout& l) {
 
 // A window at the left takes its width from the drawing, whose margins get narrower if little is left.
 void make_room_for_window(Layout& l, double width) {
-  constexpr double least = 180;  // two thirds of it are the drawing's
+  constexpr double least = 135;  // two thirds of it are the drawing's
   const double side = std::clamp(l.free.width() - least, 0.0, width);
   const double at_left = l.room.left - l.free.left, at_right = l.free.right - l.room.right;
   for (Rect* rect : {&l.free, &l.first, &l.room, &l.tools, &l.player}) rect->left += side;
   l.tools.right += side;
   if (side == 0) return;
+  const double over = std::max(0.0, l.tools.right + l.margin - l.free.right);
+  l.tools.left -= over;
+  l.tools.right -= over;
   const double most = l.free.width() / 6;
   l.room.left = l.free.left + std::min(at_left, most);
   l.room.right = l.free.right - std::min(at_right, most);

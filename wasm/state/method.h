@@ -37,7 +37,8 @@ inline Settings with_method(Settings settings, Method method, std::uint32_t team
   return settings;
 }
 
-// What a method has no use for is set aside, and is there again with the next method that has.
+// What a method has no use for is set aside, and is there again with the next method that has. Balanced robots have a goal of
+// their own.
 struct WithMethod {
   Settings settings;
   SetAside aside;
@@ -45,11 +46,18 @@ struct WithMethod {
 inline WithMethod with_method(const Settings& now, Method method, std::uint32_t teams,
                               SetAside aside) {
   Settings settings = with_method(now, method, teams);
-  if (!takes_sizes(method) && takes_sizes(now.method)) aside = {now.robot, now.no_go, now.goal};
-  if (!takes_sizes(method)) return {std::move(settings), std::move(aside)};
-  if (aside.robot) settings.robot = *std::exchange(aside.robot, {});
-  if (aside.no_go) settings.no_go = *std::exchange(aside.no_go, {});
-  if (method != Method::balanced && aside.goal) settings.goal = std::exchange(aside.goal, {});
+  const bool had_sizes = takes_sizes(now.method), had_goal = selects_candidates(now.method);
+  if (had_sizes) {
+    aside.robot = now.robot;
+    aside.no_go = now.no_go;
+  } else if (takes_sizes(method)) {
+    settings.robot = aside.robot.value_or(settings.robot);
+    settings.no_go = aside.no_go.value_or(settings.no_go);
+  }
+  if (had_goal)
+    aside.goal = now.goal;
+  else if (selects_candidates(method) && aside.goal)
+    settings.goal = aside.goal;
   return {std::move(settings), std::move(aside)};
 }
 
