@@ -12,7 +12,7 @@ void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const The
   const double left = std::clamp(spot.x() + 14, window.left + 4,
                                  std::max(window.left + 4, window.right - width - 4));
   double top = spot.y() - height - 10;
-  if (top < window.top + 4) top = spot.y() + 18;
+  if (top < window.top + 4) top = std::max(spot.y() + 18, window.top + 4);
   const ImVec2 low = vec(left, top), high = vec(left + width, top + height);
   list.AddRectFilled(low, high, theme.panel.at(0.95f).packed(), 6);
   list.AddRect(low, high, colour.at(0.5f).packed(), 6, 0, 1);

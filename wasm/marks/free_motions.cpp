@@ -83,6 +83,9 @@ void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupi
   if (!occupied) return;
   occupied->line(tail, head);
   draw_name(painter, view, head, along, view.theme.amber, "slides", *occupied);
+  // A load may cross a chord, but not hide the arrow.
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+    occupied->disc(tail + share * (head - tail), 6);
 }
 
 void draw_far_regions(const Painter& painter, const CanvasView& view, Occupied* occupied) {

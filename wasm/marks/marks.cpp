@@ -17,6 +17,7 @@
 #include "marks/walkthrough_robots.h"
 #include "tools/pick.h"
 #include "tools/shorter_way.h"
+#include "ui/controls.h"
 #include "ui/vec.h"
 
 namespace evenlift::view {
@@ -124,8 +125,11 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
   } else {
     return;
   }
-  draw_word(painter.list(), view.camera.to_screen(spot), view.uncovered(), view.theme,
-            view.theme.amber, capitalised(error.message));
+  Rect window = view.uncovered();
+  for (const Control& control : controls())  // the vertex's bar, where it was in the last frame
+    if (control.card == "tool bar") window.top = std::max(window.top, control.window.bottom);
+  draw_word(painter.list(), view.camera.to_screen(spot), window, view.theme, view.theme.amber,
+            capitalised(error.message));
 }
 
 // What a method came to: its loads, and where there is room its coverage and whether the object can move.
