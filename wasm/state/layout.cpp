@@ -287,7 +287,7 @@ Rect room_for_backdrop(const Layout& l) {
 Camera camera_of_backdrop(const Backdrop& picture, const Layout& l) {
   const Rect room = room_for_backdrop(l);
   const Points box{picture.low, picture.high};
-  const Camera largest = fit(box, room);
+  Camera largest = fit(box, room);
   const Vec2 corner = largest.to_screen(Vec2(picture.high.x(), picture.low.y()));  // lower right
   if (corner.x() <= l.tools.left || corner.y() <= l.tools.top) return largest;
   Rect beside = room, above = room;
