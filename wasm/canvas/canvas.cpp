@@ -121,12 +121,7 @@ std::optional<Chord> pointed_chord(const CanvasView& view) {
       view.state.held.kind == Pick::Kind::robot ? view.state.held : marked_part(view.state);
   const Placement& placement = *view.placement;
   if (!can_move_teams(placement) || named.second != view.second) return std::nullopt;
-  if (named.kind == Pick::Kind::candidate && named.index < placement.candidates.size())
-    return placement.candidates[named.index].chord;
-  const bool of_team = named.kind == Pick::Kind::robot || named.kind == Pick::Kind::chord;
-  if (of_team && named.index < placement.teams.size())
-    return chord_of(placement.teams[named.index]);
-  return std::nullopt;
+  return chord_of_part(placement, named);
 }
 
 // Where its robots may stand: a soft double wedge from C to both edges.
@@ -154,12 +149,9 @@ void draw_range(const Painter& painter, const CanvasView& view) {
 // Among many candidates the marked one is a whole line, as a marked chord is.
 void draw_marked_candidate(const Painter& painter, const CanvasView& view) {
   const Pick marked = marked_part(view.state);
-  const std::vector<Candidate>& all = view.placement->candidates;
-  if (marked.kind != Pick::Kind::candidate || marked.second != view.second ||
-      marked.index >= all.size())
-    return;
-  const Chord& chord = all[marked.index].chord;
-  painter.line(chord.r1.position, chord.r2.position, view.theme.accent_on_object, 3);
+  if (marked.kind != Pick::Kind::candidate || marked.second != view.second) return;
+  if (const std::optional<Chord> chord = chord_of_part(*view.placement, marked))
+    painter.line(chord->r1.position, chord->r2.position, view.theme.accent_on_object, 3);
 }
 
 void draw_picture(const Painter& painter, const CanvasView& view) {

@@ -256,8 +256,10 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   draw_answered(painter, view, reach, occupied);
   draw_ranked(painter, view, reach, occupied);
   add_lines_of_step(view, occupied);
-  for (const LoadLabel& load : loads_of_walkthrough(view)) occupied.box(load.box);
+  const std::vector<LoadLabel> loads = loads_of_walkthrough(view);
+  for (const LoadLabel& load : loads) occupied.box(load.box);
   draw_part_names(painter, view, occupied);
+  draw_loads(painter, view, loads);
 }
 
 }  // namespace evenlift::view

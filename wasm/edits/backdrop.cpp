@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "edits/draw_polygon.h"
 #include "edits/placing.h"
 #include "evenlift/document.h"
-#include "state/browser.h"
 #include "state/layout.h"
 
 namespace evenlift::view {
@@ -38,14 +36,11 @@ bool all_within(const Points& points, const Scaled& scaled) {
   });
 }
 
-void scale_drawing(Drawing& drawing, const Scaled& scaled) {
+void scale_drawing(AppState& state, const Scaled& scaled) {
+  Drawing& drawing = state.drawing;
   for (Points* points : {&drawing.points, &drawing.undone}) scaled(*points);
-  scaled(drawing.cursor);
-  scaled(drawing.last_cursor);
-  drawing.length.reset();
-  drawing.degrees.reset();
-  drawing.checked = false;
-  drawing.refusal.reset();
+  for (std::optional<Vec2>* cursor : {&drawing.cursor, &drawing.last_cursor}) scaled(*cursor);
+  renew_drawing(state);
 }
 
 }  // namespace
@@ -69,10 +64,7 @@ std::string scale_picture(AppState& state, double width) {
   if (traced) begin_edit(state, false, Edit::whole);
   state.backdrop->high = scaled(state.backdrop->high);
   state.backdrop->low = Vec2(0, 0);
-  if (draws) {
-    scale_drawing(state.drawing, scaled);
-    browser::document_changed();
-  }
+  if (draws) scale_drawing(state, scaled);
   if (traced) {
     scaled(state.document.vertices);
     scaled(state.document.centre_of_mass);

@@ -18,17 +18,6 @@
 namespace evenlift::view {
 namespace {
 
-// After a change of the placed vertices.
-void renew_drawing(AppState& state) {
-  Drawing& drawing = state.drawing;
-  drawing.length.reset();
-  drawing.degrees.reset();
-  drawing.checked = false;
-  drawing.refusal.reset();
-  show(state, {});
-  browser::document_changed();
-}
-
 // Moves the last point to the end of others. Returns false if there is none.
 bool move_last(Points& from, Points& to) {
   if (from.empty()) return false;
@@ -45,6 +34,16 @@ void check_drawing(Drawing& drawing) {
 }
 
 }  // namespace
+
+void renew_drawing(AppState& state) {
+  Drawing& drawing = state.drawing;
+  drawing.length.reset();
+  drawing.degrees.reset();
+  drawing.checked = false;
+  drawing.refusal.reset();
+  show(state, {});
+  browser::document_changed();
+}
 
 void take_tool(AppState& state, Tool tool) {
   if (tool == Tool::draw && walkthrough_is_open(state)) close_walkthrough(state);

@@ -13,6 +13,9 @@ namespace evenlift::view {
 // Takes another tool, and forgets what was drawn.
 void take_tool(AppState& state, Tool tool);
 
+// After a change of the placed vertices: what was typed of the next edge, and whether the shape can be closed, is forgotten.
+void renew_drawing(AppState& state);
+
 void add_point(AppState& state, const Vec2& at);
 void move_point(AppState& state, std::size_t point, const Vec2& to);
 void take_point_back(AppState& state);

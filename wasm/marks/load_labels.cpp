@@ -53,11 +53,7 @@ std::optional<Chord> pointed_chord(const CanvasView& view) {
   if (placement.settings.method == Method::balanced || view.failure() || at.second != view.second ||
       view.state.held.kind != Pick::Kind::none)
     return std::nullopt;
-  const bool of_team = at.kind == Pick::Kind::robot || at.kind == Pick::Kind::chord;
-  if (of_team && at.index < placement.teams.size()) return chord_of(placement.teams[at.index]);
-  if (at.kind == Pick::Kind::candidate && at.index < placement.candidates.size())
-    return placement.candidates[at.index].chord;
-  return std::nullopt;
+  return chord_of_part(placement, at);
 }
 
 }  // namespace

@@ -77,7 +77,6 @@ std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view) {
 
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
-  draw_loads(painter, view, loads_of_walkthrough(view));
   if (view.state.walkthrough.trace->balanced()) return draw_balanced_of_walkthrough(painter, view);
   const Progress& known = view.state.walkthrough.known;
   if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);

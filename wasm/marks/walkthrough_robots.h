@@ -8,10 +8,10 @@
 
 namespace evenlift::view {
 
-// What is written beside them, once all loads are known; other names keep clear of it.
+// What is written beside the robots once all loads are known. Names keep clear of it (canvas_walkthrough.cpp).
 std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view);
 
-// The robots placed up to the current step; their loads are written once all of them are known.
+// The robots placed up to the current step.
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

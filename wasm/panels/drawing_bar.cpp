@@ -16,8 +16,10 @@
 namespace evenlift::view {
 namespace {
 
+constexpr float gap = 6;  // between buttons
+
 float snap_chips_width() {
-  return switch_chip_width("Snap to grid") + 6 + switch_chip_width("Snap to axis");
+  return switch_chip_width("Snap to grid") + gap + switch_chip_width("Snap to axis");
 }
 
 template <typename Switch>
@@ -33,7 +35,7 @@ void snap_switches(const Ui& ui, Switch one, void (*between)()) {
 void snap_chips(const Ui& ui) {
   snap_switches(
       ui, [&](const char* label, bool on) { return switch_chip(ui, label, on); },
-      [] { ImGui::SameLine(0, 6); });
+      [] { ImGui::SameLine(0, gap); });
 }
 
 float word_button_width(const Ui& ui, const char* label) {
@@ -44,8 +46,6 @@ float word_button_width(const Ui& ui, const char* label) {
 bool word_button(const Ui& ui, const char* label, bool enabled, bool strong = false) {
   return flat_button(ui, label, label, word_button_width(ui, label), enabled, strong);
 }
-
-constexpr float gap = 6;
 
 // How wide a row of such buttons is.
 float row_width(const Ui& ui, std::initializer_list<const char*> labels) {
@@ -87,9 +87,9 @@ void draw_drawing_bar(const Ui& ui) {
   const bool roomy = is_roomy(ui);
   if (word_button(ui, roomy || !ui.layout.wide ? "Close the shape" : "Close", closes, true))
     ui.push(FinishDrawing{});
-  ImGui::SameLine(0, 6);
+  ImGui::SameLine(0, gap);
   if (word_button(ui, roomy ? "Take one back" : "Back", some)) ui.push(TakePointBack{});
-  ImGui::SameLine(0, 6);
+  ImGui::SameLine(0, gap);
   if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
   if (!ui.layout.wide) return;
   if (roomy && some) ImGui::SameLine(0, 12);
@@ -135,7 +135,7 @@ void draw_whole_bar(const Ui& ui) {
 
 void draw_marking_bar(const Ui& ui) {
   if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
-  ImGui::SameLine(0, 6);
+  ImGui::SameLine(0, gap);
   Settings changed = settings(ui.state);
   if (!word_button(ui, ui.layout.wide ? "Remove all marks" : "Remove all", !changed.no_go.empty()))
     return;

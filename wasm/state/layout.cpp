@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "state/method.h"
+
 namespace evenlift::view {
 namespace {
 
@@ -268,8 +270,7 @@ namespace {
 // How far robots with a size stand out beyond the object. Where they are larger than it, they may be cut off.
 double stands_out(const Settings& settings, double size) {
   const RobotSize& robot = settings.robot;
-  const bool placed = settings.method == Method::balanced || selects_candidates(settings.method);
-  if (!placed || !(robot.radius > 0)) return 0;
+  if (!takes_sizes(settings.method) || !(robot.radius > 0)) return 0;
   return std::min(2 * robot.radius + robot.reach, size);
 }
 

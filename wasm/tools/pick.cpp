@@ -131,6 +131,14 @@ Pick marked_part(const AppState& state) {
   return part || !state.explanation ? state.hover : state.explanation->of;
 }
 
+std::optional<Chord> chord_of_part(const Placement& placement, const Pick& part) {
+  if (part.kind == Pick::Kind::candidate && part.index < placement.candidates.size())
+    return placement.candidates[part.index].chord;
+  const bool of_team = part.kind == Pick::Kind::robot || part.kind == Pick::Kind::chord;
+  if (of_team && part.index < placement.teams.size()) return chord_of(placement.teams[part.index]);
+  return std::nullopt;
+}
+
 Vec2 centre_of_mass(const AppState& state) {
   if (state.document.centre_of_mass) return *state.document.centre_of_mass;
   if (state.placement) return state.placement->centre_of_mass;

@@ -34,6 +34,9 @@ bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index);
 // The robot, chord or candidate under the pointer, or else the one whose card is open: the drawing marks it.
 Pick marked_part(const AppState& state);
 
+// The chord of a robot's team, of a team or of a candidate; nothing of other parts, nor where the placement has none such.
+std::optional<Chord> chord_of_part(const Placement& placement, const Pick& part);
+
 // The document's centre of mass; if it has none, that of the last good placement.
 Vec2 centre_of_mass(const AppState& state);
 
