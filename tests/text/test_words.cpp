@@ -263,6 +263,7 @@ TEST_CASE("values of a kind have three significant digits of the largest", "[wor
   CHECK(amount(15.24, 18.06) == "15.2");
   CHECK(amount(0.5, 150) == "1");
   CHECK(amount(1.2345e-20, 2e-20) == "1.23e−20");
+  CHECK(amount(1.2345e29, 1e30) == "1.23e+29");
   CHECK(amount(0, 0) == "0");
   CHECK(plainly(load_in_words(15.24, 18.06, 18.06, {})) == "15.2–18.1 kg");
   CHECK(plainly(load_in_words(18.04, 18.02, 18.04, {})) == "18.0 kg");
