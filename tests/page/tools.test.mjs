@@ -1,7 +1,7 @@
 // Drawing, taking hold of the whole, comparing, what tips, capacity: what a person does on the canvas.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, drawsNothing, idle, load, openL, phone, press, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { asset, control, controlIfShown, drag, drawsNothing, idle, load, openL, phone, press, sharedBrowser, state, tap, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -227,6 +227,26 @@ test("the tool's bar has what fits beside the drawing; the rest is in the toolba
       await idle(page);
       assert.ok(await step() > 2 * fine, "arrows go from dot to dot");
     }
+    await page.done();
+  }
+});
+
+test("on a phone the buttons of a selected vertex stand on the sheet, not over the drawing", async () => {
+  for (const [width, height] of [[390, 844], [320, 568]]) {
+    const page = await opened({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    const teams = await control(page, "teams");
+    await page.keyboard.press("v");
+    await idle(page);
+    const remove = await control(page, "Remove vertex");
+    assert.equal(remove.middle[1], teams.middle[1], "in the row of the teams");
+    const count = (await state(page)).polygon.length;
+    await tap(page, "Add one after");
+    await idle(page);
+    assert.equal((await state(page)).polygon.length, count + 1);
+    await page.keyboard.press("Escape");
+    await idle(page);
+    assert.equal(await controlIfShown(page, "Remove vertex"), null);
+    assert.equal((await control(page, "teams")).middle[1], teams.middle[1]);
     await page.done();
   }
 });

@@ -148,10 +148,10 @@ TEST_CASE("the drawing makes room for what the page lays over it", "[view][layou
     CHECK(room.bottom <= free.bottom - std::min(48.0, free.height() / 4));
     CHECK(room.bottom - room.top >= free.height() / 2);
     state.screen.foot = 0;
-    state.screen.side = 440;
+    state.screen.window_left = 440;
     CHECK(layout(state).room.width() >= std::min(before.room.width(), 90.0));
     if (before.wide) CHECK(card_seat(state).left >= std::min(440.0, before.room.width() - 120));
-    state.screen.side = 0;
+    state.screen.window_left = 0;
     state.screen.window_foot = height / 2.0;  // the card stands above the window
     CHECK(layout(state).free.bottom <= height / 2.0);
     CHECK(card_seat(state).bottom <= height / 2.0);

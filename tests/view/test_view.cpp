@@ -396,13 +396,57 @@ TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leav
   CHECK(layout(state).room.right < layout(state).panel.left);
 }
 
+TEST_CASE(
+    "on a small screen the verdict's words give way to two pictures, and to the whole in its frame",
+    "[view]") {
+  Page page;
+  AppState& state = page.app.state;
+  for (const auto& [width, height] : {std::pair(320.0, 568.0), {390.0, 500.0}}) {
+    CAPTURE(width, height);
+    state.screen.width = width;
+    state.screen.height = height;
+    settle(page.app);
+    for (int i = 0; i < 4; ++i) page.frame();  // the sheet measures itself
+    CHECK_FALSE(layout(state).brief);
+    const double alone = layout(state).room.height();
+    state.tool = Tool::transform;
+    CHECK(layout(state).brief);
+    CHECK(layout(state).room.height() >= 70);
+    state.tool = Tool::parts;
+    state.second_method = Method::circle;
+    CHECK(layout(state).brief);
+    CHECK(layout(state).room.height() >= 65);
+    state.second_method.reset();
+    CHECK(layout(state).room.height() == alone);
+  }
+  state.screen.width = 390;
+  state.screen.height = 844;
+  state.second_method = Method::circle;
+  CHECK_FALSE(layout(state).brief);
+}
+
+TEST_CASE(
+    "a window over the panel leaves the drawing as it is, and takes its width where the panel is folded",
+    "[view]") {
+  AppState state;
+  state.screen.width = 844;
+  state.screen.height = 390;
+  const Layout before = layout(state);
+  state.screen.window_right = state.screen.width - before.panel.left;
+  CHECK(layout(state).free == before.free);
+  CHECK(layout(state).room == before.room);
+  state.panel_open = false;
+  CHECK(layout(state).free.right == before.free.right);
+  state.second_method = Method::circle;
+  CHECK(layout(state).second.right == before.free.right);
+  state.screen.window_right = 0;
+  CHECK(layout(state).free.right > before.free.right + 200);
+}
+
 TEST_CASE("a notice of several lines covers no robot where the view fits", "[view]") {
   const std::string text =
       "The drawing has 3 shapes; the largest is open, with its holes filled. Curves became straight edges that are at "
       "most 0.1 mm away from them, and Open can read it again with other choices.";
-  const std::string shorter =
-      "“drawing.svg” is opened. 1 text was left out. Curves were flattened to within 0.2 units of the drawing, which "
-      "“Open” can change. Undo brings back the previous polygon.";
   for (const auto& path : assets()) {
     CAPTURE(path.stem().string());
     Page page(asset(path));
@@ -414,7 +458,7 @@ TEST_CASE("a notice of several lines covers no robot where the view fits", "[vie
       settle(page.app);
       page.frame();
       const Rect without = layout(state).room;
-      page.app.commands = {ShowNotice{{Notice::Kind::problem, width < 390 ? shorter : text}}};
+      page.app.commands = {ShowNotice{{Notice::Kind::problem, text}}};
       settle(page.app);
       for (int i = 0; i < 4; ++i) page.frame();  // it measures itself
       REQUIRE(state.notice_height > 40);

@@ -1,7 +1,7 @@
 // The coordinates beside the canvas.
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
-import { drag, evenlift, idle, load, lShape, phone, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
+import { controlIfShown, drag, evenlift, idle, load, lShape, phone, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
 import { allClosed, closeAll, openWindow } from "../page/windows.mjs";
 
 let page;
@@ -191,4 +191,18 @@ test("on a phone it is the whole screen, for fingers", async () => {
   await window.getByRole("button", { name: "Close" }).tap();
   await allClosed(small);
   await small.done();
+});
+
+test("on a phone on its side it lies over the panel, and the drawing stays where it is", async () => {
+  const low = await browser.open({ viewport: { width: 740, height: 360 }, hasTouch: true, isMobile: true });
+  await idle(low);
+  const corner = () => toScreen(low, [0, 0]);
+  const before = await corner();
+  await openWindow(low, "table");
+  await idle(low);
+  assert.deepEqual(await corner(), before);
+  const window = await low.locator("#table").boundingBox();
+  const panel = await controlIfShown(low, "fold");
+  assert.ok(window.x < panel.x && window.x + window.width >= panel.x + panel.width);
+  await low.done();
 });

@@ -154,9 +154,9 @@ std::string hint(const AppState& state) {
 
 std::string shown_hint(const AppState& state, const Layout& layout) {
   // A phone has neither the room nor the wheel that it speaks of; a notice stands in its place.
-  if (!state.notice.text.empty() || state.screen.foot > 0 || state.screen.side > 0 ||
-      state.screen.window_foot > 0 || !layout.wide || state.screen.finger ||
-      state.screen.height < 560)
+  if (!state.notice.text.empty() || state.screen.foot > 0 || state.screen.window_left > 0 ||
+      state.screen.window_right > 0 || state.screen.window_foot > 0 || !layout.wide ||
+      state.screen.finger || state.screen.height < 560)
     return {};
   std::string text = hint(state);
   const double room = layout.free.right - layout.tools.right - 22 - 10 - layout.margin;

@@ -9,6 +9,7 @@
 #include "evenlift/output/words.h"
 #include "marks/stands.h"
 #include "tools/pick.h"
+#include "tools/transform.h"
 #include "ui/controls.h"
 #include "ui/vec.h"
 
@@ -98,6 +99,13 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
     occupied.line(view.camera.to_screen(base[i]),
                   view.camera.to_screen(base[i + 1 == base.size() ? 0 : i + 1]));
   if (const std::optional<Rect> coverage = coverage_box(view)) occupied.box(*coverage);
+  if (view.state.tool == Tool::transform) {
+    constexpr double reach_of_grip = 10;
+    const Rect frame = transform_frame(view.state);
+    for (const FrameGrip grip : corner_grips)
+      occupied.box(about(grip_place(view.state, frame, grip), reach_of_grip));
+    occupied.box(about(grip_place(view.state, frame, FrameGrip::turn), reach_of_grip));
+  }
   return occupied;
 }
 

@@ -272,13 +272,13 @@ EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const ch
   browser::request_frame();
 }
 
-// A window of the page covers the canvas left of and below these coordinates, in CSS pixels; 0 ends either.
-EMSCRIPTEN_KEEPALIVE void page_cover(double left, double below) {
+// How much of the canvas a window of the page covers at its left, at its right and at its foot, in CSS pixels.
+EMSCRIPTEN_KEEPALIVE void page_cover(double left, double right, double foot) {
   AppState& state = app().state;
-  left /= state.screen.zoom;
-  below /= state.screen.zoom;
-  state.screen.side = left;
-  state.screen.window_foot = below > 0 ? std::max(0.0, state.screen.height - below) : 0;
+  Screen& screen = state.screen;
+  screen.window_left = std::clamp(left / screen.zoom, 0.0, screen.width);
+  screen.window_right = std::clamp(right / screen.zoom, 0.0, screen.width);
+  screen.window_foot = std::clamp(foot / screen.zoom, 0.0, screen.height);
   frame_view(state);
   browser::request_frame();
 }

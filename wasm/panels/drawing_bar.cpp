@@ -61,22 +61,21 @@ float room_of_bar(const Ui& ui) {
          16;
 }
 
-// Goes on in the same row if a button with this label has room there, or else in the next.
-void next_button(const Ui& ui, const char* label) {
-  const float end = ImGui::GetItemRectMax().x + gap + word_button_width(ui, label);
-  if (end <= static_cast<float>(ui.layout.toolbar.left) + 8 + room_of_bar(ui))
-    ImGui::SameLine(0, gap);
+// The fields of the next edge, and how wide they are with their names.
+struct FieldWidths {
+  float length, angle;
+};
+constexpr FieldWidths roomy_fields{84, 72}, small_fields{68, 60};
+float width_of(const FieldWidths& fields) {
+  return text_size(Face::label, "Length").x + 6 + fields.length + 8 +
+         text_size(Face::label, "Angle").x + 6 + fields.angle;
 }
-
-constexpr float roomy_length = 84, roomy_angle = 72;  // of the fields
 
 // Whether buttons with their whole names and the fields of the next edge fit in one row.
 bool is_roomy(const Ui& ui) {
-  const float fields = text_size(Face::label, "Length").x + text_size(Face::label, "Angle").x + 6 +
-                       roomy_length + 8 + 6 + roomy_angle;
-  return ui.layout.wide &&
-         row_width(ui, {"Close the shape", "Take one back", "Cancel"}) + 12 + fields <=
-             room_of_bar(ui);
+  return ui.layout.wide && row_width(ui, {"Close the shape", "Take one back", "Cancel"}) + 12 +
+                                   width_of(roomy_fields) <=
+                               room_of_bar(ui);
 }
 
 void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
@@ -92,17 +91,15 @@ void draw_drawing_bar(const Ui& ui) {
   ImGui::SameLine(0, gap);
   if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
   if (!ui.layout.wide) return;
-  if (roomy && some) ImGui::SameLine(0, 12);
-  // The bar is as high before the first vertex, so that it does not come to lie over that.
-  if (!some && !roomy) {
-    constexpr char hint[] = "Each vertex can be moved as you draw.";
-    const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, hint);
-    ImGui::Dummy(ImVec2(text.x, ui.control()));
-    draw_text(*ImGui::GetWindowDrawList(), Face::label,
-              ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, hint);
-  }
-  if (!some) return;
-  draw_edge_fields(ui, roomy ? roomy_length : 68, roomy ? roomy_angle : 60);
+  if (roomy) ImGui::SameLine(0, 12);
+  const FieldWidths fields = roomy ? roomy_fields : small_fields;
+  if (some) return draw_edge_fields(ui, fields.length, fields.angle);
+  // The bar is as large before the first vertex, so that it does not come to lie over that.
+  constexpr char hint[] = "Each vertex can be moved as you draw.";
+  const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, hint);
+  ImGui::Dummy(ImVec2(std::max(text.x, width_of(fields)), ui.control()));
+  draw_text(*ImGui::GetWindowDrawList(), Face::label,
+            ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, hint);
 }
 
 // The names of the buttons that turn and scale: as long as there is room for.
@@ -143,14 +140,20 @@ void draw_marking_bar(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
-void draw_vertex_bar(const Ui& ui) {
-  const bool can_remove = ui.state.document.vertices.size() > 3;
-  if (word_button(ui, "Remove vertex", can_remove)) run(ui, ActionId::remove_vertex);
-  next_button(ui, "Add one after");
-  if (word_button(ui, "Add one after", true)) run(ui, ActionId::insert_vertex);
-}
-
 }  // namespace
+
+void draw_vertex_buttons(const Ui& ui) {
+  constexpr const char *remove = "Remove vertex", *add = "Add one after";
+  const bool can_remove = ui.state.document.vertices.size() > 3;
+  const bool on_sheet = vertex_is_on_sheet(ui.state);
+  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const auto width = [&](const char* label) {
+    return on_sheet ? half : word_button_width(ui, label);
+  };
+  if (flat_button(ui, remove, remove, width(remove), can_remove)) run(ui, ActionId::remove_vertex);
+  ImGui::SameLine(0, gap);
+  if (flat_button(ui, add, add, width(add))) run(ui, ActionId::insert_vertex);
+}
 
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
   const Drawing& drawing = ui.state.drawing;
@@ -180,19 +183,26 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
   if (length.withdrawn || angle.withdrawn) ui.push(WithdrawEdge{});
 }
 
+bool vertex_is_on_sheet(const AppState& state) {
+  return state.tool == Tool::parts && state.selected && !layout(state).wide &&
+         state.sheet == Sheet::closed;
+}
+
 bool has_tool_bar(const AppState& state) {
   if (state.screen.embed) return false;
-  const bool held = state.held.kind != Pick::Kind::none;
   const Layout places = layout(state);
   if (!places.wide && state.sheet == Sheet::full) return false;  // the drawing is covered
-  // On a small screen it would cover robots while one asks about them.
-  const bool asks = state.explanation && (!places.wide || places.low);
-  return state.tool != Tool::parts || (state.selected && !held && !asks);
+  if (state.tool != Tool::parts) return true;
+  const bool held = state.held.kind != Pick::Kind::none;
+  // On a low screen it would cover robots while one asks about them.
+  return state.selected && !held && !vertex_is_on_sheet(state) &&
+         !(state.explanation && places.low);
 }
 
 bool snaps_in_menu(const Ui& ui) {
   const bool little_room = ui.layout.low || (!ui.layout.wide && ui.state.tool != Tool::draw);
-  return little_room && ui.state.tool != Tool::mark && has_tool_bar(ui.state);
+  return little_room && ui.state.tool != Tool::mark &&
+         (has_tool_bar(ui.state) || vertex_is_on_sheet(ui.state));
 }
 
 void draw_snap_choices(const Ui& ui) {
@@ -200,12 +210,27 @@ void draw_snap_choices(const Ui& ui) {
       ui, [&](const char* label, bool on) { return choice(ui, label, nullptr, on); }, [] {});
 }
 
+namespace {
+
+// Whether, on a low screen, the selected vertex is where its bar would stand below the toolbar.
+bool covers_vertex(const Ui& ui) {
+  const AppState& state = ui.state;
+  if (state.tool != Tool::parts || !ui.layout.low) return false;
+  const Vec2 at = state.camera.to_screen(state.document.vertices[*state.selected]);
+  return at.y() < ui.layout.free.middle().y();
+}
+
+}  // namespace
+
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
   if (!has_tool_bar(state)) return;
   const Rect& at = ui.layout.toolbar;
-  begin_card(ui, "tool bar", {at.left, at.bottom + 8, at.right, at.bottom + 160},
-             {.fixed_width = false, .padding = 8});
+  const bool at_foot = covers_vertex(ui);
+  const Rect below_toolbar{at.left, at.bottom + 8, at.right, at.bottom + 160},
+      foot{at.left, at.bottom + 8, at.right, ui.layout.free.bottom - ui.layout.margin};
+  begin_card(ui, "tool bar", at_foot ? foot : below_toolbar,
+             {.at_bottom = at_foot, .fixed_width = false, .padding = 8});
   if (state.tool == Tool::draw)
     draw_drawing_bar(ui);
   else if (state.tool == Tool::transform)
@@ -213,7 +238,7 @@ void draw_tool_bar(const Ui& ui) {
   else if (state.tool == Tool::mark)
     return draw_marking_bar(ui), end_card(ui);
   else
-    draw_vertex_bar(ui);
+    draw_vertex_buttons(ui);
   const double end = static_cast<double>(ImGui::GetItemRectMax().x + snap_chips_width()) + 12 + 8;
   const bool fits = end <= at.right;
   if (fits) ImGui::SameLine(0, 12);

@@ -57,7 +57,7 @@ void draw_heading(const Ui& ui, const Columns& c) {
             loads);
   right_aligned(list, Face::label, c.span, y, ui.theme.second_text, "Length");
   right_aligned(list, Face::label, c.ratio, y, ui.theme.second_text, "Ratio");
-  ImGui::Dummy(ImVec2(1, 18));
+  ImGui::Dummy(ImVec2(1, line_height(Face::label)));
 }
 
 // The load of a robot as a bar, which is fainter from the least of a range on, and as a number.
@@ -181,7 +181,7 @@ void draw_robots(const Ui& ui, const Columns& c) {
   draw_text(list, Face::label, at, ui.theme.second_text, "Robot");
   right_aligned(list, Face::label, c.ratio, at.y + 8, ui.theme.second_text,
                 "Load in " + weight_unit(ui.state));
-  ImGui::Dummy(ImVec2(1, 18));
+  ImGui::Dummy(ImVec2(1, line_height(Face::label)));
   const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   for (std::size_t i = 0; i < words.at.size(); ++i) draw_robot_row(ui, c, i, words);
 }

@@ -1,6 +1,6 @@
 // The verdict: a large sentence, and an icon that says the same without words.
 #include <algorithm>
-#include <span>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -37,19 +37,16 @@ Sign sign_of(const Theme& theme, Mood mood) {
   return {Icon::draw, theme.accent};
 }
 
-// A text in the first of the faces, from large to small, of which so many lines of the first hold it; or
-// else in the last.
-void draw_fitting(Colour colour, const std::string& text, float width, std::span<const Face> faces,
-                  std::size_t lines) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = line_height(faces.front()) * static_cast<float>(lines);
-  const auto room = [&](Face face) { return static_cast<std::size_t>(height / line_height(face)); };
-  const auto fits = [&](Face face) { return broken_lines(face, text, width).size() <= room(face); };
-  const auto found = std::find_if(faces.begin(), faces.end(), fits);
-  const Face face = found == faces.end() ? faces.back() : *found;
-  text_block_of(face, colour, text, width, room(face));
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
-}
+// The headline and what else is said, in the first of these sizes, from large to small, in which the room holds both.
+struct Sizes {
+  Face headline, rest;
+};
+constexpr Sizes sizes[] = {
+    {Face::verdict, Face::text}, {Face::strong, Face::text}, {Face::strong, Face::label}};
+
+// As high whatever the result is: three lines of each beside the drawing, in a sheet two and three; the headline alone.
+constexpr float after_sign = 32, below_headline = 4;
+constexpr float beside_drawing = 152, in_sheet = 124, headline_alone = 64;
 
 void draw_sign(const Ui& ui, Mood mood, ImVec2 middle) {
   const Sign sign = sign_of(ui.theme, mood);
@@ -73,52 +70,84 @@ void draw_lower_ratio(const Ui& ui, double best) {
   ImGui::SetCursorScreenPos(below);
 }
 
-}  // namespace
-
-void draw_headline(const Ui& ui) {
-  const Verdict v = verdict(ui.state);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  const ImVec2 middle(at.x + 11, at.y + 14);
+void draw_mood(const Ui& ui, const Verdict& v) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), middle(at.x + 11, at.y + 14);
   draw_sign(ui, v.mood, middle);
   if (v.searching)
     ImGui::GetWindowDrawList()->AddCircle(middle, 14, ui.theme.accent.packed(), 32, 1.5f);
+}
 
-  ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y));
-  // The fold button stands to the right of the headline.
-  const float free = width - 32 - (ui.layout.wide ? ui.control() - 8 : 0);
-  constexpr Face large[] = {Face::verdict, Face::strong, Face::strong_label};
-  draw_fitting(ui.theme.text, v.headline, free, large, 2);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, ImGui::GetCursorScreenPos().y + 4));
+// Always takes the same height. `rest` may be empty.
+void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& rest) {
+  draw_mood(ui, v);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  // The fold button of the side panel stands to the right of the headline.
+  const float beside = width - after_sign - (ui.layout.wide ? ui.control() - 8 : 0);
+  const auto height_of_headline = [&](Face face) {
+    return height_of(face, broken_lines(face, v.headline, beside)) + below_headline;
+  };
+  const auto fits = [&](const Sizes& s) {
+    return height_of_headline(s.headline) + height_of(s.rest, broken_lines(s.rest, rest, width)) <=
+           height;
+  };
+  const auto* const found = std::find_if(std::begin(sizes), std::end(sizes), fits);
+  const Sizes& s = found == std::end(sizes) ? *std::prev(found) : *found;
+  const auto lines = [](float room, Face face) {
+    return static_cast<std::size_t>(std::max(room, 0.0f) / line_height(face));
+  };
+
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::SetCursorScreenPos(ImVec2(at.x + after_sign, at.y));
+  const float high = std::min(height_of_headline(s.headline), height);
+  text_block_of(s.headline, ui.theme.text, v.headline, beside, lines(high, s.headline));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + high));
+  text_block_of(s.rest, ui.theme.second_text, rest, width, lines(height - high, s.rest));
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
   ImGui::Dummy(ImVec2(width, 0));
   ImGui::PopStyleVar();
 }
 
-// Always as high, so that the controls below stay where they are when the result changes.
-void draw_verdict(const Ui& ui) {
-  draw_headline(ui);
-  if (!ui.layout.brief) draw_verdict_details(ui);
+// What is wrong comes first.
+std::string rest_of(const Ui& ui, const Verdict& v) {
+  return overload_in_brief(ui.state) + v.detail;
 }
+
+void draw_failures_below(const Ui& ui) {
+  // The words may fill their room.
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.layout.wide ? 8 : 4));
+  draw_failures(ui);
+}
+
+void draw_way_to_best_ratio(const Ui& ui, const Verdict& v) {
+  if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
+}
+
+}  // namespace
+
+void draw_headline(const Ui& ui) { draw_in(ui, headline_alone, verdict(ui.state), {}); }
 
 void draw_verdict_words(const Ui& ui) {
   const Verdict v = verdict(ui.state);
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  constexpr Face small[] = {Face::text, Face::label};
-  // What is wrong comes first.
-  draw_fitting(ui.theme.second_text, overload_in_brief(ui.state) + v.detail, width, small,
-               ui.layout.wide ? 4 : 3);
-  ImGui::Dummy(ImVec2(width, 0));
-  if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
-  ImGui::PopStyleVar();
+  draw_in(ui, ui.layout.wide ? beside_drawing : in_sheet, v, rest_of(ui, v));
+  draw_way_to_best_ratio(ui, v);
 }
 
 void draw_verdict_details(const Ui& ui) {
+  constexpr std::size_t usual = 3;  // lines
+  const Verdict v = verdict(ui.state);
+  const std::string rest = rest_of(ui, v);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::size_t lines = broken_lines(Face::text, rest, width).size();
+  text_block_of(Face::text, ui.theme.second_text, rest, width, std::max(lines, usual));
+  draw_way_to_best_ratio(ui, v);
+  draw_failures_below(ui);
+}
+
+void draw_verdict(const Ui& ui) {
+  if (ui.layout.brief) return draw_headline(ui);
   draw_verdict_words(ui);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() +
-                       (ui.layout.wide ? 8 : 4));  // words may fill their room
-  draw_failures(ui);
+  draw_failures_below(ui);
 }
 
 void draw_embedded_verdict(const Ui& ui) {

@@ -21,7 +21,7 @@ bool compares(const AppState& s) { return s.second.has_value() && s.second_metho
 constexpr Panel side_panel[] = {
     {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
     {"overlays", draw_overlays, false}, {"comparison", draw_comparison, true, compares},
-    {"numbers", draw_numbers, true},    {"teams", draw_teams, true},
+    {"teams", draw_teams, true},        {"numbers", draw_numbers, true},
 };
 bool ranks(const AppState& s) {
   const auto& scores = s.walkthrough.detail.scores;
@@ -174,8 +174,9 @@ void draw_step_and_row(const Ui& ui) {
   draw_player_row(ui);
 }
 
-// While one draws the next edge stands where the teams will be: over the drawing it would cover it, and there are no teams yet.
+// What is selected, or the next edge while one draws, stands where the teams are otherwise: over the drawing it would cover that.
 void draw_row_below_verdict(const Ui& ui) {
+  if (vertex_is_on_sheet(ui.state)) return draw_vertex_buttons(ui);
   if (ui.state.tool != Tool::draw || ui.state.drawing.points.empty()) return draw_teams_stepper(ui);
   const float labels = text_size(Face::label, "Length").x + text_size(Face::label, "Angle").x;
   const float width = (ImGui::GetContentRegionAvail().x - labels - 20) / 2;
@@ -184,7 +185,6 @@ void draw_row_below_verdict(const Ui& ui) {
 
 // Where there is little height, as above a keyboard: the row stands at the foot, and the failures can be had by pulling the sheet up.
 void draw_low_sheet(const Ui& ui) {
-  draw_headline(ui);
   draw_verdict_words(ui);
   ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y - ui.control());
   draw_row_below_verdict(ui);

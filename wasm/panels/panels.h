@@ -16,10 +16,10 @@ struct Panel {
 void draw_panels(const AppState& state, Commands& commands);
 
 // The sections, each in its own file.
-void draw_verdict(const Ui& ui);
-void draw_headline(const Ui& ui);         // its first sentence, two lines high
-void draw_verdict_words(const Ui& ui);    // its other sentences
-void draw_verdict_details(const Ui& ui);  // these, and what is left if a robot fails
+void draw_verdict(const Ui& ui);          // all of it, always as high
+void draw_headline(const Ui& ui);         // its first sentence, always as high
+void draw_verdict_words(const Ui& ui);    // all its sentences, always as high
+void draw_verdict_details(const Ui& ui);  // all but the first, and what is left if a robot fails
 void draw_embedded_verdict(
     const Ui& ui);  // in an <iframe> without a lesson: the result, and the way to the page
 void draw_failures(const Ui& ui);  // below the verdict, always as high
@@ -55,6 +55,10 @@ bool snaps_in_menu(const Ui& ui);
 void draw_snap_choices(const Ui& ui);
 // The next edge's length and angle, to be typed; while at least one vertex is drawn.
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
+// What can be done with the selected vertex; and whether these buttons stand on the closed sheet of a narrow screen, not in a
+// bar over the drawing.
+void draw_vertex_buttons(const Ui& ui);
+bool vertex_is_on_sheet(const AppState& state);
 void draw_view_tools(const Ui& ui);
 void draw_way_back(const Ui& ui);
 void draw_notice(const Ui& ui);

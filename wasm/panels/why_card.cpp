@@ -64,10 +64,10 @@ void draw_row(const Ui& ui, const Explanation::Row& row) {
   const ImVec2 label = text_size(Face::label, row.label),
                value = text_size(Face::strong_label, row.value);
   const bool fits = label.x + value.x + 12 <= width;
-  const float top = fits ? low.y : low.y + 18;
+  const float line = line_height(Face::label), top = fits ? low.y : low.y + line;
   draw_text(list, Face::strong_label, ImVec2(low.x + width - value.x, top), ui.theme.text,
             row.value);
-  ImGui::Dummy(ImVec2(width, fits ? 18.0f : 36.0f));
+  ImGui::Dummy(ImVec2(width, fits ? line : 2 * line));
 }
 
 // While a robot fails: what holds then of the one that the card is about.

@@ -10,7 +10,10 @@ namespace {
 constexpr double panel_width = 360, rail_width = 48;
 // Below these heights the tools of the view would cover the object; they are in the toolbar's menu.
 constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
-constexpr double least_room_above_card = 165;
+// A picture with less than this height is helped by a sheet that says only the most important.
+constexpr double least_room = 165;
+constexpr double knob = 36;           // above or below the frame of the whole, to turn it
+constexpr double caption_above = 34;  // of one of two pictures above each other
 // A sheet with its handle and the row of the player, or the headline of the verdict and one row (panels.cpp).
 constexpr double brief_row = 88, brief_verdict = 152;
 // Before a room: with less height, a card has no place below the words; and what of the height the words keep.
@@ -21,15 +24,36 @@ double bar_height(const Layout& l) { return l.control + 2 * l.bar_padding; }
 
 // Room around the polygon for robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
-  const double x = std::min(beside, free.width() / 6), most = free.height() / 4;
+  constexpr double little = 150;  // where loads find room at the sides only
+  const double x = std::min(beside, free.width() / 6),
+               most = free.height() / (free.height() < little ? 6 : 4);
   return {free.left + x, free.top + std::min(above, most), free.right - x,
           free.bottom - std::min(below, most)};
 }
 
-// Two pictures share the free room above a window and a card at its foot; each has a caption at its top.
+// A window at the left takes its width from the drawing, one at the right what it covers beyond the panel, and one at the foot
+// its height.
+void make_room_for_window(Layout& l, const Screen& screen) {
+  constexpr double least = 135;  // of the width, which stays the drawing's
+  const double most = std::max(0.0, l.free.width() - least);
+  const double left = std::min(screen.window_left, most);
+  const double beyond_panel = l.free.right - (screen.width - screen.window_right);
+  const double right = std::clamp(beyond_panel, 0.0, most - left);
+  for (Rect* rect : {&l.free, &l.player}) {
+    rect->left += left;
+    rect->right -= right;
+  }
+  const double tools = std::min(left, std::max(0.0, l.free.right - l.margin - l.tools.right));
+  l.tools.left += tools;
+  l.tools.right += tools;
+  l.free.bottom = std::min(l.free.bottom, screen.height - screen.window_foot);
+}
+
+// Two pictures share the free room above a card at its foot; each has a caption at its top.
 void split(Layout& l, const Screen& screen, bool compared, double beside, double above,
            double below) {
-  l.free.bottom = std::min(l.free.bottom, screen.height - screen.window_foot) - screen.foot;
+  make_room_for_window(l, screen);
+  l.free.bottom -= screen.foot;
   l.first = l.free;
   if (!compared) {
     l.room = room_in(l.free, beside, above, below);
@@ -40,7 +64,7 @@ void split(Layout& l, const Screen& screen, bool compared, double beside, double
     l.first.right = l.second.left = l.free.middle().x();
   else
     l.first.bottom = l.second.top = l.free.middle().y();
-  l.caption = l.wide ? 64 : 34;
+  l.caption = l.wide ? 64 : caption_above;
   Rect below_caption = l.first;
   below_caption.top += l.caption;
   l.room = room_in(below_caption, beside * 0.8, above, l.wide ? below : below * 0.8);
@@ -120,8 +144,7 @@ Layout wide(const AppState& state) {
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
-  if (state.tool == Tool::transform)
-    l.free.top += l.control + 60;  // the tool's bar, and the turning knob
+  if (state.tool == Tool::transform) l.free.top += l.control + 24 + knob;
   if (state.tool == Tool::mark && l.low) l.free.top += l.control + 24;  // the boundary is wanted
   split(l, screen, state.second_method.has_value(), 88, 68, 84);
   return l;
@@ -136,6 +159,23 @@ double closed_sheet_height(const AppState& state) {
   return std::min(height, half_sheet_height(state.screen));
 }
 
+bool has_bar(const AppState& state) {
+  return state.tool == Tool::transform || state.tool == Tool::mark;
+}
+
+// Besides the drawing there is a card at its foot, a bar above it, or a second picture.
+bool asks_for_room(const AppState& state) {
+  return state.screen.foot > 0 || has_bar(state) || state.second_method;
+}
+
+// What a closed sheet of this height leaves of a narrow screen to one picture.
+double room_above(const Layout& l, const AppState& state, double sheet) {
+  const Screen& screen = state.screen;
+  double room = screen.height - bar_height(l) - 2 * l.margin - sheet - screen.foot;
+  if (has_bar(state)) room -= l.control + 24 + (state.tool == Tool::transform ? knob : 0);
+  return state.second_method ? room / 2 - caption_above : room;
+}
+
 Layout narrow(const AppState& state) {
   Layout l;
   const Screen& screen = state.screen;
@@ -145,8 +185,8 @@ Layout narrow(const AppState& state) {
   l.bar_padding = 2;
   const double most = half_sheet_height(screen);
   double height = closed_sheet_height(state);
-  const double left = screen.height - bar_height(l) - 2 * l.margin - height - screen.foot;
-  l.brief = state.sheet == Sheet::closed && screen.foot > 0 && left < least_room_above_card;
+  l.brief = state.sheet == Sheet::closed && asks_for_room(state) &&
+            room_above(l, state, height) < least_room;
   if (l.brief) height = std::min(height, walkthrough_is_open(state) ? brief_row : brief_verdict);
   if (state.sheet == Sheet::half) height = most;
   if (state.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
@@ -159,8 +199,7 @@ Layout narrow(const AppState& state) {
   // move.
   const double below = std::min(height, most);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
-  if (state.tool == Tool::transform || state.tool == Tool::mark)
-    l.free.top += l.control + 24;  // the tool's bar
+  if (has_bar(state)) l.free.top += l.control + 24;
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
@@ -229,37 +268,28 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
   return {middle - half, head, middle + half, std::max(foot, head + least_height)};
 }
 
-// A notice of several lines would cover robots at the foot of the lower picture: the polygon makes room for it.
+// A notice of several lines would cover robots at the foot of the lower picture: the polygon makes room for it. Where that is
+// not enough, the notice goes down over the closed sheet.
 void make_room_for_notice(const AppState& state, Layout& l) {
   if (state.notice.text.empty()) return;
   constexpr double robot = 16;
   const bool two = l.second.width() > 0;
+  const bool over_sheet = !l.wide && state.sheet == Sheet::closed && state.screen.foot == 0 &&
+                          !state.presenting && !state.screen.embed;
   const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
-  const double covered = lowest + robot - (l.notice.bottom - state.notice_height);
-  l.room.bottom -= std::clamp(covered, 0.0, l.room.height() * 3 / 4);
-}
-
-// A window at the left takes its width from the drawing, whose margins get narrower if little is left.
-void make_room_for_window(Layout& l, double width) {
-  constexpr double least = 135;  // two thirds of it are the drawing's
-  const double side = std::clamp(l.free.width() - least, 0.0, width);
-  const double at_left = l.room.left - l.free.left, at_right = l.free.right - l.room.right;
-  for (Rect* rect : {&l.free, &l.first, &l.room, &l.tools, &l.player}) rect->left += side;
-  l.tools.right += side;
-  if (side == 0) return;
-  const double over = std::max(0.0, l.tools.right + l.margin - l.free.right);
-  l.tools.left -= over;
-  l.tools.right -= over;
-  const double most = l.free.width() / 6;
-  l.room.left = l.free.left + std::min(at_left, most);
-  l.room.right = l.free.right - std::min(at_right, most);
+  const double covered = std::max(0.0, lowest + robot - (l.notice.bottom - state.notice_height));
+  const double made = std::min(covered, l.room.height() * (over_sheet ? 0.4 : 0.75));
+  l.room.bottom -= made;
+  if (!over_sheet) return;
+  const double down = std::min(covered - made, l.panel.bottom - l.margin - l.notice.bottom);
+  l.notice.top += down;
+  l.notice.bottom += down;
 }
 
 }  // namespace
 
 Layout layout(const AppState& state) {
   Layout l = in_mode(state);
-  make_room_for_window(l, state.screen.side);
   l.notice = seat_of_notice(state, l);
   make_room_for_notice(state, l);
   return l;

@@ -29,13 +29,13 @@ struct Screen {
   double ratio = 1;  // device pixels per pixel
   bool dark = false;
   bool reduced_motion = false;
-  bool embed = false;      // the page is in an <iframe>, and shows no panels for editing
-  bool finger = false;     // the main pointer is a finger, so controls are larger
-  bool touch = false;      // the last pointer was a finger, which hovers over nothing
-  double foot = 0;         // covered by a card of the page at the foot of the drawing, in pixels
-  double card = 0;         // the height of that card
-  double side = 0;         // covered by a window at the left
-  double window_foot = 0;  // covered from below by a window that is as wide as the screen
+  bool embed = false;   // the page is in an <iframe>, and shows no panels for editing
+  bool finger = false;  // the main pointer is a finger, so controls are larger
+  bool touch = false;   // the last pointer was a finger, which hovers over nothing
+  double foot = 0;      // covered by a card of the page at the foot of the drawing, in pixels
+  double card = 0;      // the height of that card
+  // What a window of the page covers: at the left, at the right, or from below as wide as the screen.
+  double window_left = 0, window_right = 0, window_foot = 0;
   Rect area() const { return {0, 0, width, height}; }
 };
 

@@ -87,9 +87,9 @@ struct FaceSpec {
   bool semibold;
   float letters;
 };
-constexpr FaceSpec faces[face_count] = {{true, 11}, {false, 12},   {true, 12},    {false, 14},
-                                        {true, 14}, {true, 17.5f}, {false, 17.5f}};
-constexpr float line_of_inter = 1.21f;
+constexpr FaceSpec faces[face_count] = {{true, 11}, {false, 13}, {true, 13}, {false, 15},
+                                        {true, 15}, {true, 20},  {false, 20}};
+constexpr float line_of_inter = 1.21f, line_of_text = 1.4f;
 
 ImFont* loaded[face_count];
 
@@ -156,6 +156,7 @@ void pop_face() { ImGui::PopFont(); }
 
 ImFont* font(Face face) { return loaded[static_cast<int>(face)]; }
 float size(Face face) { return spec(face).letters * line_of_inter; }
+float line_height(Face face) { return std::round(spec(face).letters * line_of_text); }
 
 ImVec2 text_size(Face face, std::string_view text, float wrap_width) {
   return font(face)->CalcTextSizeA(size(face), 1e9f, wrap_width, text.data(),

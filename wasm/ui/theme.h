@@ -41,7 +41,7 @@ const Theme& theme(const AppState& state);
 // none does.
 Colour heat_colour(const Theme& theme, double share);
 
-// Letters in pixels: tiny 11, label 12, text 14, verdict and large 17.5; all but label, text and large are semibold.
+// Letters in pixels: tiny 11, label 13, text 15, verdict and large 20; all but label, text and large are semibold.
 enum class Face { tiny, label, strong_label, text, strong, verdict, large };
 inline constexpr int face_count = 7;
 
@@ -55,7 +55,8 @@ void pop_face();
 
 // For drawing.
 ImFont* font(Face face);
-float size(Face face);  // of a line of the font, as Dear ImGui counts
+float size(Face face);         // of a line of the font, as Dear ImGui counts
+float line_height(Face face);  // from one line of a text to the next, in whole pixels
 ImVec2 text_size(Face face, std::string_view text, float wrap_width = 0);
 void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
                float wrap_width = 0);

@@ -13,7 +13,6 @@ void text_line(Face face, Colour colour, const std::string& text) {
   pop_face();
 }
 
-float line_height(Face face) { return std::round(size(face) * 1.4f); }
 // Dear ImGui's own wrapped text breaks lines after a decimal point, too, and has no line height.
 std::vector<std::string_view> broken_lines(Face face, std::string_view text, float width) {
   std::vector<std::string_view> lines;

@@ -31,6 +31,5 @@ float height_of(Face face, const std::vector<std::string_view>& lines);
 // The same text in a block of constant height: at most `lines` of them, the last one cut off with "…" if there are more.
 void text_block_of(Face face, Colour colour, const std::string& text, float width,
                    std::size_t lines);
-float line_height(Face face);
 
 }  // namespace evenlift::view

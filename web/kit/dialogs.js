@@ -69,20 +69,22 @@ export function buttonTo(name, page, show) {
   } });
 }
 
+// How much of the screen a window covers at the left, at the right and at the foot. A window that covers all of it hides the
+// drawing, which need not make room then.
+function covered(root) {
+  const { left, right, top, height, width } = root.getBoundingClientRect();
+  if (width >= innerWidth) return [0, 0, height >= innerHeight ? 0 : innerHeight - top];
+  return left + right < innerWidth ? [right, 0, 0] : [0, innerWidth - left, 0];
+}
+
 // The drawing makes room for a window beside or below it, as long as the window is open. Returns what ends that.
 export function makeRoom(program, root) {
-  const tell = () => {
-    const { left, right, top, height, width } = root.getBoundingClientRect();
-    const whole = width >= innerWidth && height >= innerHeight;
-    if (whole) program.call("page_cover", 0, 0);
-    else if (width >= innerWidth) program.call("page_cover", 0, top);
-    else program.call("page_cover", left < innerWidth / 2 ? right : 0, 0);
-  };
+  const tell = () => program.call("page_cover", ...covered(root));
   const follow = new ResizeObserver(tell);
   follow.observe(root);
   return () => {
     follow.disconnect();
-    program.call("page_cover", 0, 0);
+    program.call("page_cover", 0, 0, 0);
   };
 }
 
