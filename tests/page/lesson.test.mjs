@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, drag, drawsNothing, evenlift, fragment, idle, link, load, pageFolder, press, published, sample, set, sharedBrowser, state, summary, tap, thrown, toScreen } from "./browser.mjs";
+import { asset, control, controlIfShown, drag, drawsNothing, evenlift, fragment, idle, link, load, pageFolder, press, published, sample, set, sharedBrowser, state, summary, tap, thrown, toScreen } from "./browser.mjs";
 import { allClosed, drop, noticed, openWindow, paste } from "./windows.mjs";
 
 let maker;  // a page to make links in
@@ -739,5 +739,27 @@ test("on a phone on its side the player is one row, and the object has the room"
     return Math.max(...all) - Math.min(...all);
   });
   assert.ok(high >= 100, `${high} of 360`);
+  await page.done();
+});
+
+test("on the smallest phone the buttons of a long question are seen whole", async () => {
+  const page = await browser.open({ viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true, address: "?lesson=exchange" });
+  for (let i = 0; i < 20 && !(await controlIfShown(page, "take")); ++i) {
+    await page.keyboard.press("ArrowRight");
+    await idle(page);
+  }
+  const [take, next] = [await control(page, "take"), await control(page, "Next step")];
+  assert.ok(take.y + take.height <= next.y, `${take.y + take.height} is above ${next.y}`);
+  assert.ok(take.height >= 44);
+  await page.done();
+});
+
+test("a setting that a script changes at the last step leaves the lesson at a step that it has", async () => {
+  const page = await browser.open();
+  await load(page, asset("stone-slab"));
+  await set(page, { step: stone.length - 1 });
+  await set(page, { teams: 1 });
+  const now = await step(page);
+  assert.ok(now > 0 && now < stone.length - 1, `step ${now}`);
   await page.done();
 });

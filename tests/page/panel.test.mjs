@@ -496,14 +496,19 @@ test("choosing a unit says that no number changes, and sizes have it, too", asyn
   await page.done();
 });
 
-test("a limit is typed where it is set, and a section that is opened comes into view", async () => {
+test("a limit is typed where there is none, and a section that is opened comes into view", async () => {
   const page = await browser.open();
-  await press(page, "limit");
+  await page.keyboard.press("Y");
   await page.waitForFunction(() => document.activeElement?.getAttribute("aria-label")?.startsWith("What a robot carries"));
-  await page.keyboard.type("25");
-  await page.keyboard.press("Enter");
+  await page.keyboard.press("Escape");
   await idle(page);
+  assert.equal((await state(page)).capacity, undefined, "to look at it sets nothing");
+  await type(page, "capacity", "25");
   assert.equal((await state(page)).capacity.limit, 25);
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal((await state(page)).capacity, undefined, "it is one step");
+  await type(page, "capacity", "25");
   await press(page, "robot size");
   await idle(page);
   const mark = await control(page, "mark edges");
@@ -647,7 +652,7 @@ test("the numbers of the result are there for screen readers", async () => {
     assert.ok(texts.map((text) => text.replaceAll("\u202f", " ").replaceAll("\u2009", " ")).some((text) => text.replace(/\s/g, " ") === wanted.replace(/\s/g, " ")), `${wanted} in ${texts}`);
   const row = page.locator("#mirror").getByRole("button", { name: /^Team 2:/ });
   assert.match(await row.getAttribute("aria-label"), /^Team 2: loads 16\.9 and 16\.4 kg, length \d+, ratio 0\.972\. Why here\?$/);
-  assert.equal(await page.locator("#mirror").getByRole("button", { name: "A robot carries: no limit. Set one" }).count(), 1);
+  assert.equal(await field(page, "What a robot carries, in kg").inputValue(), "no limit");
   await page.done();
 });
 
@@ -753,5 +758,69 @@ test("whoever came to a number by Tab stays there after Enter, and others are ba
   assert.equal(await focus(), name);
   await idle(page);
   assert.equal((await state(page)).weight, 437);
+  await page.done();
+});
+
+test("undo and redo work from every control of the panel, but not while one types", async () => {
+  const page = await browser.open();
+  const choose = async (label) => {
+    await page.locator(`#mirror [aria-label="${label}"]`).focus();
+    await idle(page);
+  };
+  const metric = async () => (await state(page)).metric;
+  await choose("Method");
+  await page.keyboard.press("ArrowDown");
+  await idle(page);
+  assert.equal(await metric(), "circle");
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal(await metric(), "area");
+  await page.keyboard.press("Control+y");
+  await idle(page);
+  assert.equal(await metric(), "circle");
+  await choose("Weight in kg");
+  await page.keyboard.press("ArrowUp");
+  await idle(page);
+  assert.equal((await state(page)).weight, 110);
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal((await state(page)).weight, 100);
+  assert.equal(await field(page, "Weight in kg").inputValue(), "100", "it is typed over anew");
+  await page.keyboard.type("55");
+  await page.keyboard.press("Control+z");
+  await idle(page);
+  assert.equal(await metric(), "circle", "what is typed has an undo of its own");
+  await page.done();
+});
+
+test("what is typed over is exact, however it is shown", async () => {
+  const page = await browser.open();
+  const centre = [560.123456, 250.256789];
+  await page.evaluate((com) => evenlift.set({ com, weight: 437.123456789 }), centre);
+  await press(page, "com");
+  const typed = field(page, "Centre of mass, x and y");
+  assert.equal(await typed.inputValue(), "560.123456, 250.256789");
+  await typed.fill("561.123456, 250.256789");
+  await page.keyboard.press("Enter");
+  await idle(page);
+  assert.deepEqual((await state(page)).centre_of_mass, [561.123456, 250.256789]);
+  await page.keyboard.press("Control+z");
+  assert.equal(await noticed(page), "Undone: moved the centre of mass.");
+  await press(page, "weight");
+  assert.equal(await field(page, "Weight in kg").inputValue(), "437.123456789");
+  await page.done();
+});
+
+test("a button that has done its work keeps the focus", async () => {
+  const page = await browser.open();
+  await set(page, { capacity: 10 });
+  const needed = page.locator('#mirror button[aria-label^="Use "]');
+  await needed.focus();
+  await page.keyboard.press("Enter");
+  await idle(page);
+  const now = () => page.evaluate(() => [document.activeElement.ariaLabel, document.activeElement.getAttribute("aria-disabled"), document.activeElement.disabled]);
+  assert.deepEqual(await now(), ["As many as are needed", "true", false]);
+  await page.keyboard.press("Tab");
+  assert.equal(await page.locator('#mirror [aria-label="As many as are needed"]').isDisabled(), true);
   await page.done();
 });

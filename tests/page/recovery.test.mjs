@@ -26,7 +26,7 @@ function loadOutline(page, n) {
 
 const vertices = (page) => page.evaluate(() => evenlift.text().trimEnd().split("\n").length);
 
-for (const [n, ratio] of [[200000, 1], [200000, 1.25], [200000, 1.5], [200000, 2], [200000, 3], [1048576, 1], [1048576, 3]]) {
+for (const [n, ratio] of [[200000, 1], [200000, 1.5], [200000, 3], [1048576, 3]]) {
   test(`${n} vertices are drawn with ${ratio} device pixels for a CSS pixel, and undo leads back`, async () => {
     const page = await browser.open({ deviceScaleFactor: ratio, colorScheme: "dark" });
     const before = await state(page);

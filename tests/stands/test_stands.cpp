@@ -248,6 +248,11 @@ TEST_CASE("errors of stands name the setting and say why", "[stands][errors]") {
   settings.robot = sized(0.1, 0, 2, 0.1);
   CHECK(make_stands(square(), settings).error().message ==
         "no edge has room for a robot of radius 0.1, with a hand of depth 2 and width 0.1");
+  settings.robot = sized(0.1, 0, 0, 3);
+  CHECK(
+      make_stands(square(), settings).error().message ==
+      "no edge has room for a robot of radius 0.1, with a hand of depth 0 and width 3, which is wider than the "
+      "longest edge");
   settings.robot = sized(0.1, 5, 2, 0);
   CHECK(
       make_stands(square(), settings).error().message ==

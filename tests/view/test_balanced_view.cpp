@@ -427,7 +427,7 @@ TEST_CASE("a learner guesses which chord two balanced robots take",
   }
   SECTION("wrong: what that chord would come to is said") {
     give(state, Guess{answer == 0 ? 1u : 0u});
-    CHECK(walk.verdict.find("Not this time. With chord ") == 0);
+    CHECK(walk.verdict.find("Not this time: it is chord ") == 0);
     CHECK_FALSE(walk.was_right);
   }
   CHECK(walk.detail.step.kind == StepKind::completion);

@@ -551,6 +551,9 @@ test("the handout has a picture and the words for each stop of the lesson, and o
   assert.deepEqual(seen, { canvas: false, figures: true, button: false });
   const height = await page.evaluate(() => document.documentElement.scrollHeight);
   assert.ok(height > 1500, "all of it is laid out, not a window's height of it");
+  const outside = await page.evaluate(() => [...document.querySelectorAll("#handout figure")].map((f) => f.getBoundingClientRect())
+    .filter(({ left, right }) => left < 0 || right > document.documentElement.clientWidth).length);
+  assert.equal(outside, 0, "no picture begins or ends beyond the paper");
   await page.done();
 });
 

@@ -32,12 +32,15 @@ test("it shows every vertex, and what is typed moves it, undoably", async () => 
   await page.keyboard.press("Enter");
   assert.deepEqual((await polygon())[2], [400, 170.25]);
   assert.equal(await page.evaluate(() => document.activeElement.ariaLabel), "Vertex 4, y", "Enter goes on");
+  await field(2, "x").fill("419,5");
+  await page.keyboard.press("Tab");
+  assert.deepEqual((await polygon())[1], [419.5, 0], "a decimal comma is one here, too");
+  await page.keyboard.press("Shift+Tab");
   await field(2, "x").fill(" 4.2e2 ");
   await page.keyboard.press("Tab");
   assert.deepEqual((await polygon())[1], [420, 0]);
   assert.equal(await field(2, "x").inputValue(), "420");
-  await page.keyboard.press("Control+z");
-  await page.keyboard.press("Control+z");
+  for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+z");
   await idle(page);
   assert.equal((await polygon())[2][1], 150);
   assert.equal(await field(3, "y").inputValue(), "150", "it follows");
@@ -50,7 +53,8 @@ test("numbers that are none get a sentence and change nothing", async () => {
   const window = await opened();
   const before = JSON.stringify(await state(page));
   for (const [typed, said] of [
-    ["2,5", /^Vertex 1, x: Decimals are written with a point, not with a comma: 2\.5\.$/],
+    ["1,234", /^Vertex 1, x: “1,234” may be 1234 or 1\.234: type it like one of these\.$/],
+    ["2 kg", /^Vertex 1, x: “2 kg” has the unit kg, but this number has none: type the number alone\.$/],
     ["abc", /“abc” is not a number/],
     ["", /A number is missing/],
     ["1e12", /Coordinates go from/],

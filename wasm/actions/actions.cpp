@@ -181,12 +181,6 @@ void type_edge(const AppState& s, Commands& out) {
   if (s.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});
 }
-// Begins with the smallest whole number at which nobody is overloaded.
-void type_capacity(const AppState& s, Commands& out) {
-  const double greatest = s.outlook.greatest;
-  if (!settings(s).capacity) out.push_back(SetCapacity{greatest > 0 ? std::ceil(greatest) : 20.0});
-  type_value<typed_capacity>(s, out);
-}
 void type_doubt(const AppState& s, Commands& out) {
   out.push_back(SetMoreOpen{true});
   type_value<typed_doubt>(s, out);
@@ -300,7 +294,7 @@ const std::vector<Action> table = {
     {ActionId::type_weight, Icon::none, "Type the weight", "Y", {{"y"}}, when::editing, type_value<typed_weight>},
     {ActionId::type_robot, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, when::editing,
      [](const AppState& s, Commands& out) { out.push_back(SetRobotOpen{true}); type_value<typed_radius>(s, out); }},
-    {ActionId::type_capacity, Icon::none, "Type what a robot carries", "Shift+Y", {{"Y"}}, when::editing, type_capacity},
+    {ActionId::type_capacity, Icon::none, "Type what a robot carries", "Shift+Y", {{"Y"}}, when::editing, type_value<typed_capacity>},
     {ActionId::type_doubt, Icon::none, "Type within which distance the centre of mass is known", "Shift+E", {{"E"}}, when::editing, type_doubt},
     {ActionId::type_seed, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, when::is_random, type_value<typed_seed>},
     {ActionId::type_centre, Icon::none, "Type the centre of mass", "J", {{"j"}}, when::editing, type_value<typed_centre>},

@@ -181,7 +181,7 @@ void draw_refused(const Painter& painter, const AppState& state, const Theme& th
       numbered.push_back(
           {vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()], edge});
     }
-    draw_edge_numbers(painter, theme, numbered);
+    draw_edge_numbers(painter, theme, theme.amber, numbered);
   }
   if (place.kind == Place::Kind::vertex && place.index < vertices.size()) {
     painter.list().AddCircle(painter.at(vertices[place.index]), 11, theme.amber.packed(), 32, 3);

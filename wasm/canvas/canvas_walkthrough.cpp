@@ -58,11 +58,12 @@ void draw_value(const Painter& painter, const CanvasView& view, const Figure& fi
                 const std::string& text, std::vector<Rect>& before) {
   constexpr SharesOfLine off_middle = {0.75, 0.25, 0.87, 0.13, 0.63, 0.37};
   const ImVec2 size = text_size(Face::strong_label, text);
-  const Rect place =
-      box_on_line(view.camera.to_screen(figure.points[0]), view.camera.to_screen(figure.points[1]),
-                  Vec2(size.x + 10, size.y + 4), off_middle, before);
-  const ImVec2 low = vec(place.left, place.top);
-  painter.list().AddRectFilled(low, vec(place.right, place.bottom),
+  const auto place = clear_box_on_line(view.camera.to_screen(figure.points[0]),
+                                       view.camera.to_screen(figure.points[1]),
+                                       Vec2(size.x + 10, size.y + 4), off_middle, before);
+  if (!place) return;
+  const ImVec2 low = vec(place->left, place->top);
+  painter.list().AddRectFilled(low, vec(place->right, place->bottom),
                                view.theme.panel.at(0.9f).packed(), 5);
   draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 5, low.y + 2), view.theme.text,
             text);
@@ -165,7 +166,15 @@ void draw_wrong_guess(const Painter& painter, const CanvasView& view) {
 void draw_answered(const Painter& painter, const CanvasView& view, double reach,
                    Occupied& occupied) {
   const std::optional<Answered>& answered = view.state.walkthrough.answered;
-  if (answered) draw_names_of_choices(painter, view, answered->ask, reach, occupied);
+  if (!answered) return;
+  // The step itself draws no even chords, and the numbers would name nothing.
+  if (answered->ask.question.kind == QuestionKind::even_chord)
+    for (const std::uint32_t choice : answered->ask.choices)
+      draw_chord(painter,
+                 chord_of_choice(*view.state.walkthrough.trace, answered->ask.detail,
+                                 answered->ask.question, choice),
+                 view.theme.accent_on_object.at(0.45f), 1.5f);
+  draw_names_of_choices(painter, view, answered->ask, reach, occupied);
 }
 
 // Where the words speak of candidates by their numbers, the best of them have these in the drawing.

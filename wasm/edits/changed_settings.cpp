@@ -48,4 +48,13 @@ Edit edit_between(const Settings& before, const Settings& after) {
   return differing == 1 ? edit : Edit::settings;
 }
 
+Edit edit_between(const Document& before, const Document& after) {
+  if (before.centre_of_mass == after.centre_of_mass)
+    return edit_between(before.settings, after.settings);
+  Settings but_step = after.settings;
+  but_step.step = before.settings.step;
+  if (but_step != before.settings) return Edit::settings;
+  return after.centre_of_mass ? Edit::centre_moved : Edit::centre_released;
+}
+
 }  // namespace evenlift::view

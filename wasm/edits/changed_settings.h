@@ -12,7 +12,8 @@ Settings placing_as(Settings settings, const Settings& other);
 // Whether robots stand at the same places with both. O(1).
 bool stand_alike(const Settings& a, const Settings& b);
 
-// The setting that differs, if it is only one. O(1).
+// The setting that differs, if it is only one; of documents with the same vertices it may be the centre of mass. O(1).
 Edit edit_between(const Settings& before, const Settings& after);
+Edit edit_between(const Document& before, const Document& after);
 
 }  // namespace evenlift::view

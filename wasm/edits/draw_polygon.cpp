@@ -56,6 +56,10 @@ void take_tool(AppState& state, Tool tool) {
   state.hover = state.held = {};
   if (tool == Tool::draw) state.second_method.reset();
   show(state, {});
+  if (tool == Tool::mark)
+    browser::announce(
+        "What no robot may touch is marked by dragging along the boundary, or typed as numbers of edges in the field "
+        "No-go edges.");
 }
 
 void add_point(AppState& state, const Vec2& at) {

@@ -61,13 +61,14 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
   if (!placement) return placement.error();
   if (auto problem = check_robot(*placement, failed)) return problem;
   std::optional<Trace> trace;
-  if (edited.settings.step) {
+  // A step that is open follows the edit; another one must be there.
+  if (edited.settings.step && edited.settings.step != settings(state).step) {
     Result<Trace> made = compute_trace(*placement);
     if (!made) return made.error();
     if (auto problem = check_step(*edited.settings.step, *made)) return problem;
     trace = std::move(made).value();
   }
-  begin_edit(state, false, edit_between(settings(state), edited.settings));
+  begin_edit(state, false, edit_between(state.document, edited));
   state.document = edited;
   adopt(state, std::move(placement));
   follow_up(state);

@@ -5,6 +5,7 @@
 #include "ui/vec.h"
 
 namespace evenlift::view {
+
 void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const Theme& theme,
                Colour colour, const std::string& text) {
   const ImVec2 size = text_size(Face::strong_label, text);
@@ -19,21 +20,35 @@ void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const The
   draw_text(list, Face::strong_label, ImVec2(low.x + 8, low.y + 5), colour, text);
 }
 
+namespace {
+
+Rect box_at(const Vec2& from, const Vec2& to, const Vec2& size, double share) {
+  const Vec2 low = from + (to - from) * share - size / 2;
+  return {low.x(), low.y(), low.x() + size.x(), low.y() + size.y()};
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+}  // namespace
+
+std::optional<Rect> clear_box_on_line(const Vec2& from, const Vec2& to, const Vec2& size,
+                                      const SharesOfLine& shares, std::vector<Rect>& before) {
+  for (const double share : shares) {
+    const Rect box = box_at(from, to, size, share);
+    const auto covers = [&](const Rect& other) { return overlap(box, other); };
+    if (std::any_of(before.begin(), before.end(), covers)) continue;
+    before.push_back(box);
+    return box;
+  }
+  return std::nullopt;
+}
+
 Rect box_on_line(const Vec2& from, const Vec2& to, const Vec2& size, const SharesOfLine& shares,
                  std::vector<Rect>& before) {
-  const auto box = [&](double share) {
-    const Vec2 low = from + (to - from) * share - size / 2;
-    return Rect{low.x(), low.y(), low.x() + size.x(), low.y() + size.y()};
-  };
-  const auto is_clear = [&](const Rect& place) {
-    return std::none_of(before.begin(), before.end(), [&](const Rect& other) {
-      return place.left < other.right && other.left < place.right && place.top < other.bottom &&
-             other.top < place.bottom;
-    });
-  };
-  const auto* found = std::find_if(shares.begin(), shares.end(),
-                                   [&](double share) { return is_clear(box(share)); });
-  before.push_back(box(found == shares.end() ? shares[0] : *found));
+  if (const auto box = clear_box_on_line(from, to, size, shares, before)) return *box;
+  before.push_back(box_at(from, to, size, shares[0]));
   return before.back();
 }
 

@@ -24,6 +24,12 @@ void draw_name(const Painter& painter, const CanvasView& view, const Vec2& at, c
   draw_text(list, Face::strong_label, vec(place->left + 6, place->top + 3), colour, name);
 }
 
+// A load may cross a chord, but not hide an arrow.
+void keep_clear(const Segment& arrow, Occupied& occupied) {
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+    occupied.disc(arrow.from + share * (arrow.to - arrow.from), 6);
+}
+
 // From the middle of the window to the nearest point of a convex region, in pixels; nothing if a part of it is seen there.
 std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Rect& window,
                                      const Points& region) {
@@ -50,24 +56,35 @@ Rect without_tools(const CanvasView& view) {
   return window;
 }
 
-void draw_far_region(const Painter& painter, const CanvasView& view, const Points& region,
-                     Colour colour, const std::string& name, Occupied* occupied) {
+// An arrow at the edge of the window that points to a region beyond it; nothing where there is no such region, or no room.
+std::optional<Segment> arrow_to_region(const CanvasView& view, const Rect& window,
+                                       const Points& region) {
   constexpr double from_edge = 22, arrow = 44;
-  const Rect window = without_tools(view);
   const std::optional<Vec2> way =
       region.empty() ? std::nullopt : way_out_of_sight(view, window, region);
   const Vec2 room(window.width() / 2 - from_edge, window.height() / 2 - from_edge);
-  if (!way || !(room.x() > arrow) || !(room.y() > arrow)) return;
+  if (!way || !(room.x() > arrow) || !(room.y() > arrow)) return std::nullopt;
   // To the edge of the room, wherever the way leaves it.
   const double share = std::min(room.x() / std::max(std::abs(way->x()), 1e-9),
                                 room.y() / std::max(std::abs(way->y()), 1e-9));
-  const Vec2 head = window.middle() + share * *way, along = *way / length(*way),
-             tail = head - arrow * along;
-  painter.arrow(tail, head, view.theme.ground, 7);
-  painter.arrow(tail, head, colour, 3);
+  const Vec2 head = window.middle() + share * *way;
+  return Segment{head - arrow * *way / length(*way), head};
+}
+
+void draw_far_region(const Painter& painter, const CanvasView& view, const Points& region,
+                     Colour colour, const std::string& name, Occupied* occupied) {
+  std::optional<Segment> arrow = arrow_to_region(view, view.uncovered(), region);
+  const Rect& tools = view.layout.tools;
+  if (arrow && (tools.contains(arrow->to) || tools.contains(arrow->from)))
+    arrow = arrow_to_region(view, without_tools(view), region);
+  if (!arrow) return;
+  painter.arrow(arrow->from, arrow->to, view.theme.ground, 7);
+  painter.arrow(arrow->from, arrow->to, colour, 3);
   if (!occupied) return;
-  occupied->line(tail, head);
-  draw_name(painter, view, tail, -along, colour, name, *occupied);
+  occupied->line(arrow->from, arrow->to);
+  const Vec2 back = (arrow->from - arrow->to) / length(arrow->to - arrow->from);
+  draw_name(painter, view, arrow->from, back, colour, name, *occupied);
+  keep_clear(*arrow, *occupied);
 }
 
 }  // namespace
@@ -83,9 +100,7 @@ void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupi
   if (!occupied) return;
   occupied->line(tail, head);
   draw_name(painter, view, head, along, view.theme.amber, "slides", *occupied);
-  // A load may cross a chord, but not hide the arrow.
-  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-    occupied->disc(tail + share * (head - tail), 6);
+  keep_clear({tail, head}, *occupied);
 }
 
 void draw_far_regions(const Painter& painter, const CanvasView& view, Occupied* occupied) {

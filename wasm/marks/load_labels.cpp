@@ -7,6 +7,7 @@
 
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
+#include "marks/boxed_text.h"
 #include "marks/stands.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
@@ -173,11 +174,18 @@ void draw_ratio(const Painter& painter, const CanvasView& view) {
              &end = (chord->arm1 > chord->arm2 ? chord->r1 : chord->r2).position,
              arm = view.camera.to_screen(end) - view.camera.to_screen(c);
   if (length(arm) < 90) return;
+  constexpr SharesOfLine about_middle = {0.5, 0.6, 0.4, 0.7, 0.3, 0.8};
   const std::string text = ratio_in_words(chord->ratio);
-  const ImVec2 size = text_size(Face::strong_label, text),
-               middle = vec(view.camera.to_screen(c) + arm / 2),
-               low(middle.x - size.x / 2 - 5, middle.y - size.y / 2 - 2);
-  painter.list().AddRectFilled(low, ImVec2(low.x + size.x + 10, low.y + size.y + 4),
+  const ImVec2 size = text_size(Face::strong_label, text);
+  std::vector<Rect> covered;
+  if (const std::optional<Rect> coverage = coverage_box(view)) covered.push_back(*coverage);
+  for (const Control& control : controls())
+    if (control.card == "why here") covered.push_back(control.window);
+  const auto place = clear_box_on_line(view.camera.to_screen(c), view.camera.to_screen(end),
+                                       Vec2(size.x + 10, size.y + 4), about_middle, covered);
+  if (!place) return;
+  const ImVec2 low = vec(place->left, place->top);
+  painter.list().AddRectFilled(low, vec(place->right, place->bottom),
                                view.theme.panel.at(0.9f).packed(), 5);
   draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 5, low.y + 2), view.theme.text,
             text);

@@ -127,23 +127,42 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
   }
   Rect window = view.uncovered();
   for (const Control& control : controls())  // the vertex's bar, where it was in the last frame
-    if (control.card == "tool bar") window.top = std::max(window.top, control.window.bottom);
+    if (control.card == "tool bar" && control.window.left < window.right)
+      window.top = std::max(window.top, control.window.bottom);
   draw_word(painter.list(), view.camera.to_screen(spot), window, view.theme, view.theme.amber,
             capitalised(error.message));
 }
 
-// What a method came to: its loads, and where there is room its coverage and whether the object can move.
-std::string result_in_words(const Placement& placement, float room) {
+constexpr float gap_in_caption = 10;
+
+// What a method came to: its loads, and so many of its coverage and whether the object can move.
+std::string result_in_words(const Placement& placement, std::size_t further) {
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
   std::string words = load_in_words(loads.min, loads.max, loads.max, placement.settings.units);
-  for (const std::string& more :
-       {" · " + percentage(placement.coverage) + " covered",
-        std::string(is_held(placement) ? " · cannot move" : " · can move")}) {
-    if (text_size(Face::label, words + more).x > room) break;
-    words += more;
-  }
+  if (further > 0) words += " · " + percentage(placement.coverage) + " covered";
+  if (further > 1) words += is_held(placement) ? " · cannot move" : " · can move";
   return words;
+}
+
+std::string name_in_caption(const Placement& placement) {
+  return capitalised(std::string(evenlift::name(placement.settings.method))) + ", " +
+         count_of(count_robots(placement.teams), "robot", "robots");
+}
+
+// How much further both captions have room for: what only one of them said could not be compared.
+std::size_t further_in_captions(const CanvasView& view, float room) {
+  const auto fits = [&](const Placement& placement, std::size_t further) {
+    const float taken =
+        view.layout.wide
+            ? 0
+            : text_size(Face::strong_label, name_in_caption(placement)).x + gap_in_caption;
+    return taken + text_size(Face::label, result_in_words(placement, further)).x <= room;
+  };
+  std::size_t further = 2;
+  for (const std::optional<Placement>* each : {&view.state.placement, &view.state.second})
+    while (*each && further > 0 && !fits(**each, further)) --further;
+  return further;
 }
 
 // The method's name and result over its picture, while two methods are compared: two lines, or on a narrow screen one.
@@ -151,13 +170,11 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
   const bool wide = view.layout.wide;
   const float room = static_cast<float>(view.window.width()) - 40;
-  const std::string name =
-      capitalised(std::string(evenlift::name(view.placement->settings.method))) + ", " +
-      count_of(count_robots(view.placement->teams), "robot", "robots");
+  const std::string name = name_in_caption(*view.placement);
   const Face face = wide ? Face::strong : Face::strong_label;
   const ImVec2 title = text_size(face, name);
-  const float beside = title.x + 10;  // where the result begins in the same line
-  const std::string result = result_in_words(*view.placement, wide ? room : room - beside);
+  const float beside = title.x + gap_in_caption;  // where the result begins in the same line
+  const std::string result = result_in_words(*view.placement, further_in_captions(view, room));
   const ImVec2 text = text_size(Face::label, result);
   const float width = (wide ? std::max(title.x, text.x) : beside + text.x) + 24;
   const double height = wide ? 46 : 28;
@@ -170,6 +187,19 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
                                 : ImVec2(name_at.x + beside, name_at.y);
   draw_text(painter.list(), face, name_at, view.theme.text, name);
   draw_text(painter.list(), Face::label, result_at, view.theme.second_text, result);
+}
+
+// While edges are marked: their numbers, for those who type them. An edge that is short has no room for one.
+void draw_numbers_to_type(const Painter& painter, const CanvasView& view) {
+  constexpr double least = 44;  // pixels
+  const Points& vertices = view.state.document.vertices;
+  std::vector<NumberedEdge> numbered;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec2 &a = vertices[i], &b = vertices[i + 1 == vertices.size() ? 0 : i + 1];
+    const bool seen = view.window.contains(view.camera.to_screen((a + b) / 2));
+    if (seen && length(b - a) * view.camera.scale >= least) numbered.push_back({a, b, i});
+  }
+  draw_edge_numbers(painter, view.theme, view.theme.second_text, numbered);
 }
 
 }  // namespace
@@ -187,6 +217,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_coverage(painter, view);
   }
   if (state.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
+  if (state.tool == Tool::mark && !view.second) draw_numbers_to_type(painter, view);
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
   if (view.current()) {

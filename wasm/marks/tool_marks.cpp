@@ -96,7 +96,7 @@ void draw_centroid(const Painter& painter, const Theme& theme, const Points& cha
 
 }  // namespace
 
-void draw_edge_numbers(const Painter& painter, const Theme& theme,
+void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
                        const std::vector<NumberedEdge>& edges) {
   std::vector<Rect> before;
   for (const auto& [a, b, edge] : edges) {
@@ -107,9 +107,8 @@ void draw_edge_numbers(const Painter& painter, const Theme& theme,
                                    Vec2(text.x + 12, text.y + 6), from_middle, before);
     const ImVec2 low = vec(place.left, place.top), high = vec(place.right, place.bottom);
     painter.list().AddRectFilled(low, high, theme.panel.packed(), 6);
-    painter.list().AddRect(low, high, theme.amber.packed(), 6, 0, 1.5f);
-    draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 6, low.y + 3), theme.amber,
-              number);
+    painter.list().AddRect(low, high, colour.packed(), 6, 0, 1.5f);
+    draw_text(painter.list(), Face::strong_label, ImVec2(low.x + 6, low.y + 3), colour, number);
   }
 }
 
@@ -133,7 +132,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
     const Points& ring = edge + 1 < chain.size() ? chain : drawing.points;
     numbered.push_back({ring[edge % ring.size()], ring[(edge + 1) % ring.size()], edge});
   }
-  draw_edge_numbers(painter, theme, numbered);
+  draw_edge_numbers(painter, theme, theme.amber, numbered);
   if (crossed.empty()) draw_centroid(painter, theme, chain);
   if (!drawing.cursor) return;
   const Vec2 spot = state.camera.to_screen(*drawing.cursor);

@@ -17,8 +17,8 @@ struct NumberedEdge {
   Vec2 a, b;
   std::size_t edge;
 };
-// The numbers of edges, on them and not over each other, as messages count edges: from 1.
-void draw_edge_numbers(const Painter& painter, const Theme& theme,
+// The numbers of edges, on them and not over each other, as messages and settings count edges: from 1.
+void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
                        const std::vector<NumberedEdge>& edges);
 
 }  // namespace evenlift::view

@@ -142,19 +142,6 @@ void draw_marking_bar(const Ui& ui) {
 
 }  // namespace
 
-void draw_vertex_buttons(const Ui& ui) {
-  constexpr const char *remove = "Remove vertex", *add = "Add one after";
-  const bool can_remove = ui.state.document.vertices.size() > 3;
-  const bool on_sheet = vertex_is_on_sheet(ui.state);
-  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  const auto width = [&](const char* label) {
-    return on_sheet ? half : word_button_width(ui, label);
-  };
-  if (flat_button(ui, remove, remove, width(remove), can_remove)) run(ui, ActionId::remove_vertex);
-  ImGui::SameLine(0, gap);
-  if (flat_button(ui, add, add, width(add))) run(ui, ActionId::insert_vertex);
-}
-
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
   const Drawing& drawing = ui.state.drawing;
   const Vec2 from = drawing.points.back();
@@ -188,6 +175,30 @@ bool vertex_is_on_sheet(const AppState& state) {
          state.sheet == Sheet::closed;
 }
 
+namespace {
+
+// On a low screen they would cover robots below the toolbar, and stand on the foot of the panel.
+bool vertex_is_over_panel(const AppState& state) {
+  const Layout places = layout(state);
+  return state.tool == Tool::parts && state.selected && places.wide && places.low &&
+         state.panel_open;
+}
+
+}  // namespace
+
+void draw_vertex_buttons(const Ui& ui) {
+  constexpr const char *remove = "Remove vertex", *add = "Add one after";
+  const bool can_remove = ui.state.document.vertices.size() > 3;
+  const bool fills_row = vertex_is_on_sheet(ui.state) || vertex_is_over_panel(ui.state);
+  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const auto width = [&](const char* label) {
+    return fills_row ? half : word_button_width(ui, label);
+  };
+  if (flat_button(ui, remove, remove, width(remove), can_remove)) run(ui, ActionId::remove_vertex);
+  ImGui::SameLine(0, gap);
+  if (flat_button(ui, add, add, width(add))) run(ui, ActionId::insert_vertex);
+}
+
 bool has_tool_bar(const AppState& state) {
   if (state.screen.embed) return false;
   const Layout places = layout(state);
@@ -210,27 +221,15 @@ void draw_snap_choices(const Ui& ui) {
       ui, [&](const char* label, bool on) { return choice(ui, label, nullptr, on); }, [] {});
 }
 
-namespace {
-
-// Whether, on a low screen, the selected vertex is where its bar would stand below the toolbar.
-bool covers_vertex(const Ui& ui) {
-  const AppState& state = ui.state;
-  if (state.tool != Tool::parts || !ui.layout.low) return false;
-  const Vec2 at = state.camera.to_screen(state.document.vertices[*state.selected]);
-  return at.y() < ui.layout.free.middle().y();
-}
-
-}  // namespace
-
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
   if (!has_tool_bar(state)) return;
-  const Rect& at = ui.layout.toolbar;
-  const bool at_foot = covers_vertex(ui);
-  const Rect below_toolbar{at.left, at.bottom + 8, at.right, at.bottom + 160},
-      foot{at.left, at.bottom + 8, at.right, ui.layout.free.bottom - ui.layout.margin};
-  begin_card(ui, "tool bar", at_foot ? foot : below_toolbar,
-             {.at_bottom = at_foot, .fixed_width = false, .padding = 8});
+  const Rect &at = ui.layout.toolbar, &panel = ui.layout.panel;
+  const bool over_panel = vertex_is_over_panel(state);
+  const Rect foot{panel.left, panel.bottom - ui.layout.control - 16, panel.right, panel.bottom},
+      below_toolbar{at.left, at.bottom + 8, at.right, at.bottom + 160};
+  begin_card(ui, "tool bar", over_panel ? foot : below_toolbar,
+             {.fixed_width = over_panel, .padding = 8});
   if (state.tool == Tool::draw)
     draw_drawing_bar(ui);
   else if (state.tool == Tool::transform)
@@ -240,7 +239,7 @@ void draw_tool_bar(const Ui& ui) {
   else
     draw_vertex_buttons(ui);
   const double end = static_cast<double>(ImGui::GetItemRectMax().x + snap_chips_width()) + 12 + 8;
-  const bool fits = end <= at.right;
+  const bool fits = end <= at.right && !over_panel;
   if (fits) ImGui::SameLine(0, 12);
   if (fits || !snaps_in_menu(ui))
     snap_chips(ui);  // in a row of their own if there is height for it

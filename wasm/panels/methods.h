@@ -17,9 +17,9 @@ struct MethodWords {
   const char* about;
 };
 inline constexpr MethodWords methods[] = {
-    {Method::area, "Area", "each team adds the most area to the base"},
+    {Method::area, "Area", "each team adds the most area"},
     {Method::circle, "Circle", "each team fits the largest circles"},
-    {Method::distance, "Distance", "each team shortens the tipping arms most"},
+    {Method::distance, "Distance", "each team shortens the tipping arms"},
     {Method::distributed, "Distributed", "teams at equal angles, to compare"},
     {Method::random, "Random", "teams at random, to compare"},
     {Method::balanced, "Balanced", "robots that all bear the same"},

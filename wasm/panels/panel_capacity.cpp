@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actions/actions.h"
+#include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
@@ -55,22 +55,19 @@ void draw_need(const Ui& ui) {
 
 void draw_capacity(const Ui& ui) {
   const std::optional<double>& capacity = settings(ui.state).capacity;
-  const float width = labelled(ui, "A robot carries", "What one robot can lift at most");
-  if (!capacity) {
-    if (flat_button(ui, "limit", "No limit – set one", width, true, false,
-                    "A robot carries: no limit. Set one"))
-      action(ActionId::type_capacity).run(ui.state, ui.commands);
-    if (ImGui::IsItemHovered()) tip(ui, "Set what one robot can carry, to see how many are needed");
-    return;
-  }
-  const float clear = ui.control();
+  const float width =
+      labelled(ui, "A robot carries",
+               "What one robot can lift at most; type it to see how many robots are needed");
   const std::string label = "What a robot carries, in " + weight_unit(ui.state);
+  if (!capacity) return text_field(ui, "capacity", label.c_str(), "capacity", "no limit", width);
+  const float clear = ui.control();
   const int by =
       stepper(ui, "capacity", given_weight(*capacity, settings(ui.state).units), width - clear - 4,
               {.can_lower = *capacity > 1e-3,
                .can_raise = *capacity < 1e9,
                .label = label.c_str(),
-               .setting = "capacity"});
+               .setting = "capacity",
+               .exact = shortest(*capacity)});
   if (by != 0) ui.push(SetCapacity{stepped(*capacity, by)});
   ImGui::SameLine(0, 4);
   if (icon_button(ui, "any", Icon::close, true, "No limit", clear)) ui.push(SetCapacity{});

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "actions/actions.h"
+#include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "panels/methods.h"
 #include "panels/panels.h"
@@ -48,7 +49,7 @@ void draw_ratio(const Ui& ui) {
   if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about);
   ImGui::SameLine(0, 0);
   number_field(ui, "min ratio", "Minimum load ratio", "min_ratio", fixed(moved.value, 2), number,
-               why_not ? ui.theme.quiet : ui.theme.text);
+               why_not ? ui.theme.quiet : ui.theme.text, shortest(moved.value));
   if (moved.changed) {
     changed.min_ratio = moved.value;
     ui.push(SetSettings{changed, true});
@@ -64,7 +65,8 @@ void draw_weight(const Ui& ui) {
                          {.can_lower = changed.weight > 1e-3,
                           .can_raise = changed.weight < 1e9,
                           .label = label.c_str(),
-                          .setting = "weight"});
+                          .setting = "weight",
+                          .exact = shortest(changed.weight)});
   if (by == 0) return;
   changed.weight = stepped(changed.weight, by);
   ui.push(SetSettings{changed});
@@ -93,7 +95,9 @@ void draw_centre(const Ui& ui) {
   const std::string value = own ? point_in_words(centre_of_mass(ui.state),
                                                  coordinate_decimals(ui.state.document.vertices))
                                 : "centroid";
-  text_field(ui, "com", "Centre of mass, x and y", "com", value, width - reset);
+  const Vec2 centre = centre_of_mass(ui.state);
+  const std::string exact = own ? shortest(centre.x()) + ", " + shortest(centre.y()) : "";
+  text_field(ui, "com", "Centre of mass, x and y", "com", value, width - reset, exact);
   if (!own) return;
   ImGui::SameLine(0, 0);
   if (icon_button(ui, "centroid", Icon::close, true, "Back to the centroid", ui.control()))

@@ -41,8 +41,10 @@ Sign sign_of(const Theme& theme, Mood mood) {
 struct Sizes {
   Face headline, rest;
 };
-constexpr Sizes sizes[] = {
-    {Face::verdict, Face::text}, {Face::strong, Face::text}, {Face::strong, Face::label}};
+constexpr Sizes sizes[] = {{Face::verdict, Face::text},
+                           {Face::verdict, Face::label},
+                           {Face::strong, Face::text},
+                           {Face::strong, Face::label}};
 
 // As high whatever the result is: three lines of each beside the drawing, in a sheet two and three; the headline alone.
 constexpr float after_sign = 32, below_headline = 4;
@@ -115,7 +117,7 @@ std::string rest_of(const Ui& ui, const Verdict& v) {
 
 void draw_failures_below(const Ui& ui) {
   // The words may fill their room.
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.layout.wide ? 8 : 4));
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.layout.wide ? 12 : 8));
   draw_failures(ui);
 }
 
@@ -161,9 +163,9 @@ void draw_embedded_verdict(const Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Verdict v = verdict(ui.state);
   draw_sign(ui, v.mood, ImVec2(at.x + 8 + 11, at.y + height / 2));
-  // What is not as asked for is said, too.
+  // What is not as asked for is said, too; an overload first, since there may be no room for all.
   const std::string text =
-      v.mood == Mood::good ? v.headline : v.headline + " " + overload_in_brief(ui.state) + v.detail;
+      v.mood == Mood::good ? v.headline : overload_in_brief(ui.state) + v.headline + " " + v.detail;
   const float left = 8 + 22 + 10, room = width - left - button - 8;
   const Face face = broken_lines(Face::text, text, room).size() == 1 ? Face::text : Face::label;
   const std::size_t lines = std::min<std::size_t>(broken_lines(face, text, room).size(), 2);

@@ -91,14 +91,14 @@ void draw_choices(const Ui& ui, const Ask& ask, bool beside) {
     ui.push(Guess{ask.choices[ask.pointed]});
 }
 
-void draw_question(const Ui& ui, const Faces& faces, bool beside) {
+void draw_question(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.walkthrough;
   if (!walk.ask) return;
+  space(4);
   text_block(faces.strong, ui.theme.accent, walk.ask->text);
-  if (!beside)
-    text_block(faces.label, ui.theme.second_text,
-               "Press it in the drawing, or choose here. Next shows the answer.");
-  draw_choices(ui, *walk.ask, beside);
+  text_block(faces.label, ui.theme.second_text,
+             "Press it in the drawing, or choose here. Next shows the answer.");
+  draw_choices(ui, *walk.ask, false);
 }
 
 void draw_answers(const Ui& ui, const Faces& faces) {
@@ -155,13 +155,12 @@ void draw_walkthrough_step(const Ui& ui) {
   draw_formula(ui, in_panel);
   draw_left_out(ui, in_panel);
   draw_answers(ui, in_panel);
-  if (walk.ask) space(4);
-  draw_question(ui, in_panel, false);
+  draw_question(ui, in_panel);
   ImGui::PopStyleVar();
 }
 
 // The same in a box of constant height, in which what is longer scrolls: in a closed sheet, an <iframe>, or before a room. A
-// question takes the place of the words, so that its buttons are seen.
+// question takes the place of the words, and its buttons stand below the box unless that would leave less than two lines.
 void draw_walkthrough_briefly(const Ui& ui, float height) {
   const Walkthrough& walk = ui.state.walkthrough;
   constexpr float little = 120;
@@ -169,7 +168,9 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
                        : height < little   ? in_little_room
                                            : in_a_row;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
-  begin_scrolling_box(ui, "told", height);
+  const float row = ui.control() + 4, two_lines = 40;
+  const bool apart = walk.ask && height - row >= two_lines;
+  begin_scrolling_box(ui, "told", apart ? height - row : height);
   const int moment = static_cast<int>(2 * walk.at + (walk.ask ? 1 : 0));
   if (in_last_frame("moment", moment, -1) != moment) ImGui::SetScrollY(0);
   const std::string name = walk.script && ui.state.presenting
@@ -178,7 +179,8 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
   text_block(Face::strong_label, ui.theme.second_text,
              name + " · step " + place_in_words(ui.state));
   if (walk.ask) {
-    draw_question(ui, faces, true);
+    text_block(faces.strong, ui.theme.accent, walk.ask->text);
+    if (!apart) draw_choices(ui, *walk.ask, true);
   } else {
     draw_answers(ui, faces);
     draw_words(ui, faces);
@@ -186,6 +188,7 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
     draw_left_out(ui, faces);
   }
   end_scrolling_box(ui);
+  if (apart) draw_choices(ui, *walk.ask, true);
   ImGui::PopStyleVar();
 }
 

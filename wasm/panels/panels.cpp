@@ -228,6 +228,7 @@ void draw_sheet(const Ui& ui) {
   begin_card(ui, "sheet", ui.layout.panel,
              {.fixed_height = true, .padding = 16, .scrolls = false, .stays_below = true});
   draw_handle(ui);
+  ImGui::SetCursorPosY(handle_height + 6);
   if (ui.state.sheet == Sheet::closed)
     draw_closed_sheet(ui);
   else

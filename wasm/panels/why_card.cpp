@@ -52,8 +52,10 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const double body = ui.state.camera.scale * (robot.reach + 2 * robot.radius);
   const double x =
       std::clamp(at_left ? before - body : behind + body, left, std::max(left, right - width));
-  if (low) return {{x, top, x + width, std::clamp(spot.y() + 20, top, bottom)}, true};
-  return {{x, std::clamp(spot.y() - 20, top, bottom), x + width, bottom}, false};
+  const double foot =
+      x < ui.layout.tools.right ? std::min(bottom, ui.layout.tools.top - margin) : bottom;
+  if (low) return {{x, top, x + width, std::clamp(spot.y() + 20, top, foot)}, true};
+  return {{x, std::clamp(spot.y() - 20, top, foot), x + width, foot}, false};
 }
 
 void draw_row(const Ui& ui, const Explanation::Row& row) {

@@ -281,7 +281,11 @@ void make_room_for_notice(const AppState& state, Layout& l) {
   const double made = std::min(covered, l.room.height() * (over_sheet ? 0.4 : 0.75));
   l.room.bottom -= made;
   if (!over_sheet) return;
-  const double down = std::min(covered - made, l.panel.bottom - l.margin - l.notice.bottom);
+  // It covers the sheet's handle only, or all of its first sentence.
+  constexpr double handle = 28, first_sentence = 104;
+  double down = covered - made;
+  if (down > handle) down = std::max(down, first_sentence);
+  down = std::min(down, l.panel.bottom - l.margin - l.notice.bottom);
   l.notice.top += down;
   l.notice.bottom += down;
 }

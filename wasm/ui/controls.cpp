@@ -126,6 +126,7 @@ std::string controls_text(double zoom) {
     append_rectangle(text, c.window, zoom);
     for (const double value : {c.low, c.high, c.step, c.at}) append_field(text, shortest(value));
     append_field(text, c.current ? std::to_string(*c.current) : std::string());
+    append_field(text, c.exact);
     for (const std::string& choice : c.choices) append_field(text, choice);
     text += '\n';
   }

@@ -22,6 +22,7 @@ struct Control {
   bool enabled = true;
   bool on = false;                   // of a toggle
   std::string value;                 // of a number, slider or text: as it is shown
+  std::string exact;                 // of a number: what is typed over, where that is more exact
   std::string setting;               // of a number: which setting it is, see settings_text.h
   double low = 0, high = 0, at = 0;  // of a slider
   double step = 0;

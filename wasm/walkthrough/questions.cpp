@@ -135,7 +135,8 @@ void guess(AppState& state, std::uint32_t answer) {
   if (!right && asked.question.kind == QuestionKind::winning_chord)
     verdict += " " + why_not_text(*walk.trace, why_not(*walk.trace, asked.step, answer));
   if (!right && asked.question.kind == QuestionKind::even_chord)
-    verdict += " " + even_chord_text(*walk.trace, asked.detail, answer);
+    verdict = "Not this time: it is chord " + std::to_string(asked.question.answer + 1) + ". " +
+              even_chord_text(*walk.trace, asked.detail, answer);
   if (!right && asked.detail.swap)
     verdict += " " + other_swap_text(*walk.trace, asked.detail, asked.question, answer);
   if (walk.script && timeline(state).at + 1 < timeline(state).count)

@@ -43,11 +43,12 @@ Control pressed_control(const char* id, const char* label, bool enabled, Pressed
 }
 
 Control number_control(const char* id, const char* label, const char* setting,
-                       const std::string& value) {
+                       const std::string& value, const std::string& exact) {
   Control control = button_control(id, label);
   control.kind = ControlKind::number;
   control.setting = setting;
   control.value = value;
+  control.exact = exact;
   return control;
 }
 

@@ -24,7 +24,7 @@ Area area(const Ui& ui, ImVec2 size, Control control);
 Control button_control(const char* id, const char* label, bool enabled = true);
 Control toggle_control(const char* id, const char* label, bool on);
 Control number_control(const char* id, const char* label, const char* setting,
-                       const std::string& value);
+                       const std::string& value, const std::string& exact = {});
 Control slider_control(const char* id, const char* label, double at, double low, double high,
                        double step);
 

@@ -60,7 +60,8 @@ int stepper(const Ui& ui, const char* id, const std::string& value, float width,
   ImGui::SameLine(0, 0);
   const float middle = width - 2 * side;
   ImGui::Dummy(ImVec2(middle, height));
-  if (*options.setting) list_control(number_control(id, options.label, options.setting, value));
+  if (*options.setting)
+    list_control(number_control(id, options.label, options.setting, value, options.exact));
   ImGui::SameLine(0, 0);
   end("+", "more", Icon::plus, options.can_raise, 1);
   const ImVec2 text = text_size(Face::strong, value);
@@ -72,10 +73,10 @@ int stepper(const Ui& ui, const char* id, const std::string& value, float width,
 }
 
 void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
-                const std::string& value, float width) {
+                const std::string& value, float width, const std::string& exact) {
   constexpr float pad = 10;
   ImGui::Dummy(ImVec2(width, ui.control()));
-  list_control(number_control(id, label, setting, value));
+  list_control(number_control(id, label, setting, value, exact));
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   draw_ground(ui, low, high);
   draw_text(*ImGui::GetWindowDrawList(), Face::text,
@@ -84,9 +85,9 @@ void text_field(const Ui& ui, const char* id, const char* label, const char* set
 }
 
 void number_field(const Ui& ui, const char* id, const char* label, const char* setting,
-                  const std::string& value, float width, Colour colour) {
+                  const std::string& value, float width, Colour colour, const std::string& exact) {
   ImGui::Dummy(ImVec2(width, ui.control()));
-  list_control(number_control(id, label, setting, value));
+  list_control(number_control(id, label, setting, value, exact));
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImVec2 text = text_size(Face::strong, value);
   draw_text(*ImGui::GetWindowDrawList(), Face::strong,

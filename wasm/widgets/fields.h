@@ -14,16 +14,18 @@ struct StepperOptions {
   bool can_lower = true, can_raise = true;
   const char* label = "";
   const char* setting = "";
+  std::string exact = {};  // what is typed over, where the value is rounded
 };
 int stepper(const Ui& ui, const char* id, const std::string& value, float width,
             const StepperOptions& options);
 
 // A value that can be typed, at the cursor, `width` wide: a number ends at the right; a text begins at the left, on a ground of its
-// own, and is cut off with "…" where it is too long.
+// own, and is cut off with "…" where it is too long. `exact` is what is typed over, where the value is rounded.
 void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
-                const std::string& value, float width);
+                const std::string& value, float width, const std::string& exact = {});
 void number_field(const Ui& ui, const char* id, const char* label, const char* setting,
-                  const std::string& value, float width, Colour colour);
+                  const std::string& value, float width, Colour colour,
+                  const std::string& exact = {});
 
 // A number that is typed and no setting: what was typed, and whether it was confirmed by Enter. With its label before it and
 // its own ground.

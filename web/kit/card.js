@@ -3,6 +3,7 @@
 import { ensureStyles } from "./dialogs.js";
 import { button, el } from "./elements.js";
 
+const widest = 960;  // pixels: lines that are longer are hard to read
 let open;  // the card that is open; there is one at most
 const later = [];  // what waits until there is none
 
@@ -48,9 +49,9 @@ export async function openCard(page, { name, title, body, closed, focus = false,
     if (leave.signal.aborted) return;
     placed = place();
     const [left, top, right, bottom, zoom, presenting] = placed.trim().split(/ +/).map(Number);
-    const width = (right - left) / zoom;
+    const width = Math.min((right - left) / zoom, widest);
     root.style.scale = zoom;
-    root.style.left = `${left}px`;
+    root.style.left = `${(left + right - width * zoom) / 2}px`;
     root.style.width = `${width}px`;
     root.style.maxHeight = `${(bottom - top) / zoom}px`;
     root.classList.toggle("in-a-row", width >= 600);

@@ -1,7 +1,10 @@
 // Reads the list of controls that the program writes (wasm/ui/controls.cpp).
 const names = ["kind", "card", "name", "label", "value", "setting", "enabled", "on", "left", "top", "width", "height",
-  "windowLeft", "windowTop", "windowWidth", "windowHeight", "low", "high", "step", "at", "current"];
-const texts = new Set(["kind", "card", "name", "label", "value", "setting", "current"]);
+  "windowLeft", "windowTop", "windowWidth", "windowHeight", "low", "high", "step", "at", "current", "exact"];
+const texts = new Set(["kind", "card", "name", "label", "value", "exact", "setting", "current"]);
+
+// All of them, as they are listed.
+export const listedControls = (text) => text.split("\n").filter(Boolean).map(readControl);
 
 function readControl(line) {
   const fields = line.split("\t");
@@ -23,7 +26,7 @@ function isEndOf(fields, { card, name }) {
 
 // Each with a `key` of its own, though a card may have two of one name.
 export function readControls(text) {
-  const all = text.split("\n").filter(Boolean).map(readControl);
+  const all = listedControls(text);
   const fields = new Set(all.filter(({ kind }) => kind === "number").map(({ card, name }) => `${card}/${name}`));
   const seen = new Map();
   return all.filter((control) => !isEndOf(fields, control)).map((control) => {

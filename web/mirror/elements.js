@@ -4,7 +4,7 @@ import { plainValue } from "./typed.js";
 function button(entry, actions) {
   const element = document.createElement("button");
   element.type = "button";
-  element.addEventListener("click", () => actions.press(entry.control));
+  element.addEventListener("click", () => entry.control.enabled && actions.press(entry.control));
   return element;
 }
 
@@ -31,7 +31,7 @@ function field(entry, actions) {
   let before = "", previewed = false;
   const begin = () => {
     previewed = false;
-    before = element.value = plainValue(entry.control.value);
+    before = element.value = entry.control.exact || plainValue(entry.control.value);
     element.removeAttribute("aria-invalid");
     element.select();
   };
@@ -45,6 +45,7 @@ function field(entry, actions) {
     return done;
   };
   entry.begin = begin;
+  entry.isTyped = () => element.value !== before;
   // Enter. Whoever came here by keys goes on from here; others are back at the drawing. A number that is no setting is followed
   // by the next one, and where nothing was typed Enter is pressed for all of them.
   const confirm = () => {
@@ -96,11 +97,29 @@ const text = () => document.createElement("p");
 
 const makers = { button, toggle: button, choice, slider, number: field, text };
 
+const isOfHistory = (event) => (event.ctrlKey || event.metaKey) && !event.altKey && ["z", "y"].includes(event.key.toLowerCase());
+
+// One that has the focus keeps it: a browser takes it from what is disabled.
+function showEnabled({ element, control }) {
+  const disabled = !control.enabled;
+  element.disabled = disabled && element !== document.activeElement;
+  if (disabled) setAttribute(element, "aria-disabled", "true");
+  else element.removeAttribute("aria-disabled");
+}
+
 export function createElement(control, actions) {
   const entry = { control };
   entry.element = makers[control.kind](entry, actions);
   entry.element.addEventListener("focus", () => entry.control.seen || actions.reveal(entry.control));
+  entry.element.addEventListener("blur", () => showEnabled(entry));
   entry.element.addEventListener("keydown", (event) => {
+    if (isOfHistory(event) && !entry.isTyped?.()) {  // what is being typed has an undo of its own
+      event.preventDefault();
+      event.stopPropagation();
+      entry.renew = entry.begin;
+      actions.key(event);
+      return;
+    }
     if (event.key !== "Escape") return;
     event.stopPropagation();
     if (control.kind !== "number") actions.escape();  // a field takes back what was typed in it, and nothing else
@@ -128,7 +147,7 @@ export function showControl(entry, control) {
     return;
   }
   setAttribute(element, "aria-label", control.label);
-  element.disabled = !control.enabled;
+  showEnabled(entry);
   element.classList.toggle("unseen", !control.seen);
   if (control.kind === "toggle") setAttribute(element, "aria-pressed", String(control.on === 1));
   if (control.kind === "choice") showChoices(element, control);

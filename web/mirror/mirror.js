@@ -93,6 +93,7 @@ export function createMirror(program, field, notice) {
       field.show();
       entry.begin();
     },
+    key: ({ key, shiftKey }) => program.number("page_key", key, 1, shiftKey ? 1 : 0),
     // A key that the page uses, or else the way back to the drawing.
     escape() {
       if (!program.number("page_key", "Escape", 0, 0)) leave();

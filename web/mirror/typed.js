@@ -73,11 +73,13 @@ export function typedProblem(typed, setting, own, isLength) {
 export function settingValue(typed, setting = "", own = "") {
   const text = tidied(typed);
   if (setting === "no_go") {  // edges: "3,5" is no number
-    const edges = text.replaceAll(" ", "");
+    const apart = text.includes(";") ? text.replaceAll(",", ".").replaceAll(";", ",") : text;  // "3:0,25-0,5; 27"
+    const edges = apart.replaceAll(" ", "");
     if (/^(none)?$/i.test(edges)) return "none";
     return /[a-z]/i.test(edges) ? text.trim() : edges;  // what is refused is quoted as it was typed
   }
   if (setting === "teams" && text.toLowerCase() === "all") return "max";  // as the button calls it
+  if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";
   const single = setting === "com" ? null : one.exec(text);  // "10,20" are its two numbers
   if (single) return single[2] ? converted(single[1], single[2], own) ?? text : point(single[1]);
   const pair = two.exec(text);

@@ -1,6 +1,7 @@
 // The coordinates as a table beside the canvas. Typing in the table changes the drawing, and dragging changes the table.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
+import { settingValue, typedProblem } from "../mirror/typed.js";
 import { show as openText } from "./open.js";
 import { underWay } from "../page/under_way.js";
 
@@ -189,7 +190,9 @@ class Table {
     const { inputs } = vertex < 0 ? this.centre : this.#rows[vertex - this.#from];
     const axis = inputs.indexOf(input);
     if (input.value === input.dataset.is || input.value === input.dataset.shown) return this.#accept(input);
-    const problem = this.#program.text("page_set_coordinate", vertex, axis, input.value);
+    const unit = this.#program.text("page_length_unit"), own = unit === "none" ? "" : unit;
+    const problem = typedProblem(input.value, "", own, true)
+      || this.#program.text("page_set_coordinate", vertex, axis, settingValue(input.value, "", own));
     if (problem) {
       input.setAttribute("aria-invalid", "true");
       const name = input.getAttribute("aria-label");

@@ -1,4 +1,5 @@
 // Where things are on the screen that the tour points at. Places are in CSS pixels.
+import { listedControls } from "../mirror/controls.js";
 
 const numbers = (text) => text.trim().split(" ").map(Number);
 
@@ -59,10 +60,10 @@ function sharpness([ax, ay], [bx, by], [cx, cy]) {
 }
 
 // The controls of the canvas with these names: their cards, their places and the parts of the cards that are seen, each as
-// [x, y, width, height] (wasm/ui/controls.cpp).
+// [x, y, width, height].
 function controls(program, names) {
-  return program.text("page_controls").split("\n").map((line) => line.split("\t")).filter(([, , name]) => names.includes(name))
-    .map((fields) => ({ card: fields[1], name: fields[2], place: fields.slice(8, 12).map(Number), seen: fields.slice(12, 16).map(Number) }));
+  return listedControls(program.text("page_controls")).filter(({ name }) => names.includes(name))
+    .map((c) => ({ card: c.card, name: c.name, place: [c.left, c.top, c.width, c.height], seen: [c.windowLeft, c.windowTop, c.windowWidth, c.windowHeight] }));
 }
 
 const isSeen = ({ place: [x, y, width, height], seen: [left, top, wide, high] }) =>

@@ -309,7 +309,8 @@ std::string sentence(const InputError& error) {
   // What is said of a setting or a link mostly begins with what it is: then its name would only double that.
   const bool named = message.starts_with("the ") || message.starts_with("no edge ") ||
                      message.starts_with("there is no edge ");
-  if (place.empty() || (named && (option || whole_link))) return capital(message);
+  const bool doubled = message.find("the " + place) != std::string::npos;  // "the centre of mass"
+  if (place.empty() || doubled || (named && (option || whole_link))) return capital(message);
   // The name of a setting stays as it is written.
   return option ? place + ": " + message : capital(place + ": " + message);
 }
