@@ -167,7 +167,7 @@ void draw_answered(const Painter& painter, const CanvasView& view, double reach,
                    Occupied& occupied) {
   const std::optional<Answered>& answered = view.state.walkthrough.answered;
   if (!answered) return;
-  // The step itself draws no even chords, and the numbers would name nothing.
+  // Where the step itself draws no even chords, the numbers would name nothing.
   if (answered->ask.question.kind == QuestionKind::even_chord)
     for (const std::uint32_t choice : answered->ask.choices)
       draw_chord(painter,

@@ -100,6 +100,8 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
     occupied.line(view.camera.to_screen(base[i]),
                   view.camera.to_screen(base[i + 1 == base.size() ? 0 : i + 1]));
   if (const std::optional<Rect> coverage = coverage_box(view)) occupied.box(*coverage);
+  if (view.state.selected)
+    occupied.box(about(view.camera.to_screen(vertices[*view.state.selected]), 14));
   if (view.state.tool == Tool::transform) {
     constexpr double reach_of_grip = 10;
     const Rect frame = transform_frame(view.state);

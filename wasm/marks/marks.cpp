@@ -4,8 +4,10 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "evenlift/loads.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
 #include "marks/boxed_text.h"
@@ -178,8 +180,11 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   const ImVec2 text = text_size(Face::label, result);
   const float width = (wide ? std::max(title.x, text.x) : beside + text.x) + 24;
   const double height = wide ? 46 : 28;
-  const ImVec2 low = vec(view.window.middle().x() - static_cast<double>(width) / 2,
-                         view.window.top + view.layout.caption - height);
+  double top = view.window.top + view.layout.caption - height;
+  for (const Control& control : controls())  // below the tool's bar, where it was in the last frame
+    if (control.card == "tool bar" && control.window.left < view.layout.free.right)
+      top = std::max(top, control.window.bottom + 6);
+  const ImVec2 low = vec(view.window.middle().x() - static_cast<double>(width) / 2, top);
   const ImVec2 high(low.x + width, low.y + static_cast<float>(height));
   painter.list().AddRectFilled(low, high, view.theme.panel.at(0.94f).packed(), 8);
   const ImVec2 name_at(wide ? low.x + (width - title.x) / 2 : low.x + 12, low.y + 5);
@@ -191,7 +196,7 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
 
 // While edges are marked: their numbers, for those who type them. An edge that is short has no room for one.
 void draw_numbers_to_type(const Painter& painter, const CanvasView& view) {
-  constexpr double least = 44;  // pixels
+  constexpr double least = 44, reach = 14;  // pixels: of an edge, and of a robot's mark
   const Points& vertices = view.state.document.vertices;
   std::vector<NumberedEdge> numbered;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -199,7 +204,13 @@ void draw_numbers_to_type(const Painter& painter, const CanvasView& view) {
     const bool seen = view.window.contains(view.camera.to_screen((a + b) / 2));
     if (seen && length(b - a) * view.camera.scale >= least) numbered.push_back({a, b, i});
   }
-  draw_edge_numbers(painter, view.theme, view.theme.second_text, numbered);
+  std::vector<Rect> robots;
+  if (view.current())
+    for (const LiftingPoint& robot : lifting_points(view.placement->teams)) {
+      const Vec2 at = view.camera.to_screen(robot.position);
+      robots.push_back({at.x() - reach, at.y() - reach, at.x() + reach, at.y() + reach});
+    }
+  draw_edge_numbers(painter, view.theme, view.theme.second_text, numbered, std::move(robots));
 }
 
 }  // namespace
@@ -217,7 +228,6 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_coverage(painter, view);
   }
   if (state.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
-  if (state.tool == Tool::mark && !view.second) draw_numbers_to_type(painter, view);
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
   if (view.current()) {
@@ -226,6 +236,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_robots(painter, view);
     draw_ratio(painter, view);
   }
+  if (state.tool == Tool::mark && !view.second) draw_numbers_to_type(painter, view);
   draw_centre(painter, view);
   if (view.current()) draw_push(painter, view);
   if (view.current()) draw_why_unusable(painter, view);

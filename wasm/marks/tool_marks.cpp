@@ -97,8 +97,7 @@ void draw_centroid(const Painter& painter, const Theme& theme, const Points& cha
 }  // namespace
 
 void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
-                       const std::vector<NumberedEdge>& edges) {
-  std::vector<Rect> before;
+                       const std::vector<NumberedEdge>& edges, std::vector<Rect> before) {
   for (const auto& [a, b, edge] : edges) {
     const std::string number = std::to_string(edge + 1);
     const ImVec2 text = text_size(Face::strong_label, number);

@@ -17,8 +17,9 @@ struct NumberedEdge {
   Vec2 a, b;
   std::size_t edge;
 };
-// The numbers of edges, on them and not over each other, as messages and settings count edges: from 1.
+// The numbers of edges, on them, as messages and settings count edges: from 1. They cover neither each other nor, as far as there
+// is room on their edges, what is in the boxes `before`, in pixels.
 void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
-                       const std::vector<NumberedEdge>& edges);
+                       const std::vector<NumberedEdge>& edges, std::vector<Rect> before = {});
 
 }  // namespace evenlift::view

@@ -6,6 +6,7 @@
 #include "actions/actions.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
+#include "state/browser.h"
 #include "tools/drawing.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
@@ -223,7 +224,10 @@ void draw_snap_choices(const Ui& ui) {
 
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
-  if (!has_tool_bar(state)) return;
+  // What is drawn below the panels keeps off the bar from the next picture on.
+  const bool shown = has_tool_bar(state);
+  if ((in_last_frame("has tool bar", shown, shown) != 0) != shown) browser::request_frame();
+  if (!shown) return;
   const Rect &at = ui.layout.toolbar, &panel = ui.layout.panel;
   const bool over_panel = vertex_is_over_panel(state);
   const Rect foot{panel.left, panel.bottom - ui.layout.control - 16, panel.right, panel.bottom},

@@ -10,6 +10,7 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "state/browser.h"
+#include "walkthrough/questions.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
 #include "walkthrough/words.h"
@@ -152,7 +153,7 @@ void draw_walkthrough_step(const Ui& ui) {
              walk.script ? 0 : button);
   text_line(Face::label, ui.theme.second_text, "Step " + place_in_words(ui.state));
   draw_words(ui, in_panel);
-  draw_formula(ui, in_panel);
+  if (!asks_of_other_robots(ui.state)) draw_formula(ui, in_panel);  // it is of another M
   draw_left_out(ui, in_panel);
   draw_answers(ui, in_panel);
   draw_question(ui, in_panel);

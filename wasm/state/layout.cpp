@@ -22,6 +22,9 @@ constexpr double least_height_for_both = 480, share_of_words = 0.45;
 // A bar with one row of controls.
 double bar_height(const Layout& l) { return l.control + 2 * l.bar_padding; }
 
+// What the bar of a tool takes below the toolbar, with its margins.
+double tool_bar_height(const Layout& l) { return l.control + 24; }
+
 // Room around the polygon for robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
   constexpr double little = 150;  // where loads find room at the sides only
@@ -144,9 +147,12 @@ Layout wide(const AppState& state) {
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
-  if (state.tool == Tool::transform) l.free.top += l.control + 24 + knob;
-  if (state.tool == Tool::mark && l.low) l.free.top += l.control + 24;  // the boundary is wanted
-  split(l, screen, state.second_method.has_value(), 88, 68, 84);
+  if (state.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
+  if (state.tool == Tool::mark && (l.low || state.second_method))
+    l.free.top += tool_bar_height(l);  // the boundary is wanted, and so are captions
+  // The corners of a frame stand farther out than robots, and clear of the tools of the view.
+  const double below = state.tool == Tool::transform ? 108 : 84;
+  split(l, screen, state.second_method.has_value(), 88, 68, below);
   return l;
 }
 
@@ -172,7 +178,7 @@ bool asks_for_room(const AppState& state) {
 double room_above(const Layout& l, const AppState& state, double sheet) {
   const Screen& screen = state.screen;
   double room = screen.height - bar_height(l) - 2 * l.margin - sheet - screen.foot;
-  if (has_bar(state)) room -= l.control + 24 + (state.tool == Tool::transform ? knob : 0);
+  if (has_bar(state)) room -= tool_bar_height(l) + (state.tool == Tool::transform ? knob : 0);
   return state.second_method ? room / 2 - caption_above : room;
 }
 
@@ -199,7 +205,7 @@ Layout narrow(const AppState& state) {
   // move.
   const double below = std::min(height, most);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
-  if (has_bar(state)) l.free.top += l.control + 24;
+  if (has_bar(state)) l.free.top += tool_bar_height(l);
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};

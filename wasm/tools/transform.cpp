@@ -53,11 +53,13 @@ constexpr double beyond = 30;  // pixels from the polygon to its frame
 Vec2 knob_place(const AppState& state, const Rect& frame) {
   constexpr double stalk = 28;
   const Layout places = layout(state);
-  // The tool's bar ends here; layout() keeps its room free on a wide screen.
-  const double top = places.free.top + (places.wide ? -28 : 130), x = frame.middle().x();
+  // Above the picture layout() keeps room for it on a wide screen, but for a caption.
+  const bool has_room = places.wide && places.caption == 0;
+  const double top = places.first.top + places.caption - (has_room ? stalk : 0),
+               x = frame.middle().x();
   if (frame.top - stalk >= top) return {x, frame.top - stalk};
-  if (frame.bottom + stalk <= places.free.bottom) return {x, frame.bottom + stalk};
-  return {x, top + stalk};
+  if (frame.bottom + stalk <= places.first.bottom) return {x, frame.bottom + stalk};
+  return {x, std::max(top, frame.top) + stalk};
 }
 
 PolygonGrip now(const AppState& state) {
