@@ -178,7 +178,7 @@ bool vertex_is_on_sheet(const AppState& state) {
 
 namespace {
 
-// On a low screen they would cover robots below the toolbar, and stand on the foot of the panel.
+// Below the toolbar of a low screen the vertex's buttons would cover robots: there they stand on the foot of the panel.
 bool vertex_is_over_panel(const AppState& state) {
   const Layout places = layout(state);
   return state.tool == Tool::parts && state.selected && places.wide && places.low &&
