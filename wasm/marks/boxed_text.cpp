@@ -27,17 +27,13 @@ Rect box_at(const Vec2& from, const Vec2& to, const Vec2& size, double share) {
   return {low.x(), low.y(), low.x() + size.x(), low.y() + size.y()};
 }
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
 }  // namespace
 
 std::optional<Rect> clear_box_on_line(const Vec2& from, const Vec2& to, const Vec2& size,
                                       const SharesOfLine& shares, std::vector<Rect>& before) {
   for (const double share : shares) {
     const Rect box = box_at(from, to, size, share);
-    const auto covers = [&](const Rect& other) { return overlap(box, other); };
+    const auto covers = [&](const Rect& other) { return box.overlaps(other); };
     if (std::any_of(before.begin(), before.end(), covers)) continue;
     before.push_back(box);
     return box;

@@ -17,6 +17,9 @@ struct Rect {
   bool contains(const Vec2& p) const {
     return p.x() >= left && p.x() < right && p.y() >= top && p.y() < bottom;
   }
+  bool overlaps(const Rect& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
 };
 
 // The part of the segment from a to b in a rectangle, its edge included, as shares of the way from a; nothing if there is

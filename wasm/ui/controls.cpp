@@ -103,12 +103,8 @@ void list_text(std::string label, std::string value) {
 }
 
 void cover_controls(const Rect& place) {
-  const auto overlaps = [&](const Rect& r) {
-    return r.left < place.right && place.left < r.right && r.top < place.bottom &&
-           place.top < r.bottom;
-  };
   for (Control& control : listed.of_pass)
-    if (control.card != listed.card && overlaps(control.place)) control.window = {};
+    if (control.card != listed.card && place.overlaps(control.place)) control.window = {};
 }
 
 const std::vector<Control>& controls() { return listed.of_pass; }
