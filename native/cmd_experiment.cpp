@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #ifndef __EMSCRIPTEN__
 #include <thread>
 #endif
@@ -67,6 +68,20 @@ experiment::Shard shard_of(const Options& options) {
   return {static_cast<std::uint32_t>(*i), static_cast<std::uint32_t>(*n)};
 }
 
+// The files in its folder to which an experiment writes its results.
+constexpr const char* result_files[] = {"measurements.csv", "aggregates.csv", "polygons.csv",
+                                        "times.csv",        "thesis.md",      "robots.md",
+                                        "report.html"};
+
+void check_out(const std::string& out, const std::vector<PolygonFile>& read) {
+  if (out == "-") throw bad_value("--out", "expected the name of a folder", out);
+  for (const char* name : result_files)
+    for (const PolygonFile& file : read)
+      if (is_same_file(file.path, out + "/" + name))
+        throw Failure{bad_input_status, "--out",
+                      "would overwrite " + file.path + ", which is read"};
+}
+
 // Writes all files of a finished experiment. The same parts give the same bytes.
 std::string write_results(std::vector<experiment::Part> parts, const ExperimentFolder& folder) {
   const experiment::ExperimentSettings settings =
@@ -80,13 +95,16 @@ std::string write_results(std::vector<experiment::Part> parts, const ExperimentF
   }
   const std::vector<experiment::ResultSet> sets = experiment::group_by_set(std::move(results));
   const experiment::Outputs outputs = experiment::make_outputs(sets);
-  write_file(folder.file("measurements.csv"), outputs.measurements_csv);
-  write_file(folder.file("aggregates.csv"), outputs.aggregates_csv);
-  write_file(folder.file("polygons.csv"), outputs.polygons_csv);
-  write_file(folder.file("times.csv"), times);
-  write_file(folder.file("thesis.md"), experiment::claims_markdown(outputs.claims));
-  write_file(folder.file("robots.md"), experiment::few_robots_markdown(outputs.few_robots));
-  write_file(folder.file("report.html"), report_html(sets, outputs, settings));
+  const std::string texts[] = {outputs.measurements_csv,
+                               outputs.aggregates_csv,
+                               outputs.polygons_csv,
+                               times,
+                               experiment::claims_markdown(outputs.claims),
+                               experiment::few_robots_markdown(outputs.few_robots),
+                               report_html(sets, outputs, settings)};
+  static_assert(std::size(texts) == std::size(result_files));
+  for (std::size_t i = 0; i < std::size(texts); ++i)
+    write_file(folder.file(result_files[i]), texts[i]);
   return count_of(parts.size(), "polygon", "polygons") + ", " +
          count_of(rows, "measurement", "measurements") + ": " + folder.file("report.html") + "\n";
 }
@@ -106,6 +124,7 @@ void run(const Options& options) {
   const experiment::Shard shard = shard_of(options);
   const unsigned jobs = jobs_of(options);
   const std::vector<PolygonFile> files = find_polygon_files(options.paths);
+  check_out(*options.out, files);
   const ExperimentFolder folder = ExperimentFolder::create(*options.out);
   const RunOutcome outcome = run_experiment(files, shard, settings, jobs, folder);
   std::string said;
@@ -132,6 +151,7 @@ void merge(const Options& options) {
     if (*given)
       throw Failure{bad_input_status, option,
                     "does not go with --merge: the shards are measured already"};
+  check_out(*options.out, {});
   std::vector<ExperimentFolder> folders;
   for (const std::string& path : options.paths) folders.push_back(ExperimentFolder::open(path));
   if (folders.empty()) folders.push_back(ExperimentFolder::open(*options.out));

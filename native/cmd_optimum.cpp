@@ -53,7 +53,8 @@ Compared compare(const Placement& greedy, bool holds, double seconds) {
                     {}};
   if (holds)
     compared.firmest = firmest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
-                                      teams, greedy.team_candidates, greedy.settings.min_margin,
+                                      teams, greedy.team_candidates,
+                                      firm_hold(greedy),
                                       compared.widest, greedy.stands.get());
   return compared;
 }

@@ -120,10 +120,11 @@ std::string for_people(const Placement& placement, bool with_candidates,
   }
   if (capacity)
     sentences += capacity_in_words(placement, capacity->limit, &capacity->plan,
-                                   overloaded_robots(greatest, capacity->limit), model) +
+                                   overloaded_robots(greatest, capacity->limit), model,
+                                   std::nullopt, &*capacity->if_one_fails) +
                  "\n";
   sentences += robustness_lines(known, limit, placement.settings.units);
-  if (asked.failures && !placement.teams.empty()) tables += failure_table(placement, known) + "\n";
+  if (asked.failures && !placement.teams.empty()) tables += failure_table(placement, known, limit) + "\n";
   if (with_candidates && !placement.candidates.empty()) tables += candidate_table(placement) + "\n";
   return sentences + "\n" + tables + facts(placement, known.robustness);
 }
@@ -165,6 +166,17 @@ std::string picture(Placement placement, const Document& document, bool with_can
   return placement_svg(placement, link ? *link : std::string());
 }
 
+// Each output is a file of its own.
+void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>& poses) {
+  const std::string& read = options.input.file;
+  if (options.svg) check_output_file("--svg", *options.svg, read);
+  if (poses) check_output_file("--poses", poses->file, read);
+  if (options.svg && poses &&
+      (*options.svg == poses->file || is_same_file(*options.svg, poses->file)))
+    throw Failure{bad_input_status, "--poses",
+                  "would overwrite " + poses->file + ", to which --svg writes"};
+}
+
 }  // namespace
 
 void cmd_place(const Arguments& arguments) {
@@ -184,12 +196,14 @@ void cmd_place(const Arguments& arguments) {
 
   const Input input = options.read();
   const std::optional<PosesAsked> pose_file = options.poses.asked();
+  check_outputs(options, pose_file);
   const RobustnessAsked asked(options.robustness, input.document.settings);
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
   std::optional<CapacityInJson> capacity;
   if (const auto& limit = placement->settings.capacity)
-    capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit)};
+    capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit),
+                              plan_for_failures(*placement, *limit)};
   if (options.svg)
     write_file(*options.svg, picture(*placement, input.document, options.candidates));
   if (pose_file)

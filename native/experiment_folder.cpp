@@ -71,6 +71,7 @@ ExperimentFolder ExperimentFolder::create(const std::string& path) {
 }
 
 ExperimentFolder ExperimentFolder::open(const std::string& path) {
+  if (path.empty()) refuse("PATH", "its name is empty");
   std::error_code error;
   if (!fs::is_directory(parts(path), error))
     refuse(path, "no experiment has run here: there is no folder " + parts(path));

@@ -14,9 +14,9 @@ std::string printable(std::string text) {
 }  // namespace
 
 void print_failure(const Failure& failure) {
-  if (failure.where.empty()) return;
-  std::fprintf(stderr, "evenlift: %s: %s\n", printable(failure.where).c_str(),
-               printable(failure.what).c_str());
+  if (failure.silent) return;
+  const std::string where = failure.where.empty() ? "\"\"" : printable(failure.where);
+  std::fprintf(stderr, "evenlift: %s: %s\n", where.c_str(), printable(failure.what).c_str());
   for (const std::string& line : failure.list)
     std::fprintf(stderr, "  %s\n", printable(line).c_str());
 }

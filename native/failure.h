@@ -18,10 +18,11 @@ struct Failure {
   std::string where;                   // a file and the place in it, or an option as it is typed
   std::string what;                    // one sentence, no full stop
   std::vector<std::string> list = {};  // lines below it, such as what one may choose from
+  bool silent = false;                 // nothing is printed: nobody reads any more
 };
 
-// Prints `evenlift: WHERE: WHAT` on standard error, in one line whatever a file is called; nothing
-// if it says not where.
+// Prints `evenlift: WHERE: WHAT` on standard error, in one line whatever a file is called, even if
+// its name is empty; nothing if it is silent.
 void print_failure(const Failure& failure);
 
 // The system's words for an error, as part of a sentence: "no such file or directory".

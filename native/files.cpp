@@ -42,6 +42,11 @@ bool exists(const std::string& path) {
   return stat(path.c_str(), &info) == 0;
 }
 
+// Whether two descriptions are of one regular file. A pipe may well be read and written.
+bool is_same_file(const struct stat& a, const struct stat& b) {
+  return S_ISREG(a.st_mode) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
 void write_all(std::FILE* file, std::string_view text, const std::string& name) {
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (!written || std::fflush(file) != 0) throw Failure{other_status, name, system_error()};
@@ -50,6 +55,7 @@ void write_all(std::FILE* file, std::string_view text, const std::string& name) 
 }  // namespace
 
 Input read_input(const std::string& file, const ShapeOptions& options) {
+  if (file.empty()) throw Failure{bad_input_status, "FILE", "its name is empty"};
   if (file == "-") return parsed(read_all(stdin, "standard input"), "standard input", options);
   // A file may be called "1.dat", so whatever exists is taken as a file.
   if (!exists(file) && (looks_like_link(file) || file.find('#') != std::string::npos)) {
@@ -70,6 +76,19 @@ std::optional<std::string> read_file(const std::string& path) {
   } catch (const Failure&) {
     return std::nullopt;
   }
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  struct stat of_a, of_b;
+  const int found_a = a == "-" ? fstat(fileno(stdin), &of_a) : stat(a.c_str(), &of_a);
+  return found_a == 0 && stat(b.c_str(), &of_b) == 0 && is_same_file(of_a, of_b);
+}
+
+void check_output_file(const std::string& option, const std::string& path,
+                       const std::string& input) {
+  if (path == "-") throw bad_value(option, "expected the name of a file", path);
+  if (is_same_file(input, path))
+    throw Failure{bad_input_status, option, "would overwrite " + path + ", which is read"};
 }
 
 void write_file(const std::string& path, std::string_view text) {
@@ -93,7 +112,7 @@ void write_output(std::string_view text) {
   try {
     write_all(stdout, text, "standard output");
   } catch (const Failure&) {
-    if (errno == EPIPE) throw Failure{other_status, "", ""};
+    if (errno == EPIPE) throw Failure{other_status, "standard output", "", {}, true};
     throw;
   }
 }

@@ -57,6 +57,9 @@ void SettingOptions::declare(CommandLine& line) {
              "best: one place for two edges; range: anywhere in their range");
   line.value(apart, "--apart", "A",
              "robots nearer than this are too near (default 0.12 of the object's radius)");
+  line.value(clear, "--clear", "K",
+             "distances below are not relied on: of contacts from corners, and of the centre of mass "
+             "from the base's edge after a failure (default 0.02 of the object's radius)");
   line.value(
       robot, "--robot", "r=R,reach=G,...",
       "the robots' size: r, reach, and depth and width of the hand, and the gap between robots");
@@ -72,7 +75,7 @@ void SettingOptions::apply(Document& document) const {
         std::pair(Setting::weight, &weight), std::pair(Setting::seed, &seed),
         std::pair(Setting::robots, &robots), std::pair(Setting::goal, &goal),
         std::pair(Setting::min_margin, &min_margin), std::pair(Setting::apart, &apart),
-        std::pair(Setting::survive, &survive), std::pair(Setting::positions, &positions),
+        std::pair(Setting::clear, &clear), std::pair(Setting::survive, &survive), std::pair(Setting::positions, &positions),
         std::pair(Setting::robot, &robot), std::pair(Setting::no_go, &no_go)})
     if (*typed) setting_option(setting, **typed, document);
   check_method(document.settings);
@@ -132,6 +135,9 @@ void UnitOptions::apply(Document& document) const {
 }
 
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {
+  // No option says where robots were moved to: a link or a saved result does.
+  if (error.place.kind == Place::Kind::option && error.place.option == "moved")
+    return {bad_input_status, source, "robots that were moved by hand: " + error.message};
   if (error.place.kind == Place::Kind::option)
     return {bad_input_status, as_typed(error.place.option), error.message};
   if (error.place.kind == Place::Kind::centre_of_mass && com)

@@ -85,6 +85,7 @@ std::vector<PolygonFile> find_polygon_files(const std::vector<std::string>& path
   std::vector<PolygonFile> files;
   std::vector<std::string> folders;
   for (const std::string& path : paths) {
+    if (path.empty()) throw Failure{bad_input_status, "PATH", "its name is empty"};
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status))

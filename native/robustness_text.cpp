@@ -94,11 +94,12 @@ std::string robustness_lines(const RobustnessKnown& known, const std::optional<d
       text += " " + doubt_of_capacity_in_words(*known.models, known.robustness, *capacity, units);
     text += "\n";
   }
-  if (!known.failures.empty()) text += failures_in_words(known.failures, units) + "\n";
+  if (!known.failures.empty()) text += failures_in_words(known.failures, units, capacity) + "\n";
   return text;
 }
 
-std::string failure_table(const Placement& placement, const RobustnessKnown& known) {
+std::string failure_table(const Placement& placement, const RobustnessKnown& known,
+                          const std::optional<double>& capacity) {
   if (known.failures.empty()) return {};
   double largest = 0;
   for (const auto& rest : known.failures)
@@ -106,9 +107,14 @@ std::string failure_table(const Placement& placement, const RobustnessKnown& kno
       largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_by_springs});
   std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tips at", "coverage",
                             "closure", "by plan", "springs", "best"}};
-  for (std::size_t robot = 0; robot < known.failures.size(); ++robot)
-    rows.push_back(failure_row(robot, find_robot(placement.teams, robot).team,
-                               known.failures[robot], largest));
+  if (capacity) rows[0].push_back("overloaded");
+  for (std::size_t robot = 0; robot < known.failures.size(); ++robot) {
+    const std::optional<RestOfRobots>& rest = known.failures[robot];
+    rows.push_back(
+        failure_row(robot, find_robot(placement.teams, robot).team, rest, largest));
+    if (capacity)
+      rows.back().push_back(rest && rest->greatest_by_springs > *capacity ? "yes" : "-");
+  }
   return table(rows);
 }
 

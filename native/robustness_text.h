@@ -53,6 +53,7 @@ std::string robustness_lines(const RobustnessKnown& known, const std::optional<d
                              const Units& units);
 
 // What happens if one robot fails, a row for each; empty if that was not asked for.
-std::string failure_table(const Placement& placement, const RobustnessKnown& known);
+std::string failure_table(const Placement& placement, const RobustnessKnown& known,
+                          const std::optional<double>& capacity);
 
 }  // namespace evenlift::native

@@ -47,18 +47,182 @@ function answerOf({ memory, evenlift_room, evenlift_free, evenlift_answer }, req
   return text;
 }
 
-// These say what is asked for; all others are settings.
-const members = ["centre_of_mass", "candidates", "failures", "format", "frame", "origin"];
+// --- Requests. The core says where in a request something is wrong; but who calls a function has not written one, so what the core
+// would give a line and a column of it is refused here, by its own name or place.
 
-// A seed beyond 2⁵³ is a BigInt, which JSON does not have; the core reads its digits.
-const written = (value) => (typeof value === "bigint" ? String(value) : Array.isArray(value) ? value.join(",") : value);
+// The settings, but for the centre of mass.
+export const settingNames = ["teams", "metric", "min_ratio", "weight", "seed", "robots", "goal", "min_margin", "apart", "clear",
+  "survive", "positions", "robot", "robot_radius", "robot_reach", "robot_depth", "robot_width", "robot_gap", "no_go", "com_radius",
+  "capacity", "overlays", "step", "unit", "weight_unit"];
 
-function requestOf(command, polygon, options = {}) {
-  const request = { command, [typeof polygon === "string" ? "text" : "polygon"]: polygon, settings: {} };
-  for (const [name, value] of Object.entries(options)) {
-    if (value === undefined) continue;
-    if (members.includes(name)) request[name] = value;
-    else request.settings[name] = written(value);
+// What each function takes besides.
+const members = { place: ["candidates", "failures"], candidates: [], svg: ["candidates"], poses: ["format", "frame", "origin"], link: [] };
+const ofPolygon = ["polygon", "text", "name", "set", "centre_of_mass"];
+const ofExperiment = ["min_ratio", "samples", "max_teams", "max_balanced"];
+
+const mostVertices = 1048576;
+const mostPolygons = 10000;
+
+const refusal = (code, message, place = null) => new EvenliftError({ code, message, place });
+const badSetting = (setting, message) => refusal("bad_setting", message, { setting });
+
+// How many letters must be changed, left out or put in to make one word of the other.
+function distance(from, to) {
+  let row = Array.from({ length: to.length + 1 }, (_, i) => i);
+  for (let i = 0; i < from.length; ++i) {
+    const next = [i + 1];
+    for (let k = 0; k < to.length; ++k) {
+      next.push(Math.min(row[k + 1] + 1, next[k] + 1, row[k] + (from[i] === to[k] ? 0 : 1)));
+    }
+    row = next;
+  }
+  return row[to.length];
+}
+
+// The known name that a wrong one stands for, if it is near to one: minRatio and min-ratio stand for min_ratio.
+function meant(wrong, known) {
+  const letters = (name) => name.toLowerCase().replace(/[_-]/g, "");
+  let best, least = Infinity;
+  for (const name of known) {
+    const far = distance(letters(wrong), letters(name));
+    if (far < least && 3 * far <= letters(name).length + 1) [best, least] = [name, far];
+  }
+  return best;
+}
+
+function noSuch(what, name, known) {
+  const likely = name.length <= 40 ? meant(name, known) : undefined;
+  return `There is no ${what} "${name}"${likely ? `; did you mean "${likely}"?` : ""}`;
+}
+
+// Half a pair of surrogates, which no text in UTF-8 can have.
+const broken = /\p{Surrogate}/u;
+
+function textOf(text) {
+  const at = text.search(broken);
+  if (at < 0) return text;
+  const lines = text.slice(0, at).split("\n");
+  const place = { line: lines.length, column: lines.at(-1).length + 1 };
+  throw refusal("bad_syntax", `Line ${place.line}, column ${place.column}: this is half a character`, place);
+}
+
+const isPoint = (point) => Array.isArray(point) && point.length === 2 && point.every((number) => typeof number === "number");
+
+function vertexOf(point, i) {
+  const place = { vertices: [i] };
+  if (!isPoint(point)) throw refusal("bad_syntax", `Vertex ${i + 1}: a point is two numbers [x, y]`, place);
+  if (!point.every(Number.isFinite)) throw refusal("bad_coordinate", `Vertex ${i + 1}: a coordinate is not a finite number`, place);
+  return point;
+}
+
+function centreOf(point) {
+  if (point === null) return null;  // the centroid
+  const place = { centre_of_mass: true };
+  if (!isPoint(point)) throw refusal("bad_syntax", "The centre of mass is two numbers [x, y]", place);
+  if (!point.every(Number.isFinite)) throw refusal("bad_coordinate", "A coordinate of the centre of mass is not a finite number", place);
+  return point;
+}
+
+// The members of a request that say what the polygon is.
+function shapeOf(polygon) {
+  if (typeof polygon === "string") return { text: textOf(polygon) };
+  if (!Array.isArray(polygon)) throw refusal("bad_syntax", "A polygon is an array of points [x, y], or a text");
+  if (polygon.length > mostVertices) throw refusal("too_many_vertices", `The polygon has more than ${mostVertices} vertices`);
+  return { polygon: Array.from(polygon, vertexOf) };
+}
+
+// A setting's value as JSON has it. What the core refuses by the setting's name is left to it. A seed beyond 2⁵³ is a BigInt, which
+// JSON does not have; the core reads its digits.
+function valueOf(name, value) {
+  if (Array.isArray(value)) return value.join(",");
+  switch (typeof value) {
+    case "bigint":
+      return String(value);
+    case "number":
+      if (!Number.isFinite(value)) throw badSetting(name, `${name}: ${value} is not a finite number`);
+      break;
+    case "string":
+      if (broken.test(value)) throw badSetting(name, `${name}: there is half a character in the text`);
+      break;
+    case "function":
+    case "symbol":  // which JSON.stringify() leaves out
+      throw badSetting(name, `${name}: expected a number or a text, not a ${typeof value}`);
+  }
+  return value;
+}
+
+const isOneOf = (...values) => (value) => values.includes(value);
+const frame = /^[A-Za-z0-9_.-][A-Za-z0-9_./-]{0,254}$/;
+const memberRules = {
+  candidates: { allows: isOneOf(true, false), requirement: "candidates: expected true or false" },
+  failures: { allows: isOneOf(true, false), requirement: "failures: expected true or false" },
+  format: { allows: isOneOf("csv", "json", "yaml"), requirement: "The format of poses is csv, json or yaml" },
+  origin: { allows: isOneOf("file", "com"), requirement: "The origin of poses is file or com" },
+  frame: {
+    allows: (value) => typeof value === "string" && frame.test(value),
+    requirement: "The frame is 1 to 255 letters, digits, _, -, . and /, and does not begin with /",
+  },
+};
+
+function memberOf(name, value) {
+  if (!memberRules[name].allows(value)) throw badSetting(name, memberRules[name].requirement);
+  return value;
+}
+
+// Those of the options that are given.
+const given = (options) => Object.entries(options ?? {}).filter(([, value]) => value !== undefined);
+
+function requestOf(command, polygon, options) {
+  const request = { command, settings: {} };
+  for (const [name, value] of given(options)) {
+    if (name === "centre_of_mass") request.centre_of_mass = centreOf(value);
+    else if (members[command].includes(name)) request[name] = memberOf(name, value);
+    // "com" is what the program calls the centre of mass, and the core takes it, too.
+    else if (settingNames.includes(name) || name === "com") request.settings[name] = valueOf(name, value);
+    else throw badSetting(name, noSuch("setting", name, [...settingNames, "centre_of_mass", ...members[command]]));
+  }
+  return { ...request, ...shapeOf(polygon) };
+}
+
+// --- Requests for experiments
+
+function nameOf(name) {
+  if (typeof name !== "string" || broken.test(name)) throw refusal("bad_syntax", "A name is a text");
+  return name;
+}
+
+function measuredOf(polygon) {
+  if (typeof polygon !== "object" || polygon === null) throw refusal("bad_syntax", 'Expected an object with "polygon" or "text"');
+  const asked = {}, shapes = [];
+  for (const [name, value] of given(polygon)) {
+    if (!ofPolygon.includes(name)) throw refusal("unsupported", noSuch("member", name, ofPolygon));
+    if (name === "centre_of_mass") asked[name] = centreOf(value);
+    else if (name === "name" || name === "set") asked[name] = nameOf(value);
+    else if ((name === "text") === (typeof value === "string")) shapes.push(shapeOf(value));
+    else throw refusal("bad_syntax", name === "text" ? "The text of a polygon is a string" : "A polygon is an array of points [x, y]");
+  }
+  if (shapes.length !== 1) throw refusal("bad_syntax", 'A polygon comes as "polygon", an array of points [x, y], or as "text"');
+  return { ...asked, ...shapes[0] };
+}
+
+// One of an experiment's polygons; an error says which.
+function namedOf(polygon, i) {
+  try {
+    return measuredOf(polygon);
+  } catch (error) {
+    if (!(error instanceof EvenliftError)) throw error;
+    const name = typeof polygon?.name === "string" ? polygon.name : `polygon ${i + 1}`;
+    throw refusal(error.code, `${name}: ${error.message[0].toLowerCase()}${error.message.slice(1)}`, error.place);
+  }
+}
+
+function experimentOf(polygons, settings) {
+  if (!Array.isArray(polygons)) throw refusal("bad_syntax", "An experiment has an array of polygons");
+  if (polygons.length > mostPolygons) throw refusal("unsupported", `There are more than ${mostPolygons} polygons`);
+  const request = { command: "experiment", polygons: Array.from(polygons, namedOf), settings: {} };
+  for (const [name, value] of given(settings)) {
+    if (!ofExperiment.includes(name)) throw badSetting(name, noSuch("setting", name, ofExperiment));
+    request.settings[name] = valueOf(name, value);
   }
   return request;
 }
@@ -87,11 +251,11 @@ export function createApi(compiled) {
   return {
     run,
     place: asked("place"),
-    candidates: (...given) => asked("candidates")(...given).candidates,
-    svg: (...given) => asked("svg")(...given).svg,
-    poses: (...given) => asked("poses")(...given).poses,
-    link: (...given) => asked("link")(...given).link,
-    experiment: (polygons, settings = {}) => ask({ command: "experiment", polygons, settings }),
+    candidates: (...args) => asked("candidates")(...args).candidates,
+    svg: (...args) => asked("svg")(...args).svg,
+    poses: (...args) => asked("poses")(...args).poses,
+    link: (...args) => asked("link")(...args).link,
+    experiment: (polygons, settings) => ask(experimentOf(polygons, settings)),
     version: ask({ command: "version" }).version,
   };
 }

@@ -22,7 +22,7 @@ export interface Settings {
   metric?: Metric;
   /** 0 to 1. Default 0.8. */
   min_ratio?: number;
-  /** Above 0. Default 100. */
+  /** 1e-100 to 1e100. Default 100. */
   weight?: number;
   /** A whole number of at most 64 bits, for `random`. Default 1. */
   seed?: number | bigint;
@@ -31,15 +31,17 @@ export interface Settings {
   goal?: Goal;
   /** 0 to 1. Default 0.05. */
   min_margin?: number;
-  /** At least 0, in units of length. Default 0.12 of the object's radius. */
+  /** A length, as all lengths 0 to 1e9. Default 0.12 of the object's radius. */
   apart?: number;
+  /** Distances below this length are not relied on, such as those of robots from corners. Default 0.02 of the object's radius. */
+  clear?: number;
   /** 0 to 30. Default 0. */
   survive?: number;
   /** Where teams of two may stand: at the best places, or anywhere in the ranges that `min_ratio` allows. Default `"best"`. */
   positions?: Positions;
   /** The size of a robot, such as `"r=30,reach=5"`. Default `"none"`. */
   robot?: string;
-  /** One of its numbers, at least 0. */
+  /** One of its numbers, a length. */
   robot_radius?: number;
   robot_reach?: number;
   robot_depth?: number;
@@ -47,9 +49,9 @@ export interface Settings {
   robot_gap?: number;
   /** What no robot may touch: edges from 1 or parts of them, such as `"3,5:0.25-0.75"`. Default `"none"`. */
   no_go?: string;
-  /** What one robot carries, above 0; `"none"` for no limit. */
+  /** What one robot carries, 1e-100 to 1e100; `"none"` for no limit. */
   capacity?: number | "none";
-  /** The centre of mass is known within this distance, at least 0. */
+  /** The centre of mass is known within this length. */
   com_radius?: number;
   /** Of coordinates and distances: a label, which changes no number. Default `"none"`. */
   unit?: LengthUnit | "none";
@@ -121,6 +123,10 @@ export interface Loads {
 export interface Closure {
   form_closure: boolean;
   margin: number | null;
+  /** It is held without the contacts that are nearer to a corner than this; `null` where no contact is beside a corner. */
+  clearance: number | null;
+  /** Each robot may be off by less than this along its edge, and form closure stays. */
+  tolerance: number;
   second_order: boolean;
   free: Motion[];
   clockwise: Point[];
@@ -131,6 +137,8 @@ export interface Robustness {
   com_margin: number;
   failures_carried: number;
   failures_steady: number;
+  /** As `failures_steady`, by more than `clear`. */
+  failures_clear: number;
   /** `null` where the models are. */
   load_per_length: number[] | null;
   /** The following with a `com_radius` above 0. */
@@ -153,6 +161,8 @@ export interface Failure {
   plan_max: number | null;
   springs_max: number | null;
   best_max: number | null;
+  /** With a `capacity`. */
+  over_capacity?: boolean | null;
 }
 
 export interface Capacity {
@@ -164,6 +174,8 @@ export interface Capacity {
   teams_tried: number;
   robots_needed: number | null;
   com_radius: number | null;
+  /** How many robots are needed so that any one of them may fail. */
+  if_one_fails: { robots_needed: number | null; greatest_load: number | null; robots_tried: number } | null;
 }
 
 /** The object that `evenlift place --json` prints. */
@@ -191,6 +203,8 @@ export interface Placement {
   closure: Closure;
   goal: Goal;
   goal_reached: boolean;
+  /** As used; `null` for the default. */
+  clear: number | null;
   requested_robots?: number;
   /** The same, and with teams of two that are to hold. */
   min_margin?: number;
@@ -206,7 +220,7 @@ export interface Placement {
   robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
   no_go?: string;
   /** Parts of edges, which count from 1, where no robot can stand, and why. */
-  unusable?: [edge: number, from: number, to: number, why: "no_go" | "body" | "arm" | "corner" | "hand" | "narrow"][];
+  unusable?: [edge: number, from: number, to: number, why: "no_go" | "body" | "arm" | "corner" | "hand" | "near_no_go" | "narrow"][];
   /** Of a link with robots that somebody moved by hand. */
   moved?: string;
   /** Not there with no team. */
@@ -215,6 +229,40 @@ export interface Placement {
   failures?: Failure[];
   /** With a `capacity`. */
   capacity?: Capacity;
+}
+
+export interface Figure {
+  set: string;
+  id: string;
+  title: string;
+  unit: string;
+  column: string;
+  sentence: string;
+  series: { method: Metric; points: [robots: number, value: number, polygons: number][] }[];
+}
+
+/** What the thesis states, beside the same of the measurements, a text for each of `sets`. */
+export interface Claims {
+  sets: string[];
+  rows: { section: string; what: string; thesis: string; ours: string[] }[];
+}
+
+export interface FewRobots {
+  set: string;
+  rows: { what: string; robots: number; cells: string[] }[];
+}
+
+export interface Experiment {
+  /** Three tables as CSV. */
+  measurements: string;
+  aggregates: string;
+  polygons: string;
+  /** Markdown. */
+  thesis: string;
+  refused: { polygon: string; problem: string }[];
+  figures: Figure[];
+  claims: Claims;
+  few_robots: FewRobots[];
 }
 
 /** Where in a request something is wrong; vertices and edges count from 0, lines, columns and characters from 1. */
@@ -236,9 +284,9 @@ export class EvenliftError extends Error {
 /** Places robots. Throws EvenliftError. */
 export function place(polygon: Polygon, options?: PlaceOptions): Placement;
 
-/** Where teams of two may stand, in order of slope, at the best places and as points: of the settings only `min_ratio` and
- * `centre_of_mass` count. Throws EvenliftError. */
-export function candidates(polygon: Polygon, settings?: Settings): (Candidate & { kind: Exclude<Candidate["kind"], "range"> })[];
+/** Where teams of two may stand, in order of slope. Of the settings those count that have a say in it: `min_ratio`, `centre_of_mass`,
+ * `positions`, the robots' size and `no_go`. Throws EvenliftError. */
+export function candidates(polygon: Polygon, settings?: Settings): Candidate[];
 
 /** The picture, as a text of SVG. Throws EvenliftError. */
 export function svg(polygon: Polygon, options?: SvgOptions): string;
@@ -253,16 +301,7 @@ export function link(polygon: Polygon, settings?: Settings): string;
 export function experiment(
   polygons: readonly { name?: string; set?: string; polygon?: Exclude<Polygon, string>; text?: string; centre_of_mass?: readonly [x: number, y: number] | null }[],
   settings?: { min_ratio?: number; samples?: number; max_teams?: number; max_balanced?: number },
-): {
-  measurements: string;
-  aggregates: string;
-  polygons: string;
-  thesis: string;
-  refused: { polygon: string; problem: string }[];
-  figures: unknown[];
-  claims: unknown[];
-  few_robots: unknown[];
-};
+): Experiment;
 
 /** The answer to a request, as the text that the C function `evenlift_run` gives. A bad request gets `{"error": …}`. */
 export function run(request: string | object): string;

@@ -62,7 +62,31 @@ Space outer(const Space& a, const Space& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-std::vector<Space> wrenches(const Object& object, const std::vector<Point>& robots) {
+// Whether a vertex of a counter-clockwise ring is convex and turns by more than 15 degrees.
+bool is_corner(const std::vector<Point>& ring, std::size_t v) {
+  const std::size_t n = ring.size();
+  const Point in = ring[v] - ring[(v + n - 1) % n], out = ring[(v + 1) % n] - ring[v];
+  const double cosine = (in[0] * out[0] + in[1] * out[1]) / (size(in) * size(out));
+  return cross(in, out) > 0 && cosine < (std::sqrt(6) + std::sqrt(2)) / 4 - tau;
+}
+
+// The distance of a point on an edge from the nearest corner, over straight vertices.
+double to_corner(const std::vector<Point>& ring, const Point& p, std::size_t edge) {
+  const std::size_t n = ring.size();
+  const auto is_straight = [&](std::size_t v) {
+    const Point in = ring[v] - ring[(v + n - 1) % n], out = ring[(v + 1) % n] - ring[v];
+    return std::fabs(cross(in, out)) <= tau * size(in) * size(out);
+  };
+  std::size_t begin = edge, end = (edge + 1) % n;
+  while (is_straight(begin)) begin = (begin + n - 1) % n;
+  while (is_straight(end)) end = (end + 1) % n;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t v : {begin, end})
+    if (is_corner(ring, v)) least = std::min(least, size(p - ring[v]));
+  return least;
+}
+
+std::vector<Space> wrenches(const Object& object, const std::vector<Point>& robots, double clear) {
   const std::vector<Point> ring = counter_clockwise(object);
   const std::size_t n = ring.size();
   assert(n >= 3);
@@ -83,14 +107,14 @@ std::vector<Space> wrenches(const Object& object, const std::vector<Point>& robo
         edge = i;
     }
     if (!vertex) {
-      touch(p, edge);
+      if (to_corner(ring, p, edge) >= clear - near) touch(p, edge);
       continue;
     }
     const Point in = ring[*vertex] - ring[(*vertex + n - 1) % n],
                 out = ring[(*vertex + 1) % n] - ring[*vertex];
     const double turn = cross(in, out) / (size(in) * size(out));
     if (turn > tau) continue;
-    touch(ring[*vertex], *vertex);
+    if (turn < -tau || to_corner(ring, p, *vertex) >= clear - near) touch(ring[*vertex], *vertex);
     if (turn < -tau) touch(ring[*vertex], (*vertex + n - 1) % n);
   }
   return all;
@@ -153,8 +177,8 @@ double coverage(const Object& object, const std::vector<Point>& robots) {
   return std::fabs(area(part) / area(object.vertices));
 }
 
-std::optional<double> margin(const Object& object, const std::vector<Point>& robots) {
-  const std::vector<Space> w = wrenches(object, robots);
+std::optional<double> margin(const Object& object, const std::vector<Point>& robots, double clear) {
+  const std::vector<Space> w = wrenches(object, robots, clear);
   constexpr double flat = 1e-9;
   std::optional<double> least;
   for (std::size_t i = 0; i < w.size(); ++i)

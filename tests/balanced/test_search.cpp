@@ -51,8 +51,9 @@ class Improver {
   Improver(const Task& task, std::vector<set_oracle::Point> robots)
       : object_(testing::object_of(task.polygon, task.centre)), robots_(std::move(robots)) {
     apart_ = 0.12 * set_oracle::radius(object_);
+    clear_ = 0.02 * set_oracle::radius(object_);
     coverage_ = set_oracle::coverage(object_, robots_);
-    level_ = level_of(set_oracle::margin(object_, robots_));
+    level_ = level_of(set_oracle::margin(object_, robots_, clear_));
   }
 
   bool finds_one() const {
@@ -92,14 +93,14 @@ class Improver {
     if (set_oracle::least_distance(robots) < apart_ * (1 + surely)) return false;
     const bool wider = set_oracle::coverage(object_, robots) > coverage_ + surely;
     if (!wider && level_ == 3) return false;
-    const double margin = set_oracle::margin(object_, robots).value_or(-1);
+    const double margin = set_oracle::margin(object_, robots, clear_).value_or(-1);
     const int level = level_of(margin - surely);
     return level > level_ || (wider && level == level_);
   }
 
   set_oracle::Object object_;
   std::vector<set_oracle::Point> robots_;
-  double apart_, coverage_;
+  double apart_, clear_, coverage_;
   int level_;
 };
 
@@ -164,8 +165,11 @@ TEST_CASE("the keys of a set are what the rest of the core says of it", "[balanc
     const BalancedKeys keys = balanced_keys(task.problem, start->robots);
     const Points robots = positions(start->robots);
     CHECK(std::fabs(keys.coverage - coverage(task.polygon, convex_hull(robots))) <= 1e-11);
-    const Closure closure = analyse_closure(task.polygon, task.centre, start->robots);
-    CHECK(static_cast<int>(keys.level) == level_of(closure.margin));
+    const double clear = 0.02 * farthest_vertex(task.polygon, task.centre);
+    const Hold hold =
+        analyse_hold(task.polygon, task.centre,
+                     clear_contacts(task.polygon, contacts(task.polygon, start->robots), clear));
+    CHECK(static_cast<int>(keys.level) == level_of(hold.margin));
     CHECK(std::is_sorted(keys.places.begin(), keys.places.end()));
   }
 }

@@ -1,4 +1,5 @@
-"""Prints balanced robots beside pairs, with how many sets carry the object after any one failure, measured over all samples.
+"""Prints balanced robots beside pairs, measured over all samples: of how many sets any one robot may fail, so that the
+others carry the object, and so that they keep it steady as well.
 
     python3 tests/bench/pairs_and_balanced.py    EVENLIFT_PROGRAM names the program, build/bin/evenlift if it is not given
 """
@@ -29,8 +30,13 @@ def mean(values):
     return sum(values) / len(values)
 
 
-print("| | objects | coverage | held | greatest − least load of 100 kg | carried after any one failure |")
-print("| --- | --- | --- | --- | --- | --- |")
+def survivors(results, key):
+    """The share of the results in which any one robot may fail."""
+    return mean([100 * (result["robustness"][key] >= 1) for result in results])
+
+
+print("| | objects | coverage | held | greatest − least load of 100 kg | carried after any one failure | steady after any one failure |")
+print("| --- | --- | --- | --- | --- | --- | --- |")
 for name, robots, options in ways:
     results = [placed(sample, options) for sample in samples]
     whole = [r for r in results if sum(len(team["ends"]) for team in r["teams"]) == robots]
@@ -38,5 +44,5 @@ for name, robots, options in ways:
         f"| {name} | {len(whole)} | {mean([100 * r['coverage'] for r in whole]):.0f} % "
         f"| {mean([100 * r['closure']['form_closure'] for r in whole]):.0f} % "
         f"| {mean([r['loads']['spread'] for r in whole]):.1f} kg "
-        f"| {mean([100 * (r['robustness']['failures_carried'] >= 1) for r in whole]):.0f} % |"
+        f"| {survivors(whole, 'failures_carried'):.0f} % | {survivors(whole, 'failures_steady'):.0f} % |"
     )

@@ -196,7 +196,16 @@ class Comparison {
     d.same("a margin", core_.closure.margin.has_value(), exact.closure.margin.has_value());
     if (core_.closure.margin && exact.closure.margin)
       d.near("margin", *core_.closure.margin, *exact.closure.margin, 1e-7);
+    if (!exact.closure.clearance_is_unsure) clearance(d, exact.closure);
     return exact.closure.closest_call;
+  }
+
+  void clearance(Differences& d, const oracle::Closure& exact) const {
+    const evenlift::Clearance& mine = core_.closure.clearance;
+    d.same("a clearance", std::isfinite(mine.distance), std::isfinite(exact.clearance));
+    if (std::isfinite(mine.distance) && std::isfinite(exact.clearance))
+      d.near("clearance", mine.distance / size_, exact.clearance / size_, 1e-7);
+    d.near("tolerance", mine.tolerance / size_, exact.tolerance / size_, 1e-7);
   }
 
   void hull(Differences& d, const std::vector<Point>& exact, double tolerance) const {

@@ -18,7 +18,9 @@ def check_wheel(wheel):
     """It is for this platform and any Python 3, holds what is needed, and says nothing of where it was made."""
     expect(re.fullmatch(rf"evenlift-{re.escape(version())}-py3-none-\w+\.whl", wheel.name), f"it is called {wheel.name}")
     names = set(zipfile.ZipFile(wheel).namelist())
-    wanted = {f"evenlift/{name}" for name in ("__init__.py", "_library.py", "_results.py", "py.typed", "libevenlift.so")}
+    sources = {path.name for path in (root / "python/src/evenlift").iterdir() if path.suffix in (".py", ".pyi", ".typed")}
+    wanted = {f"evenlift/{name}" for name in sources | {"libevenlift.so"}}
+    expect({"__init__.py", "types.py", "_members.pyi", "py.typed"} <= sources, f"the sources are {sources}")
     inside = {name for name in names if not name.startswith(f"evenlift-{version()}.dist-info/")}
     expect(inside == wanted, f"it holds {inside}")
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "chords/ray_caster.h"
 #include "evenlift/generate.h"
 #include "evenlift/predicates.h"
 #include "kit/catch.h"
@@ -163,6 +164,46 @@ TEST_CASE("the ends of a pair's range are vertices of its edges", "[chords]") {
                                             p.vertex(pair.begin_b)) == 0;
     }
     CHECK(good);
+  });
+}
+
+TEST_CASE("a ray lists each boundary point once", "[chords]") {
+  const auto met = [](const Points& vertices) {
+    std::vector<double> xs;
+    for (const RayCaster::Hit& hit : RayCaster(polygon(vertices), {0, 0}).hits({1, 0})) {
+      CHECK(hit.point.position.y() == 0);
+      xs.push_back(hit.point.position.x());
+    }
+    return xs;
+  };
+  using Xs = std::vector<double>;
+  // Two edges in line with C, after one that comes from the right of the ray, and before one.
+  CHECK(met({{-1, -1}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {-1, 2}}) == Xs{1, 2, 3});
+  CHECK(met({{-1, -2}, {3, -2}, {3, 0}, {2, 0}, {1, 0}, {-1, 1}}) == Xs{1, 2, 3});
+  // Both sides of the edges in line are on the left, and a side crosses the ray behind them.
+  CHECK(met({{-1, -2}, {4, -2}, {4, 1}, {3, 0}, {2, 0}, {1, 0}, {0.5, 1}, {-1, 1}}) ==
+        Xs{1, 2, 3, 4});
+  // A corner that touches the ray, from either side.
+  CHECK(met({{-1, -2}, {4, -2}, {4, 1}, {3, 1}, {2, 0}, {1, 1}, {-1, 1}}) == Xs{2, 4});
+  CHECK(met({{-1, -1}, {1, -1}, {2, 0}, {3, -1}, {4, -1}, {4, 2}, {-1, 2}}) == Xs{2, 4});
+  // A corner where the boundary crosses it.
+  CHECK(met({{-1, -1}, {4, -1}, {5, 0}, {4, 1}, {-1, 1}}) == Xs{5});
+}
+
+TEST_CASE("a ray through a vertex lists this vertex once", "[chords]") {
+  for_each_case(3000, [](const Polygon& p, const Vec2& centre) {
+    const RayCaster rays(p, centre);
+    for (std::size_t vertex = 0; vertex < p.size(); ++vertex) {
+      const Vec2 u = p.vertex(vertex) - centre;
+      if (!(length(u) > 0)) continue;
+      const auto hits = rays.hits(u);
+      // Another edge may touch the outline there, to rounding; that is another point of the
+      // boundary.
+      CHECK(std::count_if(hits.begin(), hits.end(), [&](const RayCaster::Hit& hit) {
+              return hit.point.position == Vec2(centre + u) &&
+                     (hit.point.edge == vertex || p.next(hit.point.edge) == vertex);
+            }) == 1);
+    }
   });
 }
 

@@ -1,6 +1,7 @@
 // The table of few robots, and what balanced robots leave alone of the averages, on a tiny set.
 #include "evenlift/experiment/few_robots.h"
 
+#include "evenlift/experiment/claims.h"
 #include "evenlift/experiment/figures.h"
 #include "evenlift/placement.h"
 #include "kit/catch.h"
@@ -91,7 +92,7 @@ TEST_CASE("the table of few robots has a dash where a method has no such number 
           "[experiment][balanced]") {
   const experiment::FewRobots table =
       experiment::few_robots({"tiny", experiment::aggregate(tiny_set())});
-  CHECK(table.rows.size() == 4 * 10);
+  CHECK(table.rows.size() == 5 * 10);
   for (const experiment::FewRobotsRow& row : table.rows) {
     INFO(row.what << ", " << row.robots << " robots");
     REQUIRE(row.cells.size() == std::size(all_methods));
@@ -117,6 +118,20 @@ TEST_CASE("the table of few robots is the same in Markdown and as JSON, set by s
   CHECK(json.find(
             R"({"what": "coverage, %", "robots": 3, "cells": ["–", "–", "–", "–", "–", "–"]})") !=
         std::string::npos);
+}
+
+TEST_CASE("names with HTML or Markdown in them are shown as they are in tables", "[experiment]") {
+  const std::string name = "<img src=x onerror=alert(1)> [a](b) *c* _d_ `e` & f\\";
+  const std::string shown =
+      "&lt;img src=x onerror=alert(1)&gt; \\[a\\](b) \\*c\\* \\_d\\_ \\`e\\` &amp; f\\\\";
+  const std::string robots = experiment::few_robots_markdown({experiment::few_robots({name, {}})});
+  CHECK(robots.rfind("| " + shown + " | robots |", 0) == 0);
+  CHECK(robots.find('<') == std::string::npos);
+  const std::string thesis =
+      experiment::claims_markdown({{name, {{"5.1", "what", "the thesis", "best of " + name}}}});
+  CHECK(thesis.find(" " + shown + " |\n") != std::string::npos);
+  CHECK(thesis.find("best of " + shown) != std::string::npos);
+  CHECK(thesis.find('<') == std::string::npos);
 }
 
 TEST_CASE("balanced robots change nothing of what is averaged of teams of two",

@@ -162,14 +162,14 @@ TEST_CASE("settings out of range are refused by name", "[placement][refusal]") {
   CHECK(option([](Settings& s) { s.teams = max_teams + 1; }) == "teams");
   for (const double ratio : {-0x1p-1074, std::nextafter(1.0, 2.0), std::nan(""), infinity})
     CHECK(option([&](Settings& s) { s.min_ratio = ratio; }) == "min_ratio");
-  for (const double weight : {0.0, -1.0, std::nan(""), infinity})
+  for (const double weight : {0.0, -1.0, 5e-324, 1.797e308, std::nan(""), infinity})
     CHECK(option([&](Settings& s) { s.weight = weight; }) == "weight");
 }
 
 TEST_CASE("settings at the ends of their ranges are taken", "[placement]") {
   Document d = document(square);
   for (const double ratio : {0.0, 1.0}) {
-    for (const double weight : {0x1p-1000, 1e300}) {
+    for (const double weight : {min_weight, max_weight}) {
       d.settings.min_ratio = ratio;
       d.settings.weight = weight;
       d.settings.teams = 1;

@@ -7,6 +7,8 @@
 #include "evenlift/lesson.h"
 #include "evenlift/link.h"
 #include "evenlift/placement.h"
+#include "evenlift/random.h"
+#include "fuzz/any_numbers.h"
 #include "kit/catch.h"
 #include "kit/data_table.h"
 
@@ -14,10 +16,10 @@ using namespace evenlift;
 
 namespace {
 
-// In their order, of which robot_gap is the last.
+// In their order.
 std::vector<Setting> all_settings() {
   std::vector<Setting> all;
-  for (int i = 0; i <= static_cast<int>(Setting::robot_gap); ++i)
+  for (int i = 0; i < static_cast<int>(Setting::end_of_settings); ++i)
     all.push_back(static_cast<Setting>(i));
   return all;
 }
@@ -44,7 +46,8 @@ constexpr Text good[] = {
     {Setting::com, "1, 2"},
     {Setting::com, "1 ,\t2"},
     {Setting::weight, "100"},
-    {Setting::weight, "1e-300"},
+    {Setting::weight, "1e-100"},
+    {Setting::weight, "1e100"},
     {Setting::seed, "0"},
     {Setting::seed, "18446744073709551615"},
     {Setting::overlays, "none"},
@@ -61,13 +64,18 @@ constexpr Text good[] = {
     {Setting::min_margin, "1"},
     {Setting::apart, "0"},
     {Setting::apart, "1e6"},
+    {Setting::apart, "1e9"},
     {Setting::survive, "0"},
     {Setting::survive, "30"},
     {Setting::capacity, "12.5"},
     {Setting::capacity, "1e-9"},
+    {Setting::capacity, "1e-100"},
+    {Setting::capacity, "1e100"},
     {Setting::capacity, "none"},
     {Setting::com_radius, "0"},
     {Setting::com_radius, "12.5"},
+    {Setting::com_radius, "5e-324"},
+    {Setting::com_radius, "1e9"},
     {Setting::unit, "mm"},
     {Setting::unit, "m"},
     {Setting::unit, "none"},
@@ -77,6 +85,7 @@ constexpr Text good[] = {
     {Setting::robot, "r=1e-3,depth=0.01"},
     {Setting::robot_radius, "0.001"},
     {Setting::robot_gap, "2"},
+    {Setting::robot_gap, "1e9"},
     {Setting::no_go, "2:0.25-0.75"},
 };
 
@@ -124,6 +133,10 @@ constexpr Text bad[] = {
     {Setting::weight, "inf"},
     {Setting::weight, "1e999"},
     {Setting::weight, "1e-999"},
+    {Setting::weight, "1.797e308"},
+    {Setting::weight, "1.0001e100"},
+    {Setting::weight, "9.999e-101"},
+    {Setting::weight, "5e-324"},
     {Setting::seed, "-1"},
     {Setting::seed, "1.0"},
     {Setting::seed, "1e3"},
@@ -148,6 +161,7 @@ constexpr Text bad[] = {
     {Setting::min_margin, "1.1"},
     {Setting::apart, "-1"},
     {Setting::apart, "inf"},
+    {Setting::apart, "1.0000001e9"},
     {Setting::survive, "31"},
     {Setting::survive, "-1"},
     {Setting::capacity, ""},
@@ -155,6 +169,8 @@ constexpr Text bad[] = {
     {Setting::capacity, "-1"},
     {Setting::capacity, "inf"},
     {Setting::capacity, "0x10"},
+    {Setting::capacity, "1e101"},
+    {Setting::capacity, "5e-324"},
     {Setting::unit, ""},
     {Setting::unit, "MM"},
     {Setting::unit, "kg"},
@@ -167,11 +183,14 @@ constexpr Text bad[] = {
     {Setting::com_radius, "-1e-9"},
     {Setting::com_radius, "nan"},
     {Setting::com_radius, "1e999"},
+    {Setting::com_radius, "1e308"},
     {Setting::com_radius, "none"},
     {Setting::robot, ""},
     {Setting::robot, "r=-1"},
     {Setting::robot, "r=1,r=1"},
+    {Setting::robot, "r=1e308,reach=1e308"},
     {Setting::robot_radius, "-1"},
+    {Setting::robot_radius, "1.0000001e9"},
     {Setting::robot_depth, "none"},
     {Setting::no_go, ""},
     {Setting::no_go, "0"},
@@ -368,9 +387,10 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
     CHECK(encode_link(document).error().message == error->message);
     CHECK(place(document).error().message == error->message);
   };
+  const double too_long = std::nextafter(max_length, infinity);
   for (const double length : {-1e-9, infinity, std::nan("")})
     check([&](Settings& s) { s.com_radius = length; }, Setting::com_radius);
-  for (const double load : {0.0, -1.0, infinity})
+  for (const double load : {0.0, -1.0, infinity, std::nan("")})
     check([&](Settings& s) { s.capacity = load; }, Setting::capacity);
   check([](Settings& s) { s.teams = 0; }, Setting::teams);
   check([](Settings& s) { s.teams = max_teams + 1; }, Setting::teams);
@@ -386,10 +406,82 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
   for (const double apart : {-1.0, infinity, std::nan("")})
     check([&](Settings& s) { s.apart = apart; }, Setting::apart);
   check([](Settings& s) { s.survive = 31; }, Setting::survive);
-  for (const double size : {-1.0, infinity, std::nan("")})
-    check([&](Settings& s) { s.robot.width = size; }, Setting::robot);
+  for (const double clear : {-1.0, too_long, infinity, std::nan("")})
+    check([&](Settings& s) { s.clear = clear; }, Setting::clear);
+  for (const double size : {-1.0, too_long, infinity, std::nan("")})
+    for (double RobotSize::*part : {&RobotSize::radius, &RobotSize::reach, &RobotSize::depth,
+                                    &RobotSize::width, &RobotSize::gap})
+      check([&](Settings& s) { s.robot.*part = size; }, Setting::robot);
   check([](Settings& s) { s.no_go = {{0, 0.5, 0.5}}; }, Setting::no_go);
   check([](Settings& s) { s.no_go = {{0, 0, 1.5}}; }, Setting::no_go);
   check([](Settings& s) { s.units.length = static_cast<LengthUnit>(5); }, Setting::unit);
   check([](Settings& s) { s.units.weight = static_cast<WeightUnit>(4); }, Setting::weight_unit);
+}
+
+// Links held such numbers before they were bounded, and are read for ever (link.h).
+TEST_CASE("a number out of bounds stays in a link, and is refused where robots are placed",
+          "[settings][link]") {
+  const auto check = [](auto change, Setting setting) {
+    Document document = unusual();
+    document.settings.method = Method::balanced;
+    document.settings.robots = 6;
+    document.settings.survive = 0;
+    change(document.settings);
+    const auto link = encode_link(document);
+    REQUIRE(link.ok());
+    const auto back = decode_link(*link);
+    REQUIRE(back.ok());
+    CHECK(back->settings == document.settings);
+    CHECK(check_ranges(back->settings)->message == requirement(setting));
+    CHECK(place(*back).error().place.option == name(setting));
+  };
+  for (const double number : {5e-324, std::nextafter(min_weight, 0), 1e101, 1.797e308}) {
+    INFO(number);
+    check([&](Settings& s) { s.weight = number; }, Setting::weight);
+    check([&](Settings& s) { s.capacity = number; }, Setting::capacity);
+  }
+  for (const double number : {std::nextafter(max_length, 1e10), 1e300}) {
+    INFO(number);
+    check([&](Settings& s) { s.apart = number; }, Setting::apart);
+    check([&](Settings& s) { s.com_radius = number; }, Setting::com_radius);
+  }
+}
+
+TEST_CASE("nothing overflows at the ends of the ranges", "[settings]") {
+  for (const double weight : {min_weight, max_weight})
+    for (const double scale : {1e-9, 1e9})
+      for (const double length : {5e-324, 1.0, max_length})
+        for (const Method method : all_methods) {
+          INFO(name(method) << ", weight " << weight << ", size " << scale << ", " << length);
+          Document document;
+          document.vertices = {{0, 0}, {scale, 0}, {scale, scale}, {0.25 * scale, 0.75 * scale}};
+          Settings& settings = document.settings;
+          settings.method = method;
+          settings.robots = 3;
+          settings.weight = weight;
+          settings.capacity = weight == min_weight ? max_weight : min_weight;
+          settings.com_radius = length;
+          settings.apart = length;
+          settings.clear = length;
+          const bool sized = selects_candidates(method) || method == Method::balanced;
+          for (const double size : {0.0, length}) {
+            if (sized) settings.robot = {size, size, size, size, size};
+            int placed = 0;
+            CHECK(testing::keeps_its_word(document, placed));
+          }
+        }
+}
+
+TEST_CASE("whatever doubles are given, they are refused or written with finite numbers",
+          "[settings][fuzz]") {
+  Rng rng(21);
+  int placed = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<std::uint8_t> bytes(160);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(rng.below(256));
+    testing::AnyNumbers any(bytes.data(), bytes.size());
+    INFO("number " << i);
+    CHECK(testing::keeps_its_word(testing::document_with(any), placed));
+  }
+  CHECK(placed > 150);
 }

@@ -6,9 +6,11 @@
 
 #include "evenlift/generate.h"
 #include "evenlift/hull.h"
+#include "evenlift/moved.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/trace_json.h"
 #include "evenlift/output/trace_words.h"
+#include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/selection.h"
 #include "evenlift/trace.h"
@@ -451,6 +453,41 @@ TEST_CASE("why not this one has an answer for every candidate and chord", "[trac
   }
 }
 
+TEST_CASE("the answer for a candidate that lost names what was compared", "[trace][words]") {
+  const auto named = [](Rule rule) -> std::string {
+    switch (rule) {
+      case Rule::longest_even:
+      case Rule::longest:
+        return " has a length of ";
+      case Rule::most_even:
+        return " has a load ratio of ";
+      case Rule::score:
+        break;
+    }
+    return " has a score of ";
+  };
+  std::set<Rule> seen;
+  for (const char* name : {"guitar", "thesis-sample-centroid", "grand-piano", "thesis-sample"})
+    for (const Positions positions : {Positions::best, Positions::range})
+      for (const std::uint32_t teams : {1u, 2u}) {
+        INFO(name << ", " << evenlift::name(positions) << ", teams: " << teams);
+        Document document = corpus::polygon(name);
+        document.settings.positions = positions;
+        const Trace trace = traced(placed(document, Method::area, teams));
+        for (std::uint32_t c = 0; c < trace.placement.candidates.size(); ++c) {
+          const WhyNot answer = why_not(trace, trace.size() - 1, c);
+          if (answer.why != Why::behind || answer.decided_by != DecidedBy::first_key) continue;
+          const std::string text = why_not_text(trace, answer);
+          INFO(text);
+          CHECK(text.find(named(answer.rule)) != std::string::npos);
+          seen.insert(answer.rule);
+        }
+      }
+  CHECK(seen.count(Rule::longest) == 1);
+  CHECK(seen.count(Rule::longest_even) + seen.count(Rule::most_even) >= 1);
+  CHECK(seen.count(Rule::score) == 1);
+}
+
 TEST_CASE("why a team stands here is said without the algorithm's own words", "[trace][words]") {
   const auto why = [](const char* name, Method method, std::uint32_t team, LengthUnit unit) {
     Document document = corpus::polygon(name);
@@ -461,7 +498,7 @@ TEST_CASE("why a team stands here is said without the algorithm's own words", "[
   };
   CHECK(why("puzzle-piece", Method::area, 0, LengthUnit::mm) ==
         "The first team takes the longest chord with two equal halves: the farther apart robots "
-        "stand, the harder the object is to tip. The next one is 122.9\u00A0mm shorter.");
+        "stand, the wider the lifting base can become. The next one is 122.9\u00A0mm shorter.");
   CHECK(
       why("puzzle-piece", Method::area, 1, LengthUnit::mm) ==
       "Team 2 takes the chord that adds the most area to the lifting base: the wider the base, "
@@ -575,5 +612,61 @@ TEST_CASE("every step of balanced robots has its words, figures and numbers", "[
         }
       }
     }
+  }
+}
+
+TEST_CASE("a step of a failure carries the object within tau L, not within tau of its box",
+          "[trace][balanced]") {
+  // The diameter of this square is 2, and the diagonal of its box 2.83. Once the last robot fails,
+  // C is 2.4e-9 outside of the other three.
+  Document document;
+  document.vertices = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  document.settings.robots = 4;
+  Trace trace = traced(placed(document, Method::balanced));
+  const double off = 2.4e-9 * std::sqrt(2.0);
+  BalancedHistory& history = trace.history;
+  BalancedSet& last = history.moves.empty() ? history.start.back() : history.moves.back().set;
+  last.robots = {
+      {{-0.5, 0.5}, 1}, {{0.5 + off, -0.5 + off}, 3}, {{0.5, 0.5}, 0}, {{-0.5, -0.5}, 2}};
+  const auto step = trace.find(StepKind::failure, 3);
+  REQUIRE(step.has_value());
+  CHECK(look_at(trace, *step).balanced->loads.empty());
+  last.robots[1].position = {0.5 + off / 2, -0.5 + off / 2};  // within tau L
+  CHECK(look_at(trace, *step).balanced->loads.size() == 3);
+}
+
+TEST_CASE("a trace of robots that were moved by hand says so, and what is true where they stand",
+          "[trace][moved]") {
+  for (const Method method : {Method::area, Method::balanced}) {
+    INFO(name(method));
+    Document document = corpus::polygon("guitar");
+    document.settings.method = method;
+    document.settings.positions = Positions::range;
+    const Placement found = placed(document);
+    const Polygon& polygon = found.polygon;
+    std::optional<Moved> moved;
+    for (std::uint32_t edge = 0; edge < polygon.size() && !moved; ++edge) {
+      const Vec2 to = (polygon.edge_start(edge) + polygon.edge_end(edge)) / 2;
+      moved = method == Method::balanced ? moved_along_outline(found, 0, {to, edge})
+                                         : moved_along_range(found, 0, to);
+    }
+    REQUIRE(moved.has_value());
+    CHECK_FALSE(traced(found).moved);
+    const Result<Placement> there = with_moved(found, *moved);
+    REQUIRE(there.ok());
+    const Trace trace = traced(*there);
+    REQUIRE(trace.moved.has_value());
+    CHECK(trace.moved->moved == *moved);
+    // The steps are those of the method.
+    CHECK(trace.placement.coverage == found.coverage);
+    CHECK(caption(trace, look_at(trace, 0)).find("moved by hand") != std::string::npos);
+    const StepDetail last = look_at(trace, trace.size() - 1);
+    REQUIRE(last.step.kind == StepKind::result);
+    const std::string text = caption(trace, last);
+    CHECK(text.find(verdict(found)) == 0);
+    CHECK(text.find("moved by hand") != std::string::npos);
+    CHECK(text.find(verdict(*there)) != std::string::npos);
+    CHECK(testing::number_of(trace, last, "moved_coverage") == there->coverage);
+    CHECK(trace_json(trace).find("\"moved_form_closure\"") != std::string::npos);
   }
 }

@@ -32,7 +32,7 @@ def measurements(folder, of):
             continue
         for name in ("teams", "robots", "samples"):
             row[name] = int(row[name])
-        for name in ("coverage", "form_closure", "no_area", "load_min", "load_mean", "load_max", "spread", "max_share"):
+        for name in ("coverage", "form_closure", "no_area", "held_clear", "load_min", "load_mean", "load_max", "spread", "max_share"):
             row[name] = float(row[name])
         rows.append(row)
     return rows
@@ -96,7 +96,8 @@ class Recomputed:
 
     def aggregate(self, method, robots):
         rows = self.by[method, robots]
-        made = {"polygons": len(rows), "closed_mean": math.fsum(row["form_closure"] for row in rows) / len(rows)}
+        made = {"polygons": len(rows), "closed_mean": math.fsum(row["form_closure"] for row in rows) / len(rows),
+                "held_clear_mean": math.fsum(row["held_clear"] for row in rows) / len(rows)}
         for name in ("spread", "load_max", "max_share", "coverage"):
             values = [row[name] for row in rows]
             made[f"{name}_mean"] = math.fsum(values) / len(values)

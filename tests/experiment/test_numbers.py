@@ -92,7 +92,7 @@ class Numbers:
             self.assertAlmostEqual(row["load_mean"], team / 2, delta=1e-12 * team, msg=where)
             self.assertAlmostEqual(row["spread"], row["load_max"] - row["load_min"], delta=1e-12 * team, msg=where)
             self.assertAlmostEqual(row["max_share"], row["load_max"] / team, delta=1e-12, msg=where)
-            self.assertTrue(0 <= row["coverage"] <= 1 and row["form_closure"] <= row["no_area"] <= 1, where)
+            self.assertTrue(0 <= row["coverage"] <= 1 and row["held_clear"] <= row["form_closure"] <= row["no_area"] <= 1, where)
             if row["method"] in results.ALGORITHM:
                 self.assertLessEqual(row["max_share"], 1 / 1.8 + 1e-9, where)
             if balanced:
@@ -211,7 +211,7 @@ class Numbers:
 
     def test_the_table_of_few_robots_has_the_means_of_the_rows(self):
         cells = results.few_robots(self.folder, self.of)
-        measures = {"coverage, %": ("coverage", 100, 1), "in form closure, %": ("form_closure", 100, 1),
+        measures = {"coverage, %": ("coverage", 100, 1), "in form closure, %": ("form_closure", 100, 1), "held with clearance, %": ("held_clear", 100, 1),
                     "spread of loads, kg of 100 kg": ("spread", 1, 2)}
         self.assertEqual(set(cells), {(what, robots, method) for what in [*measures, "number of polygons"] for robots in range(3, 13) for method in results.METHODS})
         for (what, robots, method), cell in cells.items():

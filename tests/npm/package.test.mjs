@@ -24,6 +24,7 @@ writeFileSync(path.join(project, "package.json"), '{ "private": true, "type": "m
 npm(project, "install", "--offline", "--no-audit", "--no-fund", path.join(work, packed.filename));
 const { place, candidates, svg, poses, link, experiment, run, version, EvenliftError } =
   await import(pathToFileURL(path.join(project, "node_modules/evenlift/node.js")).href);
+const { settingNames } = await import(pathToFileURL(path.join(project, "node_modules/evenlift/api.js")).href);
 
 const plate = [[0, 0], [160, 0], [160, 90], [90, 90], [90, 60], [0, 60]];
 const samples = readdirSync(path.join(root, "assets/polygons")).filter((name) => name !== "index.txt").map((name) => name.replace(/\.txt$/, ""));
@@ -91,25 +92,100 @@ test("settings have the effect that the program's options have", () => {
   assert.equal(svg(text, { teams: 2 }), readFileSync(picture, "utf8"));
 });
 
+// The error that a call throws.
+function refused(call, ...args) {
+  try {
+    call(...args);
+  } catch (error) {
+    assert.ok(error instanceof EvenliftError && error instanceof Error, error);
+    return error;
+  }
+  return assert.fail(`it was not refused: ${args.map(String)}`);
+}
+
 test("what is refused throws an error that says what is wrong and where", () => {
-  const refused = (polygon, options) => {
-    try {
-      place(polygon, options);
-    } catch (error) {
-      assert.ok(error instanceof EvenliftError && error instanceof Error);
-      return error;
-    }
-    return assert.fail("it was not refused");
-  };
-  const crossing = refused([[0, 0], [4, 4], [4, 0], [0, 4]]);
+  const crossing = refused(place, [[0, 0], [4, 4], [4, 0], [0, 4]]);
   assert.equal(crossing.code, "edges_cross");
   assert.deepEqual(crossing.place, { edges: [0, 2] });
   assert.match(crossing.message, /edges 1 and 3/i);
-  assert.deepEqual(refused(plate, { min_ratio: 2 }).place, { setting: "min_ratio" });
-  assert.match(refused(plate, { tems: 2 }).message, /tems/);
-  assert.match(refused("no polygon at all").message, /line 1/i);
-  assert.match(refused(undefined).message, /polygon/);
+  assert.deepEqual(refused(place, plate, { min_ratio: 2 }).place, { setting: "min_ratio" });
+  assert.match(refused(place, "no polygon at all").message, /line 1/i);
+  assert.match(refused(place, undefined).message, /polygon/);
   assert.equal(place(plate).teams.length, 3, "it goes on");
+});
+
+test("a wrong name is told, with the one that was meant", () => {
+  for (const [wrong, right] of Object.entries({ team: "teams", tems: "teams", min_ration: "min_ratio", wieght: "weight", minRatio: "min_ratio",
+    "min-ratio": "min_ratio", robots_radius: "robot_radius", center_of_mass: "centre_of_mass", failure: "failures" })) {
+    const error = refused(place, plate, { [wrong]: 3 });
+    assert.equal(error.message, `There is no setting "${wrong}"; did you mean "${right}"?`);
+    assert.equal(error.code, "bad_setting");
+    assert.deepEqual(error.place, { setting: wrong });
+  }
+  assert.equal(refused(place, plate, { zzz: 1 }).message, 'There is no setting "zzz"');
+  assert.match(refused(poses, plate, { fromat: "csv" }).message, /"format"/);
+  assert.match(refused(experiment, [{ polygon: plate }], { sample: 3 }).message, /"samples"/);
+  assert.match(refused(experiment, [{ polygn: plate }]).message, /^polygon 1: there is no member "polygn"; did you mean "polygon"\?/);
+  for (const call of [candidates, svg, link]) assert.deepEqual(refused(call, plate, { failures: true }).place, { setting: "failures" });
+  for (const name of ["__proto__", "constructor", "toString"]) refused(place, plate, JSON.parse(`{"${name}": 1}`));
+});
+
+test("what is no finite number is told of by its vertex, of the centre of mass or by its setting", () => {
+  for (const bad of [NaN, Infinity, -Infinity]) {
+    for (const vertex of [[bad, 90], [90, bad]]) {
+      const error = refused(place, [...plate.slice(0, 3), vertex, ...plate.slice(4)]);
+      assert.equal(error.message, "Vertex 4: a coordinate is not a finite number");
+      assert.equal(error.code, "bad_coordinate");
+      assert.deepEqual(error.place, { vertices: [3] });
+      assert.deepEqual(refused(place, plate, { centre_of_mass: vertex }).place, { centre_of_mass: true });
+      assert.match(refused(experiment, [{ polygon: plate }, { name: "hammer", polygon: [vertex] }]).message, /^hammer: vertex 1: /);
+    }
+    for (const name of settingNames) {
+      const error = refused(place, plate, { [name]: bad });
+      assert.equal(error.message, `${name}: ${bad} is not a finite number`);
+      assert.deepEqual([error.code, error.place], ["bad_setting", { setting: name }]);
+    }
+    assert.deepEqual(refused(experiment, [{ polygon: plate }], { samples: bad }).place, { setting: "samples" });
+  }
+});
+
+test("so is what is no number, no point, no polygon or no text at all", () => {
+  for (const vertex of [[1, 2, 3], [1], [], 1, null, undefined, [null, 1], ["1", "2"], [1n, 2], [1e300, 0]]) {
+    assert.deepEqual(refused(place, [[0, 0], [160, 0], vertex]).place, { vertices: [2] });
+  }
+  assert.deepEqual(refused(place, new Array(3)).place, { vertices: [0] });
+  for (const centre of [[1, 2, 3], 3, ["a", "b"], [[1, 2]]]) assert.deepEqual(refused(place, plate, { centre_of_mass: centre }).place, { centre_of_mass: true });
+  for (const value of [[1, 2], {}, () => 3, Symbol("a"), true, "half \ud800"]) assert.deepEqual(refused(place, plate, { weight: value }).place, { setting: "weight" });
+  for (const polygon of [null, undefined, 3, {}]) assert.equal(refused(place, polygon).code, "bad_syntax");
+  assert.deepEqual(refused(place, "(0,0)\n(4,\ud8000)").place, { line: 2, column: 4 });
+  assert.equal(refused(place, new Array(1048577).fill([0, 0])).code, "too_many_vertices");
+  assert.deepEqual(refused(place, plate, { candidates: 1 }).place, { setting: "candidates" });
+  for (const polygons of [undefined, {}, [3], [null], [{}], [{ text: plate }], [{ polygon: "x" }], [{ polygon: plate, text: "x" }], [{ polygon: plate, name: 3 }],
+    [{ polygon: plate, set: "\ud800" }], new Array(10001).fill({ polygon: plate })]) {
+    assert.doesNotMatch(refused(experiment, polygons).message, /column/);
+  }
+  assert.equal(place(plate, { seed: undefined, teams: null, centre_of_mass: null }).teams.length, 3);
+  assert.equal(place(plate, null).teams.length, 3);
+});
+
+test("the options of poses are refused by their names, and just those that the core refuses", () => {
+  for (const [name, values] of Object.entries({
+    format: ["csv", "json", "yaml", "CSV", "xml", "", null, 3],
+    origin: ["file", "com", "File", "", null, 3],
+    frame: ["map", "a/b", "/a", "a b", "", "a".repeat(255), "a".repeat(256), "é", "a\n", "-_.", null, 3],
+  })) {
+    for (const value of values) {
+      if (JSON.parse(run({ command: "poses", polygon: plate, [name]: value })).error) {
+        assert.deepEqual(refused(poses, plate, { [name]: value }).place, { setting: name }, String(value));
+      } else {
+        assert.ok(poses(plate, { [name]: value }));
+      }
+    }
+  }
+});
+
+test("every setting is one that the core knows", () => {
+  for (const name of settingNames) assert.deepEqual(place(plate, { [name]: null }), place(plate), name);
 });
 
 test("any bytes have an answer", () => {

@@ -5,9 +5,12 @@ import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { test } from "node:test";
+import { pathToFileURL } from "node:url";
 import { asset, evenlift, root } from "../page/browser.mjs";
 
 const ts = createRequire(path.join(root, "tests/page/package.json"))("typescript");
+const packageFolder = process.env.EVENLIFT_NPM || path.join(root, "build/npm");
+const ofPackage = (name) => import(pathToFileURL(path.join(packageFolder, name)).href);
 const declared = readFileSync(path.join(root, "npm/evenlift.d.ts"), "utf8");
 
 // What the compiler says of a module that imports "evenlift", as "LINE: MESSAGE".
@@ -37,7 +40,7 @@ test("what the program prints is a Placement, with no member more or less", () =
   // As literals, so that members that are not declared are complained of.
   const results = [...names.map((name) => printed(name)), printed("hammer", "--failures", "--candidates", "--capacity", "20", "--com-radius", "5"),
     printed("hammer", "--capacity", "0.001"), printed("star", "--metric", "balanced", "--robots", "5", "--failures"),
-    printed("guitar", "--positions", "range", "--goal", "hold", "--candidates"),
+    printed("guitar", "--positions", "range", "--goal", "hold", "--clear", "1", "--candidates"),
     printed("grand-piano", "--robot", "r=30,reach=20,depth=40,width=60,gap=10", "--no-go", "38,2:0.25-0.75"),
     printed("square", "--metric", "balanced", "--robot", "r=3"),
     printed("hammer", "--unit", "mm", "--weight-unit", "lb"), printed("star", "--metric", "random", "--seed", "7"), printed("square", "--min-ratio", "1", "--teams", "1")];
@@ -64,12 +67,35 @@ test("the lines of the READMEs and every function are typed", () => {
     import { EvenliftError, candidates, experiment, link, place, poses, run, svg, version } from "evenlift";
     const polygon = ${polygon};
     const loads: number[] = place(polygon, { teams: "max", metric: "circle", seed: 7n, centre_of_mass: [500, 480], failures: true }).teams.flatMap((team) => team.loads);
-    const kinds: ("bisecting" | "vertex" | "midpoint")[] = candidates([[0, 0], [4, 0], [4, 3]] as const).map(({ kind }) => kind);
+    const kinds: ("bisecting" | "vertex" | "midpoint" | "range")[] = candidates([[0, 0], [4, 0], [4, 3]] as const).map(({ kind }) => kind);
+    const beside: number | null = place(polygon, { clear: 0.1 }).closure.clearance;
     const texts: string[] = [svg(polygon, { overlays: ["hull"] }), link(polygon), poses(polygon, { format: "yaml", frame: "plate", origin: "com" }),
       run({ command: "version" }), version, experiment([{ name: "a", text: polygon }], { samples: 1 }).measurements];
     const refused = (error: unknown): string => (error instanceof EvenliftError ? error.code : "");
-    export { kinds, loads, refused, texts };
+    export { beside, kinds, loads, refused, texts };
   `), []);
+});
+
+test("an experiment's result is an Experiment, and candidates are Candidates, with no member more or less", async () => {
+  const { candidates, experiment } = await ofPackage("node.js");
+  const measured = experiment([{ name: "star", text: asset("star") }, { text: "POLYGON (" }], { samples: 2, max_teams: 2, max_balanced: 3 });
+  assert.ok(measured.figures.length && measured.claims.rows.length && measured.few_robots.length && measured.refused.length);
+  const chords = candidates(asset("guitar"), { positions: "range" });
+  assert.ok(chords.some(({ kind }) => kind === "range"));
+  assert.deepEqual(complaintsOf(`import type { Candidate, Experiment } from "evenlift";
+    export const measured: Experiment = ${JSON.stringify(measured)};
+    export const chords: Candidate[] = ${JSON.stringify(chords)};\n`), []);
+});
+
+test("the settings are those of the manual", async () => {
+  const { settingNames } = await ofPackage("api.js");
+  const source = ts.createSourceFile("evenlift.d.ts", declared, ts.ScriptTarget.ES2022);
+  const settings = source.statements.find((statement) => ts.isInterfaceDeclaration(statement) && statement.name.text === "Settings");
+  const typed = settings.members.map((member) => member.name.text).filter((name) => name !== "centre_of_mass");
+  assert.deepEqual([...typed].sort(), [...settingNames].sort());
+  const [, table] = /^## Settings\n([^]*?)^## /m.exec(readFileSync(path.join(root, "docs/requests.md"), "utf8"));
+  const documented = [...table.matchAll(/^\| (`.*?) \|/gm)].flatMap(([, names]) => [...names.matchAll(/`(\w+)`/g)].map(([, name]) => name));
+  assert.deepEqual(documented.sort(), [...settingNames].sort());
 });
 
 test("what the core would refuse the compiler refuses, too", () => {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace oracle {
 namespace {
@@ -12,12 +13,13 @@ struct Contact {
   ExactVec
       edge;  // along the edge, counter-clockwise about P: the inward normal is to its left, exactly
   RealVec normal;  // inward, of unit length
+  std::optional<Real> to_corner;  // the distance from the nearest corner of its edge; none without one
 };
 
 Contact contact_on(const ExactShape& shape, const RealVec& at, std::size_t edge) {
   const ExactVec along = shape.vertices[(edge + 1) % shape.vertices.size()] - shape.vertices[edge];
   const RealVec left{Real(-along.y), Real(along.x)};
-  return {at, along, left * (1 / length(left))};
+  return {at, along, left * (1 / length(left)), {}};
 }
 
 std::optional<std::size_t> vertex_at(const ExactShape& shape, const RealVec& p, Calls& calls) {
@@ -79,8 +81,37 @@ int turn_at(const ExactShape& shape, std::size_t vertex, Calls& calls) {
   return sign(cross(before, after));
 }
 
+/// Whether a vertex is convex and turns by more than 15 degrees.
+bool is_corner(const ExactShape& shape, std::size_t vertex, Calls& calls, bool& unsure) {
+  if (turn_at(shape, vertex, calls) <= 0) return false;
+  const std::size_t n = shape.vertices.size();
+  const RealVec u = real(shape.vertices[vertex] - shape.vertices[(vertex + n - 1) % n]);
+  const RealVec v = real(shape.vertices[(vertex + 1) % n] - shape.vertices[vertex]);
+  const Real cosine = dot(u, v) / (length(u) * length(v));
+  const Real of_15_degrees = (sqrt(Real(6)) + sqrt(Real(2))) / 4;
+  if (abs(cosine - of_15_degrees) < 10 * tau) unsure = true;
+  return cosine < of_15_degrees - tau;
+}
+
+/// The distance of a point on an edge from the nearest corner at which the edge ends, going on over straight
+/// vertices.
+std::optional<Real> to_corner(const ExactShape& shape, const RealVec& at, std::size_t edge, Calls& calls,
+                              bool& unsure) {
+  const std::size_t n = shape.vertices.size();
+  std::size_t begin = edge, end = (edge + 1) % n;
+  while (turn_at(shape, begin, calls) == 0) begin = (begin + n - 1) % n;
+  while (turn_at(shape, end, calls) == 0) end = (end + 1) % n;
+  std::optional<Real> least;
+  for (const std::size_t vertex : {begin, end}) {
+    if (!is_corner(shape, vertex, calls, unsure)) continue;
+    const Real distance = length(at - shape.real_vertices[vertex]);
+    if (!least || distance < *least) least = distance;
+  }
+  return least;
+}
+
 std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<RealVec>& points,
-                                 Calls& calls) {
+                                 Calls& calls, bool& corners_are_unsure) {
   const std::size_t n = shape.vertices.size();
   std::vector<Contact> contacts;
   const auto add = [&](const Contact& c) {
@@ -89,16 +120,23 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
       if (o.at == c.at && o.edge == c.edge) return;
     contacts.push_back(c);
   };
+  // Of a robot that is not kept in a reflex vertex.
+  const auto add_free = [&](const RealVec& at, std::size_t edge) {
+    Contact contact = contact_on(shape, at, edge);
+    contact.to_corner = to_corner(shape, at, edge, calls, corners_are_unsure);
+    add(contact);
+  };
   for (const RealVec& p : points) {
     const auto vertex = vertex_at(shape, p, calls);
     note_folds(shape, p, vertex, calls);
     if (!vertex) {
-      add(contact_on(shape, p, nearest_edge(shape, p)));
+      add_free(p, nearest_edge(shape, p));
       continue;
     }
     const std::size_t before = (*vertex + n - 1) % n;
     const int turn = turn_at(shape, *vertex, calls);
-    if (turn <= 0) add(contact_on(shape, shape.real_vertices[*vertex], *vertex));
+    if (turn == 0) add_free(shape.real_vertices[*vertex], *vertex);
+    if (turn < 0) add(contact_on(shape, shape.real_vertices[*vertex], *vertex));
     if (turn < 0) add(contact_on(shape, shape.real_vertices[*vertex], before));
   }
   return contacts;
@@ -371,12 +409,44 @@ Real margin(const std::vector<Vec3>& w) {
   return inside ? least : Real(-sqrt(nearest));
 }
 
+std::vector<Vec3> wrenches_of(const std::vector<Contact>& contacts, const Real& radius) {
+  std::vector<Vec3> wrenches;
+  for (const Contact& c : contacts)
+    wrenches.push_back({c.normal.x, c.normal.y, cross(c.at, c.normal) / radius});
+  return wrenches;
+}
+
+/// Clearance and tolerance by their definition: with the contacts that are at least as far from corners as
+/// each one is, one after another.
+void find_clearance(const std::vector<Contact>& contacts, const Real& radius, Closure& result) {
+  Real clearance = 0, tolerance = 0;
+  bool infinite = false;
+  for (const Contact& nearest : contacts) {
+    std::vector<Contact> counted;
+    for (const Contact& c : contacts)
+      if (!c.to_corner || (nearest.to_corner && *c.to_corner >= *nearest.to_corner))
+        counted.push_back(c);
+    const Real m = margin(wrenches_of(counted, radius));
+    // With the core what counts as held is decided within the tolerance.
+    if (abs(m) < 100 * tau) result.clearance_is_unsure = true;
+    if (m <= 0) continue;
+    if (!nearest.to_corner) infinite = true;
+    if (nearest.to_corner) clearance = std::max(clearance, *nearest.to_corner);
+    const Real reach = radius * m;
+    tolerance = std::max(tolerance, nearest.to_corner ? std::min(*nearest.to_corner, reach) : reach);
+  }
+  result.clearance =
+      infinite ? std::numeric_limits<double>::infinity() : static_cast<double>(clearance);
+  result.tolerance = static_cast<double>(tolerance);
+}
+
 }  // namespace
 
 Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lifting_points) {
   Closure result;
   Calls calls;
-  const std::vector<Contact> contacts = contacts_of(shape, lifting_points, calls);
+  const std::vector<Contact> contacts =
+      contacts_of(shape, lifting_points, calls, result.clearance_is_unsure);
   result.contacts = contacts.size();
   if (contacts.empty()) {
     result.closest_call = calls.closest();
@@ -414,10 +484,8 @@ Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lift
 
   Real radius = 0;  // R
   for (const RealVec& v : shape.real_vertices) radius = std::max(radius, length(v));
-  std::vector<Vec3> wrenches;
-  for (const Contact& c : contacts)
-    wrenches.push_back({c.normal.x, c.normal.y, cross(c.at, c.normal) / radius});
-  result.margin = static_cast<double>(margin(wrenches));
+  result.margin = static_cast<double>(margin(wrenches_of(contacts, radius)));
+  if (result.form_closure) find_clearance(contacts, radius, result);
   result.closest_call = calls.closest();
   return result;
 }

@@ -135,6 +135,10 @@ struct Closure {
   bool form_closure = false;
   bool second_order = false;
   std::optional<double> margin;  // absent without contacts
+  // How exactly robots must stand, in units of length; both 0 without form closure. The clearance is
+  // infinite if the hold needs no contact beside a corner.
+  double clearance = 0, tolerance = 0;
+  bool clearance_is_unsure = false;  // rounding may decide it
   ClosestCall closest_call;
   // The least sine, above the tolerance, between two opposite normals. If it is small, the centre
   // of a region without area lies where two lines cross that are nearly one, and no rounding may

@@ -139,7 +139,7 @@ test("the ring of the halo is dragged, and is one step of undo", async () => {
   await idle(page);
   const { robustness } = await state(page);
   assert.ok(robustness.com_radius > 0);
-  assert.match(await summary(page), /If the centre of mass is off by up to [\d.]+, loads change by up to/);
+  assert.match(await summary(page), /If C is off by up to [\d.]+, the loads of equally stiff robots change by up to/);
   await page.keyboard.press("Control+z");
   await idle(page);
   assert.equal((await state(page)).robustness.com_radius, undefined);

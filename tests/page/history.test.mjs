@@ -149,7 +149,7 @@ test("a kept text that is broken stops nothing; in a frame nothing is kept", asy
   await set(page, { teams: 2 });
   await idle(page);
   await page.evaluate(() => {
-    addEventListener("pagehide", () => localStorage.setItem("evenlift.history", "< 999 -1 77 1.abc\n< 0 0 0\nnonsense\n> 1 x y z"));
+    addEventListener("pagehide", () => sessionStorage.setItem("evenlift.history", "< 999 -1 77 1.abc\n< 0 0 0\nnonsense\n> 1 x y z"));
   });
   await page.reload();
   await page.evaluate(() => evenlift.ready);
@@ -159,7 +159,7 @@ test("a kept text that is broken stops nothing; in a frame nothing is kept", asy
   const frame = await browser.open({ address: "?embed=1" });
   await set(frame, { teams: 2 });
   await idle(frame);
-  assert.equal(await frame.evaluate(() => localStorage.getItem("evenlift.history")), null);
+  assert.deepEqual(await frame.evaluate(() => [localStorage, sessionStorage].map((kept) => kept.getItem("evenlift.history"))), [null, null]);
   await frame.done();
 });
 
@@ -196,7 +196,7 @@ test("the comparison survives a reload, and its steps are undone and done again"
   await load(page, lShape);
   await page.keyboard.press("k");
   await idle(page);
-  await page.evaluate(() => addEventListener("pagehide", () => localStorage.setItem("evenlift.history", localStorage.getItem("evenlift.history").replace(/^= \d+/, "= 77"))));
+  await page.evaluate(() => addEventListener("pagehide", () => sessionStorage.setItem("evenlift.history", sessionStorage.getItem("evenlift.history").replace(/^= \d+/, "= 77"))));
   await reloaded(page);
   assert.equal(await compared(), "Nothing", "a method that is not there is not compared with");
   await page.done();

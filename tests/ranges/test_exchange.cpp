@@ -33,7 +33,7 @@ Document to_hold(Document document, std::uint32_t teams, Positions positions) {
 
 // The keys of a choice by the functions that every placement is described with, not by the search's.
 HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::uint32_t>& taken,
-                            double min_margin) {
+                            const FirmHold& firm) {
   std::vector<LiftingPoint> points;
   Points positions;
   HoldKeys keys;
@@ -45,8 +45,13 @@ HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::u
     }
     keys.ratios += chord.ratio;
   }
-  const Closure closure = analyse_closure(placement.polygon, placement.centre_of_mass, points);
-  for (const double bound : {0.001, 0.4 * min_margin, min_margin})
+  // The contacts that count are those whose distance from corners is enough.
+  std::vector<LiftingPoint> counted;
+  for (const Contact& contact : contacts(placement.polygon, points))
+    if (contact.to_corner >= firm.clear - near_distance(placement.polygon.diameter()))
+      counted.push_back(points[contact.point]);
+  const Closure closure = analyse_closure(placement.polygon, placement.centre_of_mass, counted);
+  for (const double bound : {0.001, 0.4 * firm.min_margin, firm.min_margin})
     if (closure.margin && *closure.margin >= bound) ++keys.level;
   keys.coverage = coverage(placement.polygon,
                            convex_hull(positions, near_distance(placement.polygon.diameter())));
@@ -88,9 +93,12 @@ void for_each_exchange(const Placement& placement, Visit visit) {
 
 // What holds of any teams that are to hold.
 void check_result(const Placement& placement) {
-  const HoldKeys keys = keys_by_definition(placement, placement.team_candidates, usual_margin);
+  const HoldKeys keys = keys_by_definition(placement, placement.team_candidates, firm_hold(placement));
   CHECK(keys.coverage == Approx(placement.coverage).margin(1e-9));
-  CHECK(placement.goal_reached == placement.closure.form_closure);
+  const double clear = 0.02 * farthest_vertex(placement.polygon, placement.centre_of_mass);
+  const bool is_clear =
+      placement.closure.clearance.distance >= clear - near_distance(placement.polygon.diameter());
+  CHECK(placement.goal_reached == (placement.closure.form_closure && is_clear));
   std::vector<std::uint32_t> sorted = placement.team_candidates;
   std::sort(sorted.begin(), sorted.end());
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
@@ -99,9 +107,9 @@ void check_result(const Placement& placement) {
                                   placement.settings.method, placement.requested_teams,
                                   first_team(placement.settings.positions));
   REQUIRE(start.size() == placement.team_candidates.size());
-  CHECK_FALSE(clearly_better(keys_by_definition(placement, start, usual_margin), keys));
+  CHECK_FALSE(clearly_better(keys_by_definition(placement, start, firm_hold(placement)), keys));
   for_each_exchange(placement, [&](const std::vector<std::uint32_t>& exchanged) {
-    if (clearly_better(keys_by_definition(placement, exchanged, usual_margin), keys))
+    if (clearly_better(keys_by_definition(placement, exchanged, firm_hold(placement)), keys))
       CHECK(is_doubtful(placement, exchanged));
   });
 }
@@ -138,10 +146,10 @@ TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchan
     if (!placement || placement->teams.size() < 2 || placement->candidates.size() > 12) continue;
     INFO("case " << number);
     ++compared;
-    const HoldKeys keys = keys_by_definition(*placement, placement->team_candidates, usual_margin);
+    const HoldKeys keys = keys_by_definition(*placement, placement->team_candidates, firm_hold(*placement));
     for (std::uint32_t a = 0; a < placement->candidates.size(); ++a)
       for (std::uint32_t b = a + 1; b < placement->candidates.size(); ++b)
-        if (clearly_better(keys_by_definition(*placement, {a, b}, usual_margin), keys))
+        if (clearly_better(keys_by_definition(*placement, {a, b}, firm_hold(*placement)), keys))
           CHECK(is_doubtful(*placement, {a, b}));
   }
   CHECK(compared > 1000);
@@ -156,7 +164,7 @@ TEST_CASE("one team more never loses the hold of the samples", "[exchange]") {
       for (std::uint32_t teams = 1; teams <= 5; ++teams) {
         const Placement placement = placed(to_hold(corpus::polygon(name), teams, positions));
         const std::uint32_t now =
-            keys_by_definition(placement, placement.team_candidates, usual_margin).level;
+            keys_by_definition(placement, placement.team_candidates, firm_hold(placement)).level;
         CHECK(now >= level);
         CHECK(placement.closure.form_closure >= closed);
         closed = placement.closure.form_closure;
@@ -185,7 +193,7 @@ TEST_CASE("the story of the exchanges leads from the start to the result", "[exc
     const auto start = select_teams(placement.polygon, placement.centre_of_mass,
                                     placement.candidates, Method::area, 3, FirstTeam::longest);
     const ExchangeHistory history = exchange_teams(placement.polygon, placement.centre_of_mass,
-                                                   placement.candidates, start, usual_margin);
+                                                   placement.candidates, start, firm_hold(placement));
     CHECK(history.start == start);
     CHECK(history.taken() == placement.team_candidates);
     CHECK(history.settled);

@@ -43,8 +43,11 @@ const settings = [
   "teams=3\nmetric=circle\nmin_ratio=0.5\nweight=7\nseed=18446744073709551615\ncom=10,20\nstep=4\ncapacity=12.5",
   "teams=max\ncom=centroid\nstep=none\ncapacity=none\noverlays=chords,hull",
   "metric=distributed\nteams=1048576",
-  "weight=1e300\nmin_ratio=1",
+  "weight=1e100\nmin_ratio=1",
 ];
+
+// Bytes for tests/fuzz/any_numbers.h: choices and doubles, none of them usual.
+const numbers = ["", "\0\x01\x02\x03".repeat(40), "\x04\x07\x7f\x01".repeat(40), "0123456789abcdef".repeat(10)];
 
 const square = '"polygon": [[0, 0], [4, 0], [4, 3], [0, 3]]';
 const requests = [
@@ -88,6 +91,7 @@ export const fuzzers = {
   },
   lesson: { what: "lessons", longest: 4096, seeds: (root) => textsOf(path.join(root, "assets/lessons")) },
   set: { what: "settings", longest: 512, seeds: async () => settings },
+  numbers: { what: "numbers", longest: 256, seeds: async () => numbers },
   request: { what: "requests", longest: 2048, seeds: async () => requests },
   kept: { what: "kept work", longest: 2048, seeds: kept },
 };

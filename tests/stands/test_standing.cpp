@@ -67,9 +67,10 @@ void check_standing(const Placement& p) {
     CHECK(length(robots[i].stand - touched[i].position) ==
           Approx(stands.has_body() ? p.settings.robot.radius + p.settings.robot.reach : 0)
               .margin(rounding));
+    testing::StandOracle::Clashes clashes;
     for (std::size_t j = 0; j < i; ++j)
-      CHECK(length(robots[i].stand - robots[j].stand) >=
-            2 * p.settings.robot.radius + p.settings.robot.gap - rounding);
+      CHECK(oracle.beside(touched[i], touched[j], clashes) !=
+            testing::StandOracle::Verdict::cannot);
   }
 }
 
@@ -104,6 +105,28 @@ TEST_CASE("robots of every size stand where they can and never collide", "[stand
   CHECK(fewer > 0);
 }
 
+TEST_CASE("arms of robots that are placed keep off other bodies and arms", "[stands]") {
+  // Here the arm of robot 2 went through the body of robot 6 when arms did not count.
+  const auto vertices = generate(Family::star, 19, 372);
+  REQUIRE(vertices.ok());
+  Document document;
+  document.vertices = *vertices;
+  document.settings.teams = 4;
+  document.settings.robot = {15, 100, 10, 10, 5};
+  for (const Positions positions : {Positions::best, Positions::range})
+    for (const Goal goal : {Goal::cover, Goal::hold})
+      for (const Method method : {Method::area, Method::balanced}) {
+        INFO(name(positions) << ", " << name(goal) << ", " << name(method));
+        document.settings.positions = positions;
+        document.settings.goal = goal;
+        document.settings.method = method;
+        const auto p = place(document);
+        if (!p && method == Method::balanced) continue;
+        REQUIRE(p.ok());
+        check_standing(*p);
+      }
+}
+
 namespace {
 
 // Whether a team can go to the candidate without getting into the way of the others.
@@ -119,9 +142,18 @@ bool has_room(const Placement& p, const std::vector<std::uint32_t>& taken, std::
   return !p.stands->any_collide(robots);
 }
 
+// By the contacts that are far enough from corners to count.
 std::uint32_t level_of(const Placement& p) {
-  const double margin = p.closure.margin.value_or(-1), firm = p.settings.min_margin;
-  return static_cast<std::uint32_t>((margin >= 0.001) + (margin >= 0.4 * firm) + (margin >= firm));
+  const FirmHold firm = firm_hold(p);
+  const double near = near_distance(p.polygon.diameter());
+  std::vector<Contact> counted;
+  for (const Contact& contact : contacts(p.polygon, contact_points(p)))
+    if (contact.to_corner >= firm.clear - near) counted.push_back(contact);
+  const double margin = analyse_hold(p.polygon, p.centre_of_mass, counted).margin.value_or(-1);
+  std::uint32_t level = 0;
+  for (const double bound : {0.001, 0.4 * firm.min_margin, firm.min_margin})
+    level += margin >= bound;
+  return level;
 }
 
 }  // namespace
@@ -140,7 +172,7 @@ TEST_CASE("teams of robots with a size are exchanged until they hold, and never 
     const Placement& p = *placed;
     check_standing(p);
     const auto keys = [&](const std::vector<std::uint32_t>& taken) {
-      return hold_keys(p.polygon, p.centre_of_mass, p.candidates, taken, p.settings.min_margin,
+      return hold_keys(p.polygon, p.centre_of_mass, p.candidates, taken, firm_hold(p),
                        p.stands.get());
     };
     const auto start = select_teams(p.polygon, p.centre_of_mass, p.candidates, Method::area,

@@ -70,7 +70,6 @@ TEST_CASE("fewer teams than were asked for come with the reason", "[stands]") {
   const Placement placement = piano({500, 0, 0, 0, 0}, {});
   CHECK(placement.teams.size() < placement.requested_teams);
   CHECK(shortage_in_words(placement).find("would not fit beside each other") != std::string::npos);
-  for (const WhyUnusable why : {WhyUnusable::no_go, WhyUnusable::body, WhyUnusable::arm,
-                                WhyUnusable::corner, WhyUnusable::hand, WhyUnusable::narrow})
-    CHECK_FALSE(unusable_in_words(why, {1, 2, 3, 4, 5}, {}).empty());
+  for (std::size_t why = 0; why < why_unusable_count; ++why)
+    CHECK_FALSE(unusable_in_words(static_cast<WhyUnusable>(why), {1, 2, 3, 4, 5}, {}).empty());
 }

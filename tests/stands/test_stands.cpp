@@ -147,6 +147,31 @@ TEST_CASE("marked parts of edges are left out, and so is a vertex that one of th
   CHECK(stands.can_lift({{1, 0}, 1}));
 }
 
+TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {
+  const Stands stands(square(), sized(0, 0, 0.1, 0.2), {{0, 0.4, 0.6}, {2, 0, 0.25}});
+  REQUIRE(stretches(stands, 0).size() == 2);
+  CHECK(stretches(stands, 0)[0].to == Approx(0.3));
+  CHECK(stretches(stands, 0)[1].from == Approx(0.7));
+  CHECK(stands.why_not(0, 0.5) == WhyUnusable::no_go);
+  CHECK(stands.why_not(0, 0.35) == WhyUnusable::near_no_go);
+  CHECK(stands.why_not(0, 0.65) == WhyUnusable::near_no_go);
+  CHECK_FALSE(stands.why_not(0, 0.29));
+  // What is listed as marked is the mark itself.
+  for (const UnusablePart& part : stands.unusable())
+    if (part.edge == 0 && part.why == WhyUnusable::no_go) {
+      CHECK(part.part.from == Approx(0.4));
+      CHECK(part.part.to == Approx(0.6));
+    }
+  REQUIRE(stretches(stands, 2).size() == 1);
+  CHECK(stretches(stands, 2)[0].from == Approx(0.35));
+  // A mark on one edge does not reach around the corner.
+  CHECK(stretches(stands, 1)[0].to == Approx(0.9));
+  // Between two marks there must be room for all of it.
+  CHECK(stretches(Stands(square(), sized(0, 0, 0, 0.2), {{0, 0, 0.4}, {0, 0.55, 1}}), 0).empty());
+  CHECK(stretches(Stands(square(), sized(0.01, 0, 0, 0), {{0, 0, 0.4}, {0, 0.55, 1}}), 0).size() ==
+        1);
+}
+
 TEST_CASE("every place is as the four conditions say", "[stands]") {
   Rng rng(5);
   int sure = 0;
@@ -229,6 +254,87 @@ TEST_CASE("two robots collide by their bodies or by their hands", "[stands]") {
   const LiftingPoint from_left = stands.lifting_point({{0, 0.2}, 3});
   CHECK(stands.collide(lifting(0.2), from_left));
   CHECK_FALSE(stands.collide(lifting(0.6), from_left));
+}
+
+TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]") {
+  // Beside the reflex corner of the L one robot stands above the lower bar, and one to the right of
+  // the other bar. The middles of their bodies are (2, 2.6) and (2.6, y).
+  const auto from_below = [](const Stands& stands) { return stands.lifting_point({{2, 1}, 2}); };
+  const auto from_left = [](const Stands& stands, double y) {
+    return stands.lifting_point({{1, y}, 3});
+  };
+  const Stands stands(corner(), sized(0.1, 1.5, 0.2, 0.1), {});
+  CHECK(length(stands.stand(from_below(stands)) - Vec2(2, 2.6)) < 1e-12);
+  for (const double y : {1.5, 2.0, 2.5, 2.6, 2.65, 2.69, 2.71, 2.9}) {
+    INFO(y);
+    const LiftingPoint a = from_below(stands), b = from_left(stands, y);
+    REQUIRE(stands.can_lift(a));
+    REQUIRE(stands.can_lift(b));
+    CHECK(length(stands.stand(a) - stands.stand(b)) > 0.2);
+    // Up to 2.6 the arms cross, up to 2.7 the arm would go through the body at its end.
+    CHECK(stands.collide(a, b) == (y < 2.7));
+    CHECK(stands.collide(b, a) == (y < 2.7));
+    CHECK(stands.any_collide({a, b}) == (y < 2.7));
+  }
+  // The gap is kept between an arm and a body, too.
+  const Stands wider(corner(), sized(0.1, 1.5, 0.2, 0.1, 0.05), {});
+  CHECK(wider.collide(from_below(wider), from_left(wider, 2.74)));
+  CHECK_FALSE(wider.collide(from_below(wider), from_left(wider, 2.76)));
+  // Arms cross even if bodies are points; arms that only touch do not.
+  const Stands thin(corner(), sized(0, 1.5), {});
+  CHECK(thin.collide(from_below(thin), from_left(thin, 2.4)));
+  CHECK_FALSE(thin.collide(from_below(thin), from_left(thin, 2.5)));
+  CHECK_FALSE(thin.collide(from_below(thin), from_left(thin, 2.6)));
+  // Without a reach there is no arm outside of the body.
+  const Stands round(corner(), sized(0.5, 0), {});
+  CHECK_FALSE(round.collide(round.lifting_point({{2.5, 1}, 2}), round.lifting_point({{1, 2}, 3})));
+}
+
+TEST_CASE("two robots collide as bodies, arms and hands say", "[stands]") {
+  Rng rng(11);
+  int collide = 0, beside = 0;
+  StandOracle::Clashes clashes;
+  for (std::uint64_t number = 0; number < 150; ++number) {
+    const auto vertices = generate(family_of(number), 4 + rng.below(30), number);
+    if (!vertices) continue;
+    const Polygon polygon = made(*vertices);
+    const double size = polygon.diagonal();
+    RobotSize robot;
+    for (double* value : {&robot.radius, &robot.reach, &robot.depth, &robot.width, &robot.gap}) {
+      const bool there = rng.below(4) > 0;
+      const double part = rng.uniform();
+      if (there) *value = (value == &robot.reach ? 0.4 : 0.06) * size * part;
+    }
+    if (!robot.has_body()) continue;
+    INFO("polygon " << number << ", " << robot_text(robot));
+    // Whether they could stand there alone does not matter.
+    const Stands stands(polygon, robot, {});
+    const StandOracle oracle(polygon, robot, {});
+    const auto contact = [&] {
+      const auto edge = static_cast<std::uint32_t>(rng.below(polygon.size()));
+      const double part = rng.uniform();
+      return LiftingPoint{
+          polygon.edge_start(edge) + part * (polygon.edge_end(edge) - polygon.edge_start(edge)),
+          edge};
+    };
+    for (int pair = 0; pair < 2000; ++pair) {
+      const LiftingPoint a = contact();
+      const LiftingPoint b = contact();
+      const StandOracle::Verdict verdict = oracle.beside(a, b, clashes);
+      if (verdict == StandOracle::Verdict::unsure) continue;
+      const bool expected = verdict == StandOracle::Verdict::cannot;
+      (expected ? collide : beside) += 1;
+      const LiftingPoint p = stands.lifting_point(a), q = stands.lifting_point(b);
+      if (stands.collide(p, q) != expected || stands.collide(q, p) != expected)
+        FAIL("contacts (" << a.position.x() << ", " << a.position.y() << ") and (" << b.position.x()
+                          << ", " << b.position.y() << ")");
+    }
+  }
+  CHECK(collide > 10000);
+  CHECK(beside > 100000);
+  CHECK(clashes.bodies > 1000);
+  CHECK(clashes.arms > 1000);
+  CHECK(clashes.hands > 1000);
 }
 
 TEST_CASE("errors of stands name the setting and say why", "[stands][errors]") {

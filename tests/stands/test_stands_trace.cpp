@@ -70,7 +70,7 @@ TEST_CASE("the step about stands says how much is lost to each reason", "[stands
       const StepDetail detail = look_at(trace, k);
       // All but the bits before the vertices.
       double sum = number_of(trace, detail, "usable");
-      for (const char* why : {"no_go", "body", "arm", "corner", "hand", "narrow"}) {
+      for (const char* why : {"no_go", "body", "arm", "corner", "hand", "near_no_go", "narrow"}) {
         // A reason for which nothing is lost is not named.
         const double share = number_if_any(trace, detail, why).value_or(0);
         sum += share;

@@ -211,7 +211,7 @@ TEST_CASE("SVG: layers, labels, holes, and what is left out", "[import][svg]") {
       import.notes ==
       std::vector<std::string>{
           "outlines inside another are shapes of their own, since holes are not supported: the shape "
-          "around them and its centre of mass are those without a hole",
+          "around them and, unless one is given, its centre of mass are those without a hole",
           "1 text, 1 copy (<use>) and 1 hidden element were left out"});
   CHECK(import.shapes[0].tolerance == 0.1);
   CHECK(import.shapes[1].tolerance == 0.05);
@@ -580,8 +580,8 @@ TEST_CASE("GeoJSON: every polygon of a collection, by its name", "[import][geojs
   CHECK(
       import.notes ==
       std::vector<std::string>{
-          "1 hole was left out, since holes are not supported: the shape and its centre of mass are those of "
-          "what the outer ring encloses",
+          "1 hole was left out, since holes are not supported: the shape and, unless one is given, its "
+          "centre of mass are those of what the outer ring encloses",
           "coordinates beyond x and y were left out",
           "1 Point and 1 feature without a geometry were left out"});
   CHECK(refusal(R"({"type":"Point","coordinates":[1,2]})") ==

@@ -40,14 +40,16 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
     const ordered_json plain = ordered_json::parse(placement_json(placement, false));
     CHECK(names_in(plain) == Names{"polygon", "centre_of_mass", "metric", "min_ratio", "weight",
                                    "seed", "requested_teams", "teams", "robots", "hull", "coverage",
-                                   "loads", "closure", "goal", "goal_reached", "robustness"});
+                                   "loads", "closure", "goal", "goal_reached", "clear",
+                                   "robustness"});
     const ordered_json full = ordered_json::parse(placement_json(placement, true));
     CHECK(full.contains("candidates"));
     CHECK(names_in(full["teams"][0]) == Names{"ends", "ratio", "loads"});
     CHECK(names_in(full["candidates"][0]) == Names{"ends", "ratio", "kind"});
     CHECK(names_in(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share", "models"});
     CHECK(names_in(full["closure"]) ==
-          Names{"form_closure", "margin", "second_order", "free", "clockwise", "counterclockwise"});
+          Names{"form_closure", "margin", "clearance", "tolerance", "second_order", "free", "clockwise",
+                "counterclockwise"});
     CHECK(full["metric"] == std::string(name(method)));
   }
 }

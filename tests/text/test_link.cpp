@@ -219,7 +219,7 @@ static Document balanced_document(Rng& rng) {
   settings.robots = static_cast<std::uint32_t>(least_robots + rng.below(most_robots - 1));
   if (rng.below(2) == 0) settings.goal = rng.below(2) == 0 ? Goal::cover : Goal::hold;
   if (rng.below(2) == 0) settings.min_margin = rng.below(2) == 0 ? rng.uniform() : -0.0;
-  if (rng.below(2) == 0) settings.apart = rng.below(2) == 0 ? 1e300 * rng.uniform() : 0.0;
+  if (rng.below(2) == 0) settings.apart = rng.below(2) == 0 ? max_length * rng.uniform() : 0.0;
   if (rng.below(2) == 0)
     settings.survive = static_cast<std::uint32_t>(rng.below(most_survived + 1));
   return document;
@@ -260,9 +260,9 @@ TEST_CASE("a doubt, a capacity and the halo read back in every bit, whatever the
   for (int i = 0; i < 1000; ++i) {
     Document document = i % 2 == 0 ? balanced_document(rng) : random_document(rng, 14);
     Settings& settings = document.settings;
-    if (i % 3 != 0) settings.com_radius = std::fabs(evenlift::testing::any_double(rng, 1e300));
+    if (i % 3 != 0) settings.com_radius = std::fabs(evenlift::testing::any_double(rng, max_length));
     if (i % 5 != 0)
-      settings.capacity = 5e-324 + std::fabs(evenlift::testing::any_double(rng, 1e300));
+      settings.capacity = min_weight + std::fabs(evenlift::testing::any_double(rng, 1e99));
     settings.overlays.halo = i % 7 != 0;
     settings.units = {all_length_units[i % 5], all_weight_units[i % 4]};
     const std::string link = encode(document);
@@ -304,7 +304,7 @@ TEST_CASE("the size of robots and marked edges read back in every bit", "[link]"
                                      &RobotSize::width, &RobotSize::gap}) {
       const bool there = rng.below(2) == 0;
       const double size = rng.uniform();
-      if (there) document.settings.robot.*value = 1e300 * size;
+      if (there) document.settings.robot.*value = max_length * size;
     }
     const std::uint64_t parts = i == 0 ? most_no_go : rng.below(5);
     for (std::uint64_t k = 0; k < parts; ++k) {
@@ -461,10 +461,12 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{1, "6"}, {19, "3:0.5" + std::string(70000, '0')}},
            {{18, "yes"}},
            {{1, "6"}, {4, std::string(33, '1')}},
+           {{20, "-1"}},
+           {{20, "usual"}},
            {{1, std::string(40000, '6')}}}) {
     CHECK(refusal(link_with(records, true)).code == ErrorCode::bad_link);
   }
-  for (const unsigned later : {17u, 20u, 255u}) {
+  for (const unsigned later : {17u, 21u, 255u}) {
     for (const bool ends : {true, false}) {
       const InputError error = refusal(link_with({{1, "6"}, {later, "anything"}}, ends));
       CHECK(error.code == ErrorCode::unknown_version);

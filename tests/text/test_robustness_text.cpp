@@ -63,7 +63,8 @@ TEST_CASE("the JSON always has the loads of all models and the robustness", "[js
   CHECK(json["loads"]["models"]["best"] == loads->best);
   CHECK(json["loads"]["models"]["worst"] == loads->worst);
   CHECK(names_in(json["robustness"]) ==
-        Names{"com_margin", "failures_carried", "failures_steady", "load_per_length"});
+        Names{"com_margin", "failures_carried", "failures_steady", "failures_clear",
+              "load_per_length"});
   CHECK(json["robustness"]["failures_carried"] == 2);
   CHECK(json["robustness"]["failures_steady"] == 1);
   CHECK(json["robustness"]["load_per_length"] == loads->springs.per_length);
@@ -165,14 +166,17 @@ TEST_CASE("the models of loads are told in a sentence", "[words][robustness]") {
   const auto words = [&](LoadModel model) { return plainly(model_in_words(model, loads)); };
   CHECK(words(LoadModel::plan).empty());
   CHECK(words(LoadModel::springs) ==
-        "If all robots are equally stiff they bear 0.0–18.1 kg each. Robots 2 and 4 let go.");
+        "If all robots are equally stiff and level and the object does not bend, they bear "
+        "0.0–18.1 kg each. Robots 2 and 4 let go.");
   loads.springs.loads = {15.2, 1, 18.1, 0};
   CHECK(words(LoadModel::springs) ==
-        "If all robots are equally stiff they bear 0.0–18.1 kg each. Robot 4 lets go.");
+        "If all robots are equally stiff and level and the object does not bend, they bear "
+        "0.0–18.1 kg each. Robot 4 lets go.");
   CHECK(words(LoadModel::best) ==
         "However well the weight is shared, some robot bears at least 17.0 kg.");
   CHECK(words(LoadModel::worst) ==
-        "If the robots' heights are unequal, a robot may come to bear up to 54.0 kg.");
+        "If the robots' heights are unequal or the object bends, a robot may come to bear up to "
+        "54.0 kg.");
 }
 
 TEST_CASE("doubt about the centre of mass is told in sentences", "[words][robustness]") {
@@ -180,16 +184,16 @@ TEST_CASE("doubt about the centre of mass is told in sentences", "[words][robust
   const auto words = [&](double radius, double tips) {
     return doubt_in_words(loads, {1, 1, tips}, radius);
   };
-  const std::string off = "If the centre of mass is off by up to ";
-  CHECK(plainly(words(4, 30)) == off + "4, loads change by up to 4.00 kg.");
+  const std::string off = "If C is off by up to ",
+                    change = ", the loads of equally stiff robots change by up to ";
+  CHECK(plainly(words(4, 30)) == off + "4" + change + "4.00 kg.");
   CHECK(plainly(words(25, 30)) ==
-        off +
-            "25, loads change by up to 25.0 kg. From 20.0 on other robots bear something, and "
-            "the ranges are too narrow.");
+        off + "25" + change +
+            "25.0 kg. From 20.0 on other robots bear something, and the ranges are too narrow.");
   CHECK(plainly(words(31, 30)) ==
-        off + "31, loads change by up to 31.0 kg. From 30.0 on the object can tip.");
+        off + "31" + change + "31.0 kg. From 30.0 on the object can tip.");
   CHECK(plainly(words(1, 0)) ==
-        off + "1, loads change by up to 1.00 kg. The object can tip however little it is off.");
+        off + "1" + change + "1.00 kg. The object can tip however little it is off.");
   CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 12)) ==
         "Equally stiff robots stay within 12 kg as long as it is off by no more than 4.00.");
   CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 9)) ==
@@ -200,13 +204,16 @@ TEST_CASE("failures are told in sentences", "[words][robustness]") {
   const auto words = [](const std::vector<std::optional<RestOfRobots>>& failures) {
     return plainly(failures_in_words(failures));
   };
+  const std::string sudden = " A sudden failure can double the change of load for a moment.";
   CHECK(words({rest(true, 20), rest(true, 21.34), rest(true, 5)}) ==
         "Whichever robot fails, the others carry the object, at most 21.3 kg each if equally "
-        "stiff.");
+        "stiff." +
+            sudden);
   CHECK(words({std::nullopt, std::nullopt}) == "The object falls whichever robot fails.");
   CHECK(words({std::nullopt, rest(true, 20), rest(false, 30), std::nullopt}) ==
         "The object falls if one of the robots 1 or 4 fails. If another fails, the others carry "
-        "it, at most 30.0 kg each if equally stiff. It can tip if robot 3 fails.");
+        "it, at most 30.0 kg each if equally stiff. It can tip if robot 3 fails." +
+            sudden);
   CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34))) ==
         "Robot 3 fails: carried by the other five, at most 21.3 kg.");
   CHECK(plainly(failure_in_words(0, 14, rest(false, 21.34))) ==
@@ -221,13 +228,13 @@ TEST_CASE("failures are told in sentences", "[words][robustness]") {
 TEST_CASE("what may go wrong is told in two facts", "[words][robustness]") {
   const Placement placement = placed("grand-piano", 3);
   const auto may_fail = [&](int carried, int steady) {
-    return robustness_facts(placement, {carried, steady, 117.2}).at(0).value;
+    return robustness_facts(placement, {carried, steady, 117.2, steady}).at(0).value;
   };
   CHECK(may_fail(2, 1) == "any 1; any 2 if it may tip");
   CHECK(may_fail(2, 2) == "any 2");
   CHECK(may_fail(1, 0) == "any 1, but it can tip then");
   CHECK(may_fail(0, 0) == "none");
   CHECK(may_fail(0, -1) == "none");
-  CHECK(robustness_facts(placement, {2, 1, 117.2}).at(1).value == "117");
+  CHECK(robustness_facts(placement, {2, 1, 117.2, 1}).at(1).value == "117");
   CHECK(robustness_facts(Placement(testing::polygon(testing::square)), {}).empty());
 }

@@ -50,10 +50,10 @@ TEST_CASE("the verdict is a few plain sentences", "[words]") {
   Placement placement = three_teams();
   CHECK(verdict(placement) ==
         "6 robots carry 15.2–18.1\u00A0kg each (100\u00A0kg in all). It can still turn clockwise. "
-        "81\u00A0% of the object is safe to push on.");
+        "A push down on 81\u00A0% of the object does not tip it.");
   placement.coverage = 0.4;
   CHECK(plainly(detail_in_words(placement)) ==
-        "40 % of the object is safe to push on. It can still turn clockwise.");
+        "A push down on 40 % of the object does not tip it. It can still turn clockwise.");
   placement.requested_teams = 5;
   placement.loads = LoadSummary{16.66, 16.66, 16.66, 0, 0.5};
   CHECK(plainly(loads_in_words(placement)) == "6 robots carry 16.7 kg each (100 kg in all).");
@@ -99,17 +99,19 @@ TEST_CASE("with no team the reason is given, and what helps", "[words]") {
       "of it.");
 }
 
-TEST_CASE("what part of the object is safe to push on is said in words", "[words]") {
+TEST_CASE("on what part of the object a push does not tip it is said in words", "[words]") {
   Placement placement = three_teams();
   const auto coverage = [&](double share) {
     placement.coverage = share;
     return plainly(coverage_in_words(placement));
   };
-  CHECK(coverage(0.5) == "50 % of the object is safe to push on.");
-  CHECK(coverage(1) == "All of the object is safe to push on.");
-  CHECK(coverage(1 - 1e-12) == "All of the object is safe to push on.");
-  CHECK(coverage(0.999) == "More than 99 % of the object is safe to push on.");
-  CHECK(coverage(0.004) == "Less than 1 % of the object is safe to push on.");
+  CHECK(coverage(0.5) == "A push down on 50 % of the object does not tip it.");
+  CHECK(coverage(1) == "A push down anywhere on the object does not tip it.");
+  CHECK(coverage(1 - 1e-12) == "A push down anywhere on the object does not tip it.");
+  CHECK(coverage(0.999) == "A push down on more than 99 % of the object does not tip it.");
+  CHECK(coverage(0.004) == "A push down on less than 1 % of the object does not tip it.");
+  CHECK(coverage(0) == "A push down anywhere on the object can tip it.");
+  CHECK(coverage(1e-12) == "A push down anywhere on the object can tip it.");
   placement.lifting_base.pop_back();
   CHECK(coverage(0) == "They stand on one line, so the object can tip.");
 }
@@ -130,8 +132,18 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
         "It is held, but only by the curvature of the contact (second order).");
   placement.closure.form_closure = true;
   placement.closure.second_order = false;
-  CHECK(closure_in_words(placement) ==
-        "The robots' contact alone stops it from sliding or turning.");
+  placement.closure.clearance = {100, 4, 12.9};
+  CHECK(plainly(closure_in_words(placement)) ==
+        "The robots' contact alone stops it from sliding or turning. Robots may be off by 12.");
+  CHECK(is_held(placement));
+  // A hold by a hair is none to rely on.
+  placement.settings.clear = 0.1;
+  placement.closure.clearance = {0.0912, 4, 0.05};
+  CHECK(plainly(closure_in_words(placement)) ==
+        "It is held only as long as a robot of team 3 stands exactly: it is 0.091 beside a corner.");
+  CHECK_FALSE(is_held(placement));
+  placement.settings.clear = 0.09;
+  CHECK(is_held(placement));
   placement.closure = {};
   placement.closure.margin.reset();
   CHECK(closure_in_words(placement) == "Nothing keeps it from sliding or turning.");
@@ -328,7 +340,8 @@ TEST_CASE("an error is a sentence that begins with its place", "[words]") {
 }
 
 TEST_CASE("what is said of a setting does not name it twice", "[words]") {
-  CHECK(sentence(setting_error(Setting::weight)) == "The weight is a number greater than 0");
+  CHECK(sentence(setting_error(Setting::weight)) ==
+        "The weight is a number greater than 0, from 1e-100 to 1e100");
   CHECK(sentence(setting_error(Setting::goal)) == "The goal is cover or hold");
   CHECK(sentence(setting_error(Setting::robot, "no edge has room for a robot of radius 9")) ==
         "No edge has room for a robot of radius 9");

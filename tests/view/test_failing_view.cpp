@@ -201,6 +201,22 @@ TEST_CASE("too many robots are not looked at each", "[view][failing]") {
   CHECK(verdict(state).headline.find("Robot 130 fails: ") == 0);
 }
 
+TEST_CASE("the verdict's tip says what loads and stability presume of the robots",
+          "[view][failing]") {
+  AppState state = state_of(Method::area);
+  const std::string presumed = presumed_in_words(state);
+  CHECK(presumed.find("controlled forces") != std::string::npos);
+  CHECK(presumed.find("push back") != std::string::npos);
+  give(state, Fail{1});
+  REQUIRE(failing(state));
+  CHECK(presumed_in_words(state).find("equally stiff") != std::string::npos);
+  CHECK(presumed_in_words(state).find("sudden") != std::string::npos);
+  give(state, Fail{});
+  CHECK(presumed_in_words(state) == presumed);
+  state.placement->teams.clear();  // then the verdict says nothing of robots
+  CHECK(presumed_in_words(state).empty());
+}
+
 TEST_CASE("a doubt makes the program's ranges, and sentences that say how far they hold",
           "[view][doubt]") {
   AppState state = state_of(Method::area);

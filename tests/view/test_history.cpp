@@ -1,5 +1,6 @@
 // Undo and redo: what they bring back, what they say, and what is kept of them.
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -60,6 +61,56 @@ TEST_CASE(
   history.record(large);
   REQUIRE(history.kept(false, 0));
   CHECK(history.kept(false, 0)->link.empty());
+}
+
+TEST_CASE("a lesson is left by steps that were kept outside, too", "[view][history][lesson]") {
+  const Document mine = document(l_shape);
+  Document lessons = document("(0,0)\n(200,0)\n(200,200)\n(0,200)\n");
+  for (const bool edited : {false, true}) {
+    INFO(edited);
+    History history;
+    history.record(mine, {}, Edit::weight);
+    history.record(mine, {Method::circle}, Edit::lesson_opened);
+    if (edited) history.record(lessons, {}, Edit::teams);
+    History again;
+    for (std::size_t i = history.depth(); i-- > 0;)
+      again.add(false, history.kept(false, i).value());
+    CHECK(again.lesson_opened() == (edited ? 1U : 0U));
+    const std::optional<History::Recalled> before = again.leave_lesson(lessons);
+    REQUIRE(before);
+    CHECK(before->document.vertices == mine.vertices);
+    CHECK(before->beside == Beside{Method::circle});
+    CHECK(again.undoes() == (edited ? Edit::lesson_left : Edit::weight));
+    if (edited) CHECK(again.undo(mine).document.vertices == lessons.vertices);
+  }
+}
+
+TEST_CASE("no lesson is left where another object was opened since", "[view][history][lesson]") {
+  const Document mine = document(l_shape);
+  for (const Edit since : {Edit::opened, Edit::drawn, Edit::lesson_left}) {
+    History history;
+    history.record(mine, {}, Edit::lesson_opened);
+    history.record(mine, {}, since);
+    history.record(mine, {}, Edit::seed);
+    CHECK_FALSE(history.lesson_opened());
+    CHECK(history.lesson_opened(2) == 2U);
+    CHECK_FALSE(history.leave_lesson(mine));
+    CHECK(history.depth() == 3);
+  }
+}
+
+TEST_CASE("what could be redone before a lesson can be redone after it",
+          "[view][history][lesson]") {
+  History history;
+  Document now = document(l_shape);
+  history.record(now, {}, Edit::weight);
+  now.settings.weight = 437;
+  now = history.undo(now).document;
+  history.record(now, {}, Edit::lesson_opened);
+  CHECK_FALSE(history.can_redo());
+  REQUIRE(history.leave_lesson(now));
+  REQUIRE(history.can_redo());
+  CHECK(history.redo(now).document.settings.weight == 437);
 }
 
 TEST_CASE("the tips of undo and redo say what they would do", "[view][history]") {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/open_lesson.h"
@@ -34,6 +35,24 @@ struct Moment {
 Moment moment(const AppState& state) {
   return {summary(state), state.walkthrough.known, state.walkthrough.figures.size()};
 }
+
+std::string link(const AppState& state) {
+  const Result<std::string> link = encode_link(state.document);
+  REQUIRE(link);
+  return *link;
+}
+
+// Changes a setting as a control would.
+template <class Change>
+void set(Page& page, const Change& change) {
+  Settings changed = settings(page.app.state);
+  change(changed);
+  give(page.app.state, SetSettings{std::move(changed)});
+}
+
+const std::string square = "(0,0)\n(200,0)\n(200,200)\n(0,200)\n";
+const std::string on_a_square =
+    "title: A square\npolygon: square\nteams: 2\n\n[centre]\nHere it balances.\n\n[end]\nDone.\n";
 
 void go(Page& page, std::uint32_t step) {
   page.app.commands.push_back(GoToStep{step});
@@ -446,11 +465,185 @@ TEST_CASE("a ready-made lesson shows its own stops and words, and can be left fo
   page.press({"u"});
   CHECK(words_of_stop(page.app.state).empty());
 
+  const Moment before = moment(page.app.state);
   const auto wrong =
       open_lesson(page.app.state, "title: x\npolygon: l\n\n[team 9]\nNo.\n", l_shape);
   REQUIRE(wrong);
   CHECK(wrong->place.kind == Place::Kind::line);
-  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);  // nothing changed
+  CHECK(moment(page.app.state) == before);  // nothing changed
+}
+
+TEST_CASE("closing a lesson brings back what was open before it, with its settings and its undo",
+          "[view][lesson]") {
+  Page page;
+  AppState& state = page.app.state;
+  set(page, [](Settings& s) { s.teams = 1; });
+  set(page, [](Settings& s) { s.method = Method::distance; });
+  set(page, [](Settings& s) { s.weight = 250; });
+  page.press({"z", true});
+  Overlays overlays = settings(state).overlays;
+  overlays.candidates = !overlays.candidates;
+  give(state, Show{overlays});
+  give(state, Compare{Method::circle});
+  page.press({"z", true});
+  page.press({"k"});
+  page.press({"z", true});
+  const std::string before = link(state);
+  const std::size_t depth = state.history.depth();
+  REQUIRE(state.history.can_redo());
+
+  const auto close = [&](const char* key) {
+    page.press({"ArrowRight"});
+    page.press({key});
+    CHECK_FALSE(walkthrough_is_open(state));
+    CHECK(link(state) == before);
+    CHECK(state.history.depth() == depth);
+    CHECK(state.history.can_redo());
+    CHECK(state.notice.text.empty());
+    CHECK(state.walkthrough.at == 0);
+    CHECK_FALSE(state.walkthrough.predict);
+  };
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  CHECK(state.history.undoes() == Edit::lesson_opened);
+  CHECK(state.document.vertices.size() == 4);
+  close("b");
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  close("Escape");
+  // With all steps around it, and after its words were left, it is the lesson's object all the same.
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  page.press({"u"});
+  close("b");
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  give(state, LeaveScript{});
+  close("b");
+  page.press({"z", true});
+  CHECK(settings(state).method == Method::area);  // one undo, of the edit before the lesson
+}
+
+TEST_CASE("closing a lesson brings the comparison back, which the lesson does not show",
+          "[view][lesson]") {
+  Page page;
+  AppState& state = page.app.state;
+  give(state, Compare{Method::circle});
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  CHECK_FALSE(state.second_method);
+  CHECK_FALSE(state.second);
+  page.press({"b"});
+  CHECK(state.second_method == Method::circle);
+  CHECK(state.second);
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  page.press({"z", true});
+  CHECK(state.second_method == Method::circle);
+  CHECK(state.second);
+}
+
+TEST_CASE("what was edited in a lesson is one undo away when it is closed", "[view][lesson]") {
+  Page page;
+  AppState& state = page.app.state;
+  const std::string before = link(state);
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  set(page, [](Settings& s) { s.teams = 1; });
+  give(state, MoveCentre{{90, 110}});
+  give(state, EndEdit{});
+  page.press({"Escape"});
+  CHECK(link(state) == before);
+  CHECK(state.notice.text ==
+        "What was open before the lesson is back. Undo shows the lesson's object as you left it.");
+  page.press({"z", true});
+  CHECK(state.document.vertices.size() == 4);
+  CHECK(state.document.centre_of_mass == Vec2(90, 110));
+  CHECK(settings(state).teams == 1);
+  CHECK_FALSE(walkthrough_is_open(state));
+  page.press({"z", true});
+  CHECK_FALSE(state.document.centre_of_mass);
+  page.press({"z", true});
+  page.press({"z", true});
+  CHECK(link(state) == before);
+  CHECK_FALSE(state.history.can_undo());
+  for (int i = 0; i < 4; ++i) page.press({"z", true, true});
+  CHECK(link(state) == before);
+  CHECK_FALSE(state.history.can_redo());
+}
+
+TEST_CASE("from a lesson opened in a lesson one close or one undo leads back to the drawing",
+          "[view][lesson]") {
+  for (const bool edited : {false, true}) {
+    for (const char* key : {"b", "z"}) {
+      INFO(edited << ' ' << key);
+      Page page;
+      AppState& state = page.app.state;
+      set(page, [](Settings& s) { s.weight = 77; });
+      const std::string before = link(state);
+      REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+      if (edited) set(page, [](Settings& s) { s.teams = 1; });
+      for (int i = 0; i < 2; ++i)
+        REQUIRE_FALSE(open_lesson(state, "title: L\npolygon: l\n\n[centre]\nC.\n", l_shape));
+      page.press({key, *key == 'z'});
+      CHECK_FALSE(walkthrough_is_open(state));
+      CHECK(link(state) == before);
+      page.press({"z", true});
+      CHECK(state.document.vertices.size() == (edited ? 4U : 6U));
+      CHECK(settings(state).weight == 100);
+    }
+  }
+}
+
+TEST_CASE("an undo in a lesson leaves it with all steps shown, too", "[view][lesson]") {
+  Page page;
+  AppState& state = page.app.state;
+  const std::string before = link(state);
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  page.press({"u"});
+  page.press({"z", true});
+  CHECK_FALSE(walkthrough_is_open(state));
+  CHECK(link(state) == before);
+  page.press({"z", true, true});
+  CHECK(state.document.vertices.size() == 4);
+  // Whoever takes the lesson's object so keeps it.
+  page.press({"b"});
+  page.press({"b"});
+  CHECK(state.document.vertices.size() == 4);
+}
+
+TEST_CASE(
+    "a script leaves a lesson as a person does, and its other changes are those that it names",
+    "[view][lesson]") {
+  Page page;
+  AppState& state = page.app.state;
+  set(page, [](Settings& s) { s.com_radius = 7; });
+  const std::string before = link(state);
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  Document left = state.document;
+  left.settings.step.reset();
+  CHECK_FALSE(try_edit(state, left));
+  CHECK(link(state) == before);
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  left.settings.capacity = 30;
+  CHECK_FALSE(try_edit(state, left));
+  CHECK(state.document.vertices.size() == 6);
+  CHECK(settings(state).capacity == 30.0);
+  CHECK(settings(state).com_radius == 7);
+}
+
+TEST_CASE("what somebody opened in a lesson stays when its steps are closed", "[view][lesson]") {
+  Page page;
+  AppState& state = page.app.state;
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  page.open(document("(0,0)\n(90,0)\n(0,90)\n"));
+  page.press({"b"});
+  page.press({"b"});
+  CHECK(state.document.vertices.size() == 3);
+}
+
+TEST_CASE("in an article the object of a lesson stays when it is closed", "[view][lesson]") {
+  Page page;
+  AppState& state = page.app.state;
+  state.screen.embed = true;
+  REQUIRE_FALSE(open_lesson(state, on_a_square, square));
+  give(state, CloseWalkthrough{});
+  CHECK_FALSE(walkthrough_is_open(state));
+  CHECK(state.document.vertices.size() == 4);
+  CHECK(settings(state).teams == 2);
 }
 
 TEST_CASE("tens of thousands of candidates are drawn, in the picture and in the lesson",

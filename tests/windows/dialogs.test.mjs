@@ -102,6 +102,7 @@ test("they fit small screens: they begin at their beginning, nothing is cut off,
 
 test("in a frame the list of keys has only those that work there", async () => {
   const page = await browser.open({ address: "?embed=1" });
+  await page.locator("#canvas").focus();
   await page.keyboard.press("?");
   const list = page.locator("#keys .key-groups");
   await list.waitFor();

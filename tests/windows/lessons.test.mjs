@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, drag, idle, link, load, lShape, phone, press, reload, root, set, sharedBrowser, state, summary, toScreen } from "../page/browser.mjs";
+import { asset, control, drag, idle, link, load, lShape, phone, press, redo, reload, root, set, sharedBrowser, state, summary, toScreen, undo, wide } from "../page/browser.mjs";
 import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const order = readFileSync(path.join(root, "assets/lessons/index.txt"), "utf8").split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
@@ -290,39 +290,186 @@ test("guesses are counted, the first one at each step, and summed up at the end"
   await page.done();
 });
 
-test("who leaves a lesson has the settings from before it, unless they were changed in it", async () => {
+// --- Leaving a lesson -------------------------------------------------------------------------------------------------
+
+// What is open, to be compared with what is open later.
+const open = async (page) => ({ link: await link(page), search: await page.evaluate(() => location.search) });
+
+// A drawing with settings of one's own, an edit that can be undone and one that can be done again.
+async function drawing(browser) {
   const page = await browser.open();
   await load(page, asset("violin"));
-  await set(page, { teams: 4, metric: "distance", min_ratio: 0.7, weight: 250 });
+  await set(page, { teams: 4, metric: "distance", min_ratio: 0.7 });
+  const former = await link(page);
+  await set(page, { weight: 250 });
+  await set(page, { seed: 9 });
+  const later = await link(page);
+  await page.locator("#canvas").focus();
+  await undo(page);
+  return { page, before: await open(page), former, later };
+}
+
+// Undo and redo are those from before the lesson.
+async function sameHistory(page, { former, before, later }) {
+  await redo(page);
+  assert.equal(await link(page), later, "what could be done again");
+  await undo(page);
+  assert.equal(await link(page), before.link);
+  await undo(page);
+  assert.equal(await link(page), former, "one undo is of the edit before the lesson");
+}
+
+async function leave(page, key = "b") {
+  await page.locator("#canvas").focus();
+  await page.keyboard.press(key);
+  await idle(page);
+}
+
+for (const key of ["b", "Escape"]) {
+  test(`${key} leaves a lesson for the drawing, the settings and the undo from before it`, async () => {
+    const { page, ...was } = await drawing(browser);
+    await begin(page, "opposite");
+    assert.equal((await state(page)).requested_teams, 1);
+    await page.keyboard.press("ArrowRight");
+    await idle(page);
+    await leave(page, key);
+    assert.deepEqual(await open(page), was.before);
+    assert.equal((await state(page)).metric, "distance");
+    await sameHistory(page, was);
+    await page.done();
+  });
+}
+
+test("a script leaves a lesson as a person does", async () => {
+  const { page, ...was } = await drawing(browser);
   await begin(page, "opposite");
-  assert.equal((await state(page)).requested_teams, 1);
-  await page.keyboard.press("b");
+  await set(page, { step: null });
   await idle(page);
-  const left = await state(page);
-  assert.deepEqual([left.requested_teams, left.method ?? left.metric, left.min_ratio, left.weight], [4, "distance", 0.7, 250]);
-  await page.keyboard.press("Control+z");
+  assert.deepEqual(await open(page), was.before);
+  await sameHistory(page, was);
+  await load(page, `title: Mine\nlink: ${was.later}\n\n[centre]\nHere.\n`);
   await idle(page);
-  assert.equal((await state(page)).requested_teams, 1, "undo has the lesson's");
-  await begin(page, "opposite");
-  await set(page, { teams: 2 });
-  await page.keyboard.press("Escape");
-  await page.keyboard.press("Escape");
-  await idle(page);
-  assert.equal((await state(page)).requested_teams, 2, "what was chosen stays");
+  await set(page, { step: null });
+  assert.equal(await link(page), was.former, "one that a script opened, too");
   await page.done();
 });
 
-test("lesson after lesson, the settings from before the first come back", async () => {
-  const page = await browser.open();
-  await set(page, { teams: 5, weight: 77 });
-  await begin(page, order[0]);
+test("from lesson to lesson and then out: what was open before the first is back, by closing and by one undo", async () => {
+  for (const way of [(page) => leave(page), undo]) {
+    const { page, ...was } = await drawing(browser);
+    await begin(page, order[0]);
+    await goToEnd(page);
+    await end(page).getByRole("button", { name: /^Next: / }).click();
+    await idle(page);
+    await page.locator("#canvas").focus();
+    await begin(page, order[4]);
+    await way(page);
+    assert.deepEqual(await open(page), was.before);
+    await undo(page);
+    assert.equal(await link(page), was.former);
+    await page.done();
+  }
+});
+
+test("what was edited in a lesson is one undo away when it is left, and a notice says so", async () => {
+  const { page, before, former } = await drawing(browser);
+  await begin(page, "moved");
   await goToEnd(page);
-  await end(page).getByRole("button", { name: /^Next: / }).click();
+  await drag(page, await toScreen(page, [440, 330]), await toScreen(page, [478, 354]));
+  await set(page, { teams: 2 });
+  const { polygon, centre_of_mass: centre } = await state(page);
+  await leave(page);
+  assert.deepEqual(await open(page), before);
+  assert.equal(await page.locator("#alert").textContent(), "What was open before the lesson is back. Undo shows the lesson's object as you left it.");
+  await undo(page);
+  const again = await state(page);
+  assert.deepEqual([again.polygon, again.centre_of_mass, again.requested_teams], [polygon, centre, 2]);
+  await redo(page);
+  assert.deepEqual(await open(page), before);
+  for (let i = 0; i < 5; ++i) await undo(page);  // leaving, two edits, the lesson, and the edit before it
+  assert.equal(await link(page), former);
+  await page.done();
+});
+
+test("a lesson that was loaded anew in its midst is left for what was open before it, too", async () => {
+  const { page, ...was } = await drawing(browser);
+  await begin(page, "moved");
+  await page.keyboard.press("ArrowRight");
   await idle(page);
+  await reload(page);
+  assert.match(page.url(), /lesson=moved/);
+  assert.match(await summary(page), /^Step 2 of 6/);
+  await leave(page);
+  assert.deepEqual(await open(page), was.before);
+  await undo(page);
+  assert.equal(await link(page), was.former);
+  // So it is after an edit, and with a lesson that the address cannot name.
+  await begin(page, "moved");
+  await set(page, { teams: 2 });
+  await reload(page);
+  await leave(page);
+  assert.equal(await link(page), was.former);
   await page.locator("#canvas").focus();
-  await page.keyboard.press("b");
+  const window = await openWindow(page, "lessons");
+  await window.locator("input[type=file]").setInputFiles({ name: "mine.txt", mimeType: "text/plain", buffer: Buffer.from("title: Mine\npolygon: square\n\n[centre]\nHere.\n") });
+  await allClosed(page);
+  assert.equal((await state(page)).polygon.length, 4);
+  await reload(page);
+  await leave(page);
+  assert.equal(await link(page), was.former);
+  await page.done();
+});
+
+test("an undo in a lesson that was loaded anew takes back an edit, and not the lesson", async () => {
+  const page = await browser.open();
+  await begin(page, "moved");
+  await set(page, { teams: 2 });
   await idle(page);
-  assert.deepEqual([(await state(page)).requested_teams, (await state(page)).weight], [5, 77]);
+  await reload(page);
+  await page.locator("#canvas").focus();
+  await undo(page);
+  assert.match(await summary(page), /^Step 1 of 6/);
+  assert.match(page.url(), /lesson=moved/);
+  await page.done();
+});
+
+test("with all steps around it, and after a look at the steps of its object, a lesson is left as ever", async () => {
+  const { page, before } = await drawing(browser);
+  await begin(page, "opposite");
+  await page.keyboard.press("u");
+  await idle(page);
+  await leave(page);
+  assert.deepEqual(await open(page), before);
+  await begin(page, "opposite");
+  const window = await openWindow(page, "lessons");
+  await window.getByRole("button", { name: /^Step by step/ }).click();
+  await allClosed(page);
+  await leave(page);
+  assert.deepEqual(await open(page), before);
+  await page.done();
+});
+
+test("what is shown and compared is back, too; the lesson itself has the whole picture", async () => {
+  const page = await browser.open();
+  await set(page, { overlays: ["candidates", "halo"] });
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("k");
+  await idle(page);
+  const compared = () => page.locator("#mirror").getByRole("combobox", { name: "Compare with" }).evaluate((list) => list.selectedOptions[0].text);
+  const before = [await link(page), await compared()];
+  await begin(page, "convex");
+  assert.doesNotMatch(await page.locator("#news").textContent(), /Compared with/);
+  await leave(page);
+  assert.deepEqual([await link(page), await compared()], before);
+  await page.done();
+});
+
+test("in a frame a lesson's object stays when it is left", async () => {
+  const page = await browser.open({ address: "?embed=1&lesson=moved" });
+  await idle(page);
+  const { polygon } = await state(page);
+  await leave(page);
+  assert.deepEqual((await state(page)).polygon, polygon);
   await page.done();
 });
 
@@ -482,6 +629,25 @@ test("what the editor says about an unknown setting names every one that a lesso
   await page.getByRole("button", { name: "Go to line 2" }).click();
   assert.equal(await text.evaluate((field) => field.value.slice(field.selectionStart, field.selectionEnd)), "colour: red");
   await page.done();
+});
+
+test("two tabs in which lessons are written keep a draft of their own, and the next visit has the last one", async () => {
+  const context = await browser.browser.newContext({ viewport: wide });
+  const [a, b] = [await browser.open({ context }), await browser.open({ context })];
+  const written = (name) => `title: ${name}\npolygon: square\n\n[centre]\nHere.\n`;
+  for (const [page, name] of [[a, "One"], [b, "Two"]]) {
+    await page.bringToFront();
+    const { text } = await editor(page);
+    await text.fill(written(name));
+    await idle(page);
+  }
+  const c = await browser.open({ context });
+  assert.equal(await (await editor(c)).text.inputValue(), written("Two"));
+  await a.bringToFront();
+  await reload(a);
+  assert.equal(await (await editor(a)).text.inputValue(), written("One"));
+  for (const page of [a, b, c]) await page.done();
+  await context.close();
 });
 
 test("a sample is chosen from a list, a lesson begins with a ready-made one, and a file is saved that opens", async () => {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "edits/open_document.h"
+#include "edits/undo.h"
 #include "evenlift/formats.h"
 #include "evenlift/lesson.h"
 #include "state/opened.h"
@@ -33,8 +34,11 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   script.vertices = of_it->document.vertices;
   script.centre_of_mass = of_it->document.centre_of_mass;
   script.own = of_it->document.settings;
-  if (start == LessonStart::join) return join_script(state, std::move(script));
-  script.before = settings_before_script(state).value_or(settings(state));
+  if (start == LessonStart::join) {
+    const std::optional<InputError> problem = join_script(state, std::move(script));
+    if (!problem) state.walkthrough.of_lesson = true;
+    return problem;
+  }
   script.preview = start == LessonStart::preview;
   const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
   of_it->placement = trace->placement;  // with balanced robots, what their search came to
@@ -44,9 +48,11 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   if (script.preview && former && former->preview) {
     show_opened(state, std::move(of_it).value());
   } else {
-    open(state, std::move(of_it).value());
+    leave_lesson_for_another(state);
+    open(state, std::move(of_it).value(), Edit::lesson_opened);
   }
   begin_script(state, std::move(script));
+  state.walkthrough.of_lesson = true;
   return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "app/update.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,7 +27,6 @@
 #include "walkthrough/explain.h"
 #include "walkthrough/playing.h"
 #include "walkthrough/questions.h"
-#include "walkthrough/script.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
@@ -37,17 +38,10 @@ void trace_whole_search(AppState& state) {
   if (trace && trace->balanced() && !trace->placement.search_ended) follow_placement(state);
 }
 
-// Leaving a lesson brings the settings back that it found, unless they were changed since.
-void leave_lesson(AppState& state) {
-  const std::optional<Settings> before = settings_before_script(state);
-  close_walkthrough(state);
-  if (!before || same_settings(*before, settings(state))) return;
-  begin_edit(state, false, Edit::lesson_left);
-  const Overlays overlays = settings(state).overlays;
-  state.document.settings = *before;
-  state.document.settings.overlays = overlays;
-  state.document.settings.step.reset();
-  recompute(state);
+// Opens the steps of the object itself, if none are open.
+void open_own_steps(AppState& state, std::optional<std::uint32_t> at = std::nullopt) {
+  if (!walkthrough_is_open(state)) state.walkthrough.of_lesson = false;
+  open_walkthrough(state, at);
 }
 
 struct Applier {
@@ -127,9 +121,9 @@ struct Applier {
   void operator()(const FinishDrawing&) const { finish_drawing(state); }
   void operator()(const OpenWalkthrough&) const {
     put_teams_back(state);
-    open_walkthrough(state);
+    open_own_steps(state);
   }
-  void operator()(const CloseWalkthrough&) const { leave_lesson(state); }
+  void operator()(const CloseWalkthrough&) const { leave_walkthrough(state); }
   void operator()(const GoToStep& c) const { go_to_step(state, c.step); }
   void operator()(const MoveSteps& c) const { move_steps(state, c.by); }
   void operator()(const MoveChapters& c) const { move_chapters(state, c.by); }
@@ -161,13 +155,13 @@ struct Applier {
     if (walkthrough_is_open(state))
       go_to_step(state, c.step);
     else
-      open_walkthrough(state, c.step);
+      open_own_steps(state, c.step);
   }
   void operator()(const LeaveScript&) const { leave_script(state); }
   void operator()(const ShowAllSteps& c) const { show_all_steps(state, c.all); }
   void operator()(const SetPresenting& c) const {
     if (c.on && !walkthrough_is_open(state)) put_teams_back(state);
-    if (c.on) open_walkthrough(state);
+    if (c.on) open_own_steps(state);
     set_presenting(state, c.on && walkthrough_is_open(state));
   }
   void operator()(const SetDrawCursor& c) const { set_draw_cursor(state, c); }

@@ -51,7 +51,7 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
     painter.fill_convex(view.scene.hull_before, theme.hull.at(1 - come));
     painter.outline(view.scene.hull_before, theme.hull_outline.at(1 - come), 2);
   }
-  // Where the robots that are left cannot carry the object, nothing is safe.
+  // Where the robots that are left cannot carry the object, it falls without any push.
   const bool holds = view.placement->loads.has_value();
   const Colour fill = holds ? theme.hull : theme.amber_on_object.at(0.16f),
                outline = holds ? theme.hull_outline : theme.amber_on_object;

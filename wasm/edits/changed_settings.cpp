@@ -5,7 +5,8 @@ namespace {
 
 // Whether balanced robots are to hold as firmly.
 bool same_margin(const Settings& a, const Settings& b) {
-  return a.min_margin == b.min_margin && a.apart == b.apart && a.survive == b.survive;
+  return a.min_margin == b.min_margin && a.apart == b.apart && a.clear == b.clear &&
+         a.survive == b.survive;
 }
 
 }  // namespace

@@ -20,6 +20,8 @@ void forget_former(AppState& state) {
   // The walkthrough begins with the document's step, if it has one.
   state.walkthrough.trace.reset();
   state.walkthrough.script.reset();
+  state.walkthrough.aside.reset();
+  state.walkthrough.of_lesson = false;
   state.walkthrough.playing = false;
   state.walkthrough.visited.clear();
   state.walkthrough.guesses = {};
@@ -41,6 +43,7 @@ void show_opened(AppState& state, Opened opened) {
 void open(AppState& state, Opened opened, Edit edit) {
   begin_edit(state, false, edit);
   ++state.opened;
+  if (edit == Edit::lesson_opened) state.second_method.reset();  // a lesson has the whole picture
   show_opened(state, std::move(opened));
 }
 

@@ -40,6 +40,7 @@ std::string settings_text(const Settings& settings) {
   text += line(Setting::robot, robot_text(settings.robot)) +
           line(Setting::no_go, no_go_text(settings.no_go));
   if (settings.apart) text += line(Setting::apart, shortest(*settings.apart));
+  if (settings.clear) text += line(Setting::clear, shortest(*settings.clear));
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include "edits/changed_settings.h"
 #include "edits/outlook.h"
 #include "edits/placing.h"
+#include "edits/undo.h"
 #include "state/opened.h"
 #include "walkthrough/walkthrough.h"
 
@@ -31,11 +32,16 @@ std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t>
   if (step) {
     if (auto problem = check_step(*step, made ? *made : *state.walkthrough.trace)) return problem;
   }
-  if (step && !made) {
+  if (!step) {
+    if (walkthrough_is_open(state)) leave_walkthrough(state);
+    return std::nullopt;
+  }
+  if (!made) {
     go_to_step(state, *step);
     return std::nullopt;
   }
   state.document.settings.step = state.placed.settings.step = step;
+  state.walkthrough.of_lesson = false;
   follow_placement(state, std::move(made));
   return std::nullopt;
 }
@@ -45,15 +51,16 @@ std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t>
 std::optional<InputError> try_edit(AppState& state, const Document& edited, std::uint64_t failed) {
   if (places_nothing(state, edited)) {
     if (auto problem = check_robot(*state.placement, failed)) return problem;
-    if (auto problem = try_step(state, edited.settings.step)) return problem;
-    const Settings &before = settings(state), &after = edited.settings;
-    if (before.capacity == after.capacity && before.com_radius == after.com_radius &&
-        before.units == after.units)
-      return std::nullopt;
+    const Settings before = settings(state), &after = edited.settings;
+    // This may leave a lesson, after which other settings are in force.
+    if (auto problem = try_step(state, after.step)) return problem;
+    const bool capacity = before.capacity != after.capacity,
+               radius = before.com_radius != after.com_radius, units = before.units != after.units;
+    if (!capacity && !radius && !units) return std::nullopt;
     change_beside(state, false, edit_between(before, after), [&](Settings& s) {
-      s.capacity = after.capacity;
-      s.com_radius = after.com_radius;
-      s.units = after.units;
+      if (capacity) s.capacity = after.capacity;
+      if (radius) s.com_radius = after.com_radius;
+      if (units) s.units = after.units;
     });
     return std::nullopt;
   }
@@ -69,6 +76,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
     trace = std::move(made).value();
   }
   begin_edit(state, false, edit_between(state.document, edited));
+  if (!walkthrough_is_open(state)) state.walkthrough.of_lesson = false;
   state.document = edited;
   adopt(state, std::move(placement));
   follow_up(state);

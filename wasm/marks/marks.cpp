@@ -99,7 +99,7 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, view.theme.panel.packed(), 20, 4);
   painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
   const std::string text =
-      safe ? "Safe: no push here tips it"
+      safe ? "A push down here does not tip it"
            : "Tips if pushed down with " +
                  load_in_words(force, placement.settings.weight, placement.settings.units);
   // The box has the panel's colour, on which the lifting base's dark green could not be read.

@@ -113,8 +113,13 @@ EMSCRIPTEN_KEEPALIVE const char* page_origin() {
   AppState& state = app().state;
   std::optional<std::string> before;
   for (std::size_t i = 0;; ++i) {
-    const std::optional<History::Kept> step = state.history.kept(false, i);
-    if (!step || step->edit == Edit::opened || step->edit == Edit::drawn) break;
+    std::optional<History::Kept> step = state.history.kept(false, i);
+    if (step && step->edit == Edit::lesson_left) {  // before the lesson the same polygon was open
+      i = state.history.lesson_opened(i + 1).value_or(i);
+      step = state.history.kept(false, i);
+    } else if (!step || is_other_object(step->edit)) {
+      break;
+    }
     before = step->link;
   }
   return hand_over(

@@ -80,6 +80,8 @@ void carry_out(Commands commands) {
 using namespace evenlift::view;
 using evenlift::CapacityInJson;
 using evenlift::Document;
+using evenlift::FailurePlan;
+using evenlift::Method;
 using evenlift::Result;
 using evenlift::Settings;
 
@@ -104,11 +106,15 @@ EMSCRIPTEN_KEEPALIVE const char* page_state() {
   const AppState& state = app().state;
   std::optional<CapacityInJson> capacity;
   const Settings& settings = state.placement->settings;
+  std::optional<FailurePlan> spare = state.plan_due ? std::nullopt : state.spare;
+  if (settings.capacity && !spare && settings.method != Method::balanced)
+    spare = plan_for_failures(*state.placement, *settings.capacity);
   if (settings.capacity)
     capacity = CapacityInJson{*settings.capacity,
                               state.plan && !state.plan_due
                                   ? *state.plan
-                                  : plan_capacity(*state.placement, *settings.capacity)};
+                                  : plan_capacity(*state.placement, *settings.capacity),
+                              spare};
   return hand_over(placement_json(*state.placement, true, capacity,
                                   {settings.com_radius, failing(state) != nullptr}));
 }
@@ -268,7 +274,12 @@ EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const ch
   kept.link = link;
   AppState& state = app().state;
   state.history.add(redo != 0, kept);
-  if (state.walkthrough.script) state.walkthrough.script->depth = state.history.depth();
+  // The last step that opened something says whether a lesson did, and from where on undo leaves it.
+  if (redo == 0 && is_other_object(kept.edit)) {
+    Walkthrough& walk = state.walkthrough;
+    walk.of_lesson = walk.trace && (walk.script || kept.edit == Edit::lesson_opened);
+    if (walk.script) walk.script->depth = state.history.depth();
+  }
   browser::request_frame();
 }
 

@@ -22,7 +22,7 @@ inline constexpr MethodWords methods[] = {
     {Method::distance, "Distance", "each team shortens the tipping arms"},
     {Method::distributed, "Distributed", "teams at equal angles, to compare"},
     {Method::random, "Random", "teams at random, to compare"},
-    {Method::balanced, "Balanced", "robots that all bear the same"},
+    {Method::balanced, "Balanced", "robots that can all bear the same"},
 };
 
 inline const MethodWords& words_of(Method method) {

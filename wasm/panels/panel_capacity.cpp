@@ -34,8 +34,8 @@ void draw_need(const Ui& ui) {
   const CapacityPlan* plan = ui.state.plan ? &*ui.state.plan : nullptr;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   text_block(Face::label, ui.theme.second_text, need_in_words(ui.state));
-  const float three_lines = 3 * line_height(Face::label) + 6;
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + three_lines));
+  const float four_lines = 4 * line_height(Face::label) + 6;
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + four_lines));
   const Settings& now = settings(ui.state);
   Settings changed = now;
   if (plan && now.method == Method::balanced) changed.robots = plan->team_size;

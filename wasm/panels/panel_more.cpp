@@ -17,9 +17,9 @@ namespace evenlift::view {
 namespace {
 
 constexpr Choice models[] = {{"As planned", "each robot's force is controlled"},
-                             {"Springs", "all robots are equally stiff"},
+                             {"Springs", "all equally stiff and level"},
                              {"At best", "shared as well as can be"},
-                             {"At worst", "unequal heights: some bear nothing"}};
+                             {"At worst", "unequal heights, or it bends"}};
 static_assert(std::size(models) == std::size(all_load_models));
 
 // A text in a block of so many lines, so that nothing below moves when it changes.
@@ -84,30 +84,47 @@ void draw_units(const Ui& ui) {
   if (!(units == settings(ui.state).units)) ui.push(SetUnits{units});
 }
 
-void draw_apart(const Ui& ui) {
+// A length that has a usual value, and how it is shown.
+struct UsualLength {
+  std::optional<double> Settings::*member;
+  const char *label, *tip, *about, *setting, *reset, *usual;
+};
+
+void draw_usual_length(const Ui& ui, const UsualLength& row) {
   Settings changed = settings(ui.state);
-  const float width =
-                  labelled(ui, "Keep apart", "Robots nearer to each other than this are too near"),
-              reset = changed.apart ? ui.control() : 0;
-  const std::string value =
-      changed.apart ? with_length_unit(plain(*changed.apart), changed.units) : "usual";
-  const int by = stepper(ui, "apart", value, width - reset,
-                         {.can_lower = changed.apart.value_or(1) > 0,
-                          .can_raise = changed.apart.value_or(0) < max_coordinate,
-                          .label = "Distance that robots keep apart",
-                          .setting = "apart"});
-  if (changed.apart) {
+  std::optional<double>& length = changed.*row.member;
+  const float width = labelled(ui, row.label, row.tip), reset = length ? ui.control() : 0;
+  const std::string value = length ? with_length_unit(plain(*length), changed.units) : "usual";
+  const int by = stepper(ui, row.setting, value, width - reset,
+                         {.can_lower = length.value_or(1) > 0,
+                          .can_raise = length.value_or(0) < max_coordinate,
+                          .label = row.about,
+                          .setting = row.setting});
+  if (length) {
     ImGui::SameLine(0, 0);
-    if (icon_button(ui, "usual apart", Icon::close, true, "As usual: 12 % of the object's radius",
-                    ui.control())) {
-      changed.apart.reset();
+    if (icon_button(ui, row.reset, Icon::close, true, row.usual, ui.control())) {
+      length.reset();
       ui.push(SetSettings{changed});
       return;
     }
   }
   if (by == 0) return;
-  changed.apart = stepped_length(ui, changed.apart.value_or(0), by);
+  length = stepped_length(ui, length.value_or(0), by);
   ui.push(SetSettings{changed});
+}
+
+void draw_apart(const Ui& ui) {
+  draw_usual_length(
+      ui, {&Settings::apart, "Keep apart", "Robots nearer to each other than this are too near",
+           "Distance that robots keep apart", "apart", "usual apart",
+           "As usual: 12 % of the object's radius"});
+}
+
+void draw_clear(const Ui& ui) {
+  draw_usual_length(ui, {&Settings::clear, "Clear of corners",
+                         "A hold does not rely on robots that are nearer to a corner than this",
+                         "Distance from corners that holds keep", "clear", "usual clear",
+                         "As usual: 2 % of the object's radius"});
 }
 
 void draw_survive(const Ui& ui) {
@@ -145,6 +162,7 @@ void draw_rows(const Ui& ui) {
   }
   draw_model(ui);
   draw_doubt(ui);
+  draw_clear(ui);
   draw_units(ui);
   if (settings(ui.state).method != Method::balanced) return;
   draw_apart(ui);

@@ -20,14 +20,14 @@ struct Overlay {
 };
 constexpr Overlay overlays[] = {
     {&Overlays::lifting_base, Swatch::hull, "Base",
-     "Lifting base H, the hull of all robots: safe to push on (H)"},
+     "Lifting base H, the hull of all robots: a push down there does not tip the object (H)"},
     {&Overlays::chords, Swatch::chord, "Chords",
      "The two robots of a team and the line between them (C)"},
-    {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were weighed (A)"},
+    {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were compared (A)"},
     {&Overlays::clockwise, Swatch::clockwise, "Clockwise",
-     "Points about which it can still turn clockwise (R)"},
+     "Points about which it can still turn clockwise, robots on corners not counted (R)"},
     {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise",
-     "Points about which it can still turn counter-clockwise (L)"},
+     "Points about which it can still turn counter-clockwise, robots on corners not counted (L)"},
     {&Overlays::tipping, Swatch::tipping, "Tipping",
      "How hard a push tips the object, and where (F)"},
     {&Overlays::halo, Swatch::halo, "Halo",

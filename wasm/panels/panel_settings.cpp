@@ -32,7 +32,8 @@ void draw_method(const Ui& ui) {
 
 // Why the minimum load ratio does not count; nothing where it does.
 const char* why_no_ratio(Method method) {
-  if (method == Method::balanced) return "Balanced robots all bear the same: the ratio is always 1";
+  if (method == Method::balanced)
+    return "Balanced robots can all bear the same: the ratio is always 1";
   return selects_candidates(method)
              ? nullptr
              : "This method places teams by direction, however evenly they share";
@@ -114,7 +115,7 @@ void draw_reset(const Ui& ui, float width) {
 void draw_robots_stepper(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width =
-      labelled(ui, "Robots", "Any number, odd ones included; all of them bear the same");
+      labelled(ui, "Robots", "Any number, odd ones included; all of them can bear the same");
   const float reset = by_hand(ui.state) ? 64.0f : 0.0f;
   const int by =
       stepper(ui, "robots", std::to_string(changed.robots), width - reset - (reset > 0 ? 8 : 0),
@@ -133,7 +134,7 @@ void draw_robots_stepper(const Ui& ui) {
 // What robots are for, and how firm a hold is firm.
 void draw_goal(const Ui& ui) {
   Settings changed = settings(ui.state);
-  constexpr Choice goals[] = {{"Cover", "most of the object safe to push on"},
+  constexpr Choice goals[] = {{"Cover", "most of the object inside the base"},
                               {"Hold", "first of all a firm hold"}};
   const Goal now = goal_of(changed);
   const float width = labelled(ui, "Goal",

@@ -79,6 +79,13 @@ void draw_mood(const Ui& ui, const Verdict& v) {
     ImGui::GetWindowDrawList()->AddCircle(middle, 14, ui.theme.accent.packed(), 32, 1.5f);
 }
 
+// The tip of the verdict, whose words are between these corners.
+void draw_presumed(const Ui& ui, ImVec2 low, ImVec2 high) {
+  if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(low, high)) return;
+  const std::string text = presumed_in_words(ui.state);
+  if (!text.empty()) tip(ui, text.c_str());
+}
+
 // Always takes the same height. `rest` may be empty.
 void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& rest) {
   draw_mood(ui, v);
@@ -108,6 +115,7 @@ void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& re
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height));
   ImGui::Dummy(ImVec2(width, 0));
   ImGui::PopStyleVar();
+  draw_presumed(ui, at, ImVec2(at.x + after_sign + beside, at.y + height));
 }
 
 // What is wrong comes first.

@@ -128,7 +128,8 @@ std::string need_in_words(const AppState& state) {
   const Failure* failure = failing(state);
   return capacity_in_words(*state.placement, *capacity, state.plan ? &*state.plan : nullptr,
                            overloaded_robots(greatest, *capacity), outlook.model,
-                           failure ? std::optional(failure->robot) : std::nullopt);
+                           failure ? std::optional(failure->robot) : std::nullopt,
+                           state.spare && !failure ? &*state.spare : nullptr);
 }
 
 std::string overload_in_brief(const AppState& state) {
@@ -190,6 +191,17 @@ Verdict verdict(const AppState& state) {
     v.detail += state.placement->teams.empty() ? "They are being looked for."
                                                : " Better places are being looked for.";
   return v;
+}
+
+std::string presumed_in_words(const AppState& state) {
+  const bool shown = state.placement && !state.refusal && !state.measuring &&
+                     state.tool != Tool::draw && !state.placement->teams.empty();
+  if (!shown) return {};
+  if (failing(state))
+    return "Loads are those of equally stiff and level robots; a sudden failure can double their "
+           "change for a moment";
+  return "Loads presume controlled forces; not to tip presumes robots that push back (stiff, or "
+         "held at height), none overloaded";
 }
 
 std::string summary(const AppState& state) {

@@ -12,12 +12,15 @@ enum class Mood : std::uint8_t { good, not_quite, falls, refused, drawing };
 
 struct Verdict {
   Mood mood = Mood::good;
-  std::string headline;    // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
-  std::string detail;      // "81 % of the object is safe to push on. It can still turn clockwise."
+  std::string headline;  // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
+  std::string detail;    // "A push down on 81 % of the object does not tip it. It can still slide."
   bool searching = false;  // balanced robots may still change
 };
 
 Verdict verdict(const AppState& state);
+
+// What the verdict presumes of the robots; empty where it says nothing of them.
+std::string presumed_in_words(const AppState& state);
 
 // What happens if a robot fails: it falls, or it is not quite well because it can tip or a robot is overloaded.
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);

@@ -32,12 +32,18 @@ constexpr const char* words[] = {"opened a polygon",
                                  "changed the size of the robots",
                                  "changed what robots may not touch",
                                  "moved robots by hand",
-                                 "put the robots back"};
+                                 "put the robots back",
+                                 "opened a lesson"};
 static_assert(std::size(words) == edit_count);
 
 }  // namespace
 
 const char* in_words(Edit edit) { return words[static_cast<std::size_t>(edit)]; }
+
+bool is_other_object(Edit edit) {
+  return edit == Edit::opened || edit == Edit::drawn || edit == Edit::lesson_opened ||
+         edit == Edit::lesson_left;
+}
 
 History::Entry History::remember(const Document& document, const Beside& beside, Edit edit) const {
   std::shared_ptr<const Points> vertices;
@@ -70,6 +76,7 @@ History::Recalled History::step(std::vector<Entry>& from, std::vector<Entry>& to
 
 void History::record(const Document& before, const Beside& beside, Edit edit) {
   past_.push_back(remember(before, beside, edit));
+  if (edit == Edit::lesson_opened) future_before_lesson_ = std::move(future_);
   future_.clear();
 }
 
@@ -78,6 +85,29 @@ History::Recalled History::undo(const Document& now, const Beside& beside) {
 }
 History::Recalled History::redo(const Document& now, const Beside& beside) {
   return step(future_, past_, now, beside);
+}
+
+std::optional<std::size_t> History::lesson_opened(std::size_t later) const {
+  for (std::size_t i = later; i < past_.size(); ++i) {
+    const Edit edit = past_[past_.size() - 1 - i].edit;
+    if (edit == Edit::lesson_opened) return i;
+    if (is_other_object(edit)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<History::Recalled> History::leave_lesson(const Document& now, const Beside& beside) {
+  const std::optional<std::size_t> edits = lesson_opened();
+  if (!edits) return std::nullopt;
+  const Entry& opening = past_[past_.size() - 1 - *edits];
+  Recalled before{recall(opening), opening.beside, Edit::lesson_left};
+  if (*edits > 0) {
+    record(now, beside, Edit::lesson_left);
+  } else {
+    past_.pop_back();
+    future_ = std::exchange(future_before_lesson_, {});
+  }
+  return before;
 }
 
 std::optional<History::Kept> History::kept(bool redo, std::size_t index) {
@@ -101,6 +131,7 @@ void History::add(bool redo, const Kept& kept) {
 void History::clear() {
   past_.clear();
   future_.clear();
+  future_before_lesson_.clear();
 }
 
 }  // namespace evenlift::view

@@ -40,12 +40,16 @@ enum class Edit : std::uint8_t {
   robot_size,
   marks,
   robots_moved,
-  robots_reset
+  robots_reset,
+  lesson_opened
 };
-inline constexpr std::size_t edit_count = 25;
+inline constexpr std::size_t edit_count = 26;
 
 // "moved a vertex". O(1).
 const char* in_words(Edit edit);
+
+// Whether another object took the place of the one that was open. O(1).
+bool is_other_object(Edit edit);
 
 // A picture that lies behind the drawing, to be traced. The page draws it; the view knows where it lies.
 struct Backdrop {
@@ -87,6 +91,15 @@ class History {
   Recalled undo(const Document& now, const Beside& beside = {});
   Recalled redo(const Document& now, const Beside& beside = {});
 
+  // Leaves the lesson whose object is open: what was open before it; nothing if no lesson was opened. If nothing
+  // was edited since, the history is as if the lesson had not been opened. Otherwise leaving it is one more
+  // step, which undo takes back.
+  std::optional<Recalled> leave_lesson(const Document& now, const Beside& beside = {});
+
+  // The index, as for kept(), of the step that opened the lesson whose object was open before the newest `later` steps;
+  // nothing if that was no lesson's. O(steps).
+  std::optional<std::size_t> lesson_opened(std::size_t later = 0) const;
+
   // A step to be kept outside: the one that so many undos (redos) lead to, from 0; nothing if
   // there is none. A document that is too large for a link has none. The first time O(n), then O(bytes).
   struct Kept {
@@ -117,6 +130,7 @@ class History {
                 const Beside& beside);
 
   std::vector<Entry> past_, future_;
+  std::vector<Entry> future_before_lesson_;  // what could be redone when the last lesson was opened
 };
 
 }  // namespace evenlift::view

@@ -109,6 +109,8 @@ struct AppState {
   std::optional<Method> second_method;  // the method shown beside the document's
   std::optional<Placement> second;      // its placement, of the same document
   std::optional<CapacityPlan> plan;     // for the capacity; not renewed during a drag
+  std::optional<FailurePlan> spare;     // for it if any robot may fail; balanced robots have none here,
+                                        // since each number of them takes a search
   std::optional<double> best_ratio;     // if no chord has the minimum load ratio: the best there is
   bool plan_due = false;                // the plan may have changed
   LoadModel load_model = LoadModel::plan;             // whose loads are shown
@@ -154,6 +156,11 @@ struct AppState {
 
 inline bool walkthrough_is_open(const AppState& state) {
   return state.walkthrough.trace.has_value();
+}
+
+// Whether it was opened as a lesson: closing it brings back what was open before. O(1).
+inline bool in_lesson(const AppState& state) {
+  return walkthrough_is_open(state) && state.walkthrough.of_lesson;
 }
 
 // The robot that fails in the picture; null if none does. A lesson and a shape that is being drawn or

@@ -106,7 +106,8 @@ struct Walkthrough {
   std::optional<std::size_t> hovered;  // index of the figure under the pointer
   std::optional<Script> script;
   std::optional<Script>
-      aside;  // while all steps are shown instead: the script to which one comes back
+      aside;               // while all steps are shown instead: the script to which one comes back
+  bool of_lesson = false;  // it was opened as a lesson; counts only while it is open: in_lesson()
 };
 
 }  // namespace evenlift::view

@@ -108,7 +108,8 @@ void explain_balanced(Explanation& explanation, const Placement& placement, cons
   explanation.rows.push_back({"It stands at", words.at[robot]});
   explanation.reason = "The centre of mass is the centroid of the " + std::to_string(all) +
                        " robots. So equal forces at them add up to the weight and do not turn the "
-                       "object: all robots bear the same.";
+                       "object: all robots can bear the same, and do so if they are equally stiff "
+                       "and level.";
 }
 
 void explain_candidate(Explanation& explanation, const Placement& placement, const Pick& pick,

@@ -11,7 +11,7 @@ const cards = new Map([
 ]);
 
 // Lengths, whose fields do not always show their unit: settings, and the field of an edge that is drawn, by its name.
-const lengths = new Set(["com", "apart", "com_radius", "robot_radius", "robot_reach", "robot_depth", "robot_width", "robot_gap", "edge length"]);
+const lengths = new Set(["com", "apart", "clear", "com_radius", "robot_radius", "robot_reach", "robot_depth", "robot_width", "robot_gap", "edge length"]);
 
 // Hidden while it is empty.
 function createGroup(name) {

@@ -1,35 +1,103 @@
 // Keys, and those habits of browsers that the program's own event handling does not cover.
+const root = document.documentElement;
+
+// A figure in an article is a guest there until the reader takes hold of it by a click, a tap or Tab, which give it the focus; and
+// again once the reader lets go by Esc or by going elsewhere. As long as it is a guest, wheel, fingers and keys are the article's.
+// page.css knows this class.
+const isGuest = () => root.classList.contains("guest");
+
+function takeHold(canvas) {
+  canvas.focus({ preventScroll: true });
+  root.classList.remove("guest");  // it may have had the focus in its own window
+}
+
+function letGo() {
+  document.activeElement?.blur();
+  root.classList.add("guest");
+}
+
 // `field` is the one of the mirror (web/mirror/mirror.js).
 export function connectInput(program, field, { embed }) {
   const canvas = document.getElementById("canvas");
-  const root = document.documentElement;
+  if (embed) connectGuest(canvas);
   // Before connectKeys(), which keeps keys from those that listen later.
   addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
-  connectKeys(program, canvas, field);
+  connectKeys(program, canvas, field, { embed });
   connectPresses(program);
 
   canvas.addEventListener("pointerdown", (event) => {
+    if (isGuest() && event.pointerType !== "mouse") return;  // it may become a swipe
     root.classList.remove("by-key");
     getSelection().removeAllRanges();  // as a press anywhere does elsewhere; else Ctrl+C would copy that text
     // Preventing mousedown's default, as SDL does, also prevents the focus; and without capture a drag ends at the
     // window's edge.
-    canvas.focus({ preventScroll: true });
+    takeHold(canvas);
     if (event.pointerType === "mouse") canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
 
   addEventListener("wheel", (event) => {
     if (event.target !== canvas) return;
-    if (event.ctrlKey) {
+    if (isGuest()) {
+      event.stopImmediatePropagation();
+    } else if (event.ctrlKey) {
       // Browsers report a trackpad's pinch like this; it must not zoom the page.
       event.preventDefault();
       event.stopImmediatePropagation();
       program.call("page_pinch", event.clientX, event.clientY, Math.exp(-event.deltaY * 0.01));
-    } else if (embed && document.activeElement !== canvas) {
-      // In an <iframe> the wheel scrolls the article around it until the reader presses on the figure.
-      event.stopImmediatePropagation();
     }
   }, { capture: true, passive: false });
+}
+
+function connectGuest(canvas) {
+  const hold = (held) => root.classList.toggle("guest", !held);
+  addEventListener("focusin", () => hold(true));
+  // Of the window: the focus comes back to where it was, or goes to the article.
+  addEventListener("focus", () => hold(document.activeElement !== document.body));
+  addEventListener("blur", () => hold(false));
+  canvas.addEventListener("click", () => isGuest() && takeHold(canvas));  // of a pen, say
+  connectTaps(canvas);
+}
+
+// SDL would keep every touch from the browser. So a guest's touches do not reach it, but for a tap, which takes hold of the figure
+// and then is passed on to it.
+const mostOfTap = 10;  // CSS pixels that a finger may move
+
+function connectTaps(canvas) {
+  let withheld = false;  // the fingers that are down came while it was a guest
+  let press;  // of a finger that may become a tap
+  const pass = (type, touch) => {
+    const touches = type === "touchstart" ? [touch] : [];
+    canvas.dispatchEvent(new TouchEvent(type, { touches, targetTouches: touches, changedTouches: [touch], bubbles: true, cancelable: true }));
+  };
+  const follow = {
+    touchstart({ touches, changedTouches: [touch] }) {
+      press = touches.length === 1 ? touch : undefined;
+    },
+    touchmove({ changedTouches: [touch] }) {
+      if (press && Math.hypot(touch.clientX - press.clientX, touch.clientY - press.clientY) > mostOfTap) press = undefined;
+    },
+    touchcancel() {
+      press = undefined;
+    },
+    touchend(event) {
+      const touch = press;
+      press = undefined;
+      if (!touch || event.touches.length || !event.cancelable) return;
+      event.preventDefault();  // else the same would come once more, as a mouse's
+      takeHold(canvas);
+      for (const type of ["touchstart", "touchend"]) pass(type, touch);
+    },
+  };
+  for (const type of Object.keys(follow)) {
+    addEventListener(type, (event) => {
+      if (event.target !== canvas) return;
+      if (type === "touchstart" && event.touches.length === event.changedTouches.length) withheld = isGuest();
+      if (!withheld) return;
+      event.stopImmediatePropagation();
+      follow[type](event);
+    }, { capture: true, passive: type !== "touchend" });
+  }
 }
 
 // Tells when a press was made and how many came in a row; SDL knows only when it received the event.
@@ -39,7 +107,7 @@ function connectPresses(program) {
   }
 }
 
-function connectKeys(program, canvas, field) {
+function connectKeys(program, canvas, field, { embed }) {
   // The field that the program named has the focus at once, so that it gets the next key, too. A digit is the first of its number.
   const beginField = (key) => {
     if (/^[\d.,]$/.test(key)) field.begun = key;
@@ -47,7 +115,7 @@ function connectKeys(program, canvas, field) {
   };
   // A button of the mirror leaves all keys but those of buttons to the page.
   const ofButton = (event) => event.target.matches?.("#mirror button") && !["Enter", " ", "Escape", "Tab"].includes(event.key);
-  const ours = (event) => (event.target === canvas || event.target === document.body || ofButton(event)) && !document.querySelector("dialog:modal");
+  const ours = (event) => !isGuest() && (event.target === canvas || event.target === document.body || ofButton(event)) && !document.querySelector("dialog:modal");
   addEventListener("keydown", (event) => {
     if (!ours(event)) return;
     // SDL would keep every key from the browser, so it does not get them.
@@ -65,7 +133,11 @@ function connectKeys(program, canvas, field) {
       event.preventDefault();
       if (field.awaited) beginField(event.key);
     }
-    else if (event.key === "Escape") document.querySelector("dialog[open]")?.close();  // the window beside the canvas
+    else if (event.key === "Escape") {
+      const beside = document.querySelector("dialog[open]");  // the window beside the canvas
+      if (beside) beside.close();
+      else if (embed) letGo();
+    }
   }, { capture: true });
   for (const type of ["keyup", "keypress"]) {
     addEventListener(type, (event) => ours(event) && event.stopImmediatePropagation(), { capture: true });

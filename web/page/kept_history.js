@@ -1,13 +1,11 @@
 // Undo survives a reload: the newest steps are kept in the browser, as a line for each (wasm/page/page_api.cpp), `<` before
 // those to be undone, `>` before those to be redone, the nearest first; and before them `=`, the method that the document is
-// compared with, and its link. Loaded after the first picture.
-import { lasting, read, write } from "./storage.js";
-import { underWay } from "./under_way.js";
+// compared with, and its link. They are kept beside the work to which they belong (publisher.js). Loaded after the first picture.
+import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 
-const key = "evenlift.history";  // publisher.js removes it where it keeps no work
 const mostSteps = 500;
 const mostBytes = 400000;  // of some 5 MB that browsers give; the work itself needs up to 4
-const pause = 400;
+const leastBytes = 1000;
 
 // The steps as lines, as many as fit.
 function lines(program, most) {
@@ -53,38 +51,37 @@ function restoreComparison(program, text) {
   if (mark === "=" && link && link === program.text("page_link")) program.call("page_compare", Number(method));
 }
 
-// Puts the steps of the last visit before those of this one, and keeps them from now on.
+function asText(program, most) {
+  const compared = comparison(program, most);
+  return [...compared, ...lines(program, most - compared.join().length)].join("\n");
+}
+
+// Keeps the newest steps for which there is room.
+function keep(storage, program, whole) {
+  for (let most = mostBytes; most > leastBytes; most /= 4) {
+    const text = most === mostBytes ? whole : asText(program, most);
+    if (read(storage, historyKey) === text || write(storage, historyKey, text)) return;
+  }
+  write(storage, historyKey, "");
+}
+
+// Puts the steps that are kept for this tab before those of this visit, and keeps them from now on.
 export function keepHistory(program) {
-  const before = read(lasting, key);
+  const before = read(ofThisTab, historyKey);
   // If they stop the page, the next start must not find them.
-  write(lasting, key, "");
+  const sources = [ofThisTab, lasting].filter((storage) => read(storage, historyKey) === before);
+  for (const storage of sources) write(storage, historyKey, "");
   if (before) restore(program, before);
   restoreComparison(program, before);
+  for (const storage of sources) if (!read(storage, historyKey)) write(storage, historyKey, before);
 
-  let written;
-  const keep = () => {
-    let text = "";
-    for (let most = mostBytes; most > 1000; most /= 4) {
-      const compared = comparison(program, most);
-      text = [...compared, ...lines(program, most - compared.join().length)].join("\n");
-      if (text === written || write(lasting, key, text)) break;
-      text = "";
-    }
-    written = text;
+  const keepAll = () => {
+    if (program.stopped) return;
+    const whole = asText(program, mostBytes);
+    keep(ofThisTab, program, whole);
+    // The next visit goes on with the work of the tab in which something was changed last.
+    if (read(lasting, workKey) === read(ofThisTab, workKey)) keep(lasting, program, whole);
   };
-  let wake;  // ends the pause
-  const soon = () => {
-    if (wake) return;
-    underWay(new Promise((done) => {
-      wake = done;
-      setTimeout(done, pause);
-    }).then(() => {
-      wake = undefined;
-      if (!program.stopped) keep();
-    }));
-  };
-  document.addEventListener("evenlift-change", soon);
-  document.addEventListener("evenlift-hurry", () => wake?.());
-  addEventListener("pagehide", () => !program.stopped && keep());
-  keep();
+  document.addEventListener("evenlift-kept", keepAll);
+  keepAll();
 }

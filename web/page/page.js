@@ -14,6 +14,7 @@ const cover = document.getElementById("cover");
 const { embed, challenge } = readAddress();
 const api = createApi();
 window.evenlift = api.evenlift;
+if (embed) document.documentElement.classList.add("figure", "guest");  // input.js
 
 const noWebAssembly = "This browser has no WebAssembly, or it is switched off. evenlift computes with it.";
 const noWebGl = "This browser offers no WebGL 2, or it is switched off. evenlift draws with it.";
@@ -143,12 +144,14 @@ async function start() {
     program.onStop = fail;
   });
   stopped.catch(() => {});
-  if (!embed && kept.work && !started.work) publisher.forget();
+  if (!embed && kept.work !== started.work) publisher.forget(kept.work);
   api.connect(program);
-  const problem = program.text("page_start", toOpen(program, started.fragment), toOpen(program, started.work), started.draft, embed ? 1 : 0);
+  // Where the link is what was open here last, no step leads from the one to the other.
+  const before = started.work === started.fragment ? "" : started.work;
+  const problem = program.text("page_start", toOpen(program, started.fragment), toOpen(program, before), started.draft, embed ? 1 : 0);
   publisher.connect(program);
   publisher.restorePreferences();
-  if (kept.own || started.problem) publisher.changed();  // the address names what is open
+  if (kept.own || started.problem) publisher.nameInAddress();
   if (!started.fragment) publisher.resumeDrawing(started.drawing);
   bindings.connect(program, connectScreen(program), { embed });
   connectInput(program, field, { embed });
@@ -159,6 +162,7 @@ async function start() {
   if (say) program.call("page_notice", say, 1);
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
+  if (started.fragment && !problem) publisher.adopt(fragment);
   underWay(loadMirror(program, field, publisher)).then((drawn) => {
     afterPicture = drawn;
     field.show = () => {

@@ -1,17 +1,18 @@
 import { readAddress, withLesson } from "./address.js";
-import { lasting, ofThisTab, read, write } from "./storage.js";
+import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 import { begin, end, isAwaited, whenAwaited } from "./work.js";
 
 // Keeps the browser up to date with the document: the address bar and the storage at most a few times a second (browsers
 // refuse more), and the summary for screen readers when there is a pause.
 const betweenWrites = 400;
 const beforeSpeaking = 600;
-const workKey = "evenlift.work";
 const draftKey = "evenlift.draft";
 const drawingKey = "evenlift.drawing";
 const preferencesKey = "evenlift.preferences";
-const historyKey = "evenlift.history";  // kept_history.js
 const addressKey = "evenlift.address";
+// What belongs to a document. Each is kept twice: for this tab, which goes on with its own after a reload or a crash, and for the
+// next visit in another tab, which goes on with what was changed last.
+const documentKeys = [workKey, draftKey, drawingKey, historyKey];
 
 const mostKept = 400000;  // vertices; no browser keeps a longer text
 
@@ -36,6 +37,11 @@ function showSentences(root, sentences, aloud) {
 // A browser that reloads while an address is being written may still open the one before it.
 const isReload = () => performance.getEntriesByType("navigation")[0]?.type === "reload";
 
+// Keeps the work, which is worth more than what led to it. Returns whether there was room for it.
+function keepWork(storage, work) {
+  return write(storage, workKey, work) || (write(storage, historyKey, "") && write(storage, workKey, work));
+}
+
 export class Publisher {
   #program = null;
   #embed;
@@ -44,6 +50,7 @@ export class Publisher {
   #speakTimer = 0;
   #lesson = "";
   #held = false;
+  #changed = false;  // since the start; before that the next visit goes on with what was changed elsewhere
   #told = [];  // the lines of news that were there last
   #switched = new Set();  // the overlays that were shown or hidden since the start
   #drawn = true;  // whether what is to be written was drawn
@@ -53,6 +60,8 @@ export class Publisher {
     this.#embed = embed;
     addEventListener("pagehide", () => this.#leave());
     document.addEventListener("visibilitychange", () => document.hidden && this.#leave());
+    // The browser had put this page aside, and meanwhile the tab may have shown another one.
+    addEventListener("pageshow", ({ persisted }) => persisted && this.adopt(location.hash.slice(1)));
     whenAwaited(() => {
       if (this.#writeTimer) this.#writeSoon();
       if (this.#speakTimer) this.#speakSoon();
@@ -65,14 +74,22 @@ export class Publisher {
     this.#speak({ aloud: false });
   }
 
-  // What was open here last, and whether this tab itself wrote this fragment into the address bar; then the work is at
-  // least as new.
+  // The work of this tab. A tab without any begins with a copy of what was open here last; a tab that was duplicated has a copy
+  // of the other's already. `own` says whether this tab itself wrote this fragment into the address bar; then its work is at
+  // least as new. `last` is what was open here last, in whichever tab.
   kept(fragment) {
-    if (this.#embed) return { work: "", draft: "", drawing: "", own: false };
-    const work = read(lasting, workKey);
+    if (this.#embed) return { work: "", draft: "", drawing: "", own: false, last: "" };
+    if (!read(ofThisTab, workKey)) for (const key of documentKeys) write(ofThisTab, key, read(lasting, key));
+    const work = read(ofThisTab, workKey);
     const [last, before] = read(ofThisTab, addressKey).split("\n");
     const own = work !== "" && (fragment === last || (isReload() && fragment === before));
-    return { work, draft: read(lasting, draftKey), drawing: read(lasting, drawingKey), own };
+    return { work, draft: read(ofThisTab, draftKey), drawing: read(ofThisTab, drawingKey), own, last: read(lasting, workKey) };
+  }
+
+  // What is open is the work of this tab from now on, whatever other tabs do. It is what this fragment of the address stands for.
+  adopt(fragment) {
+    if (this.#embed || !this.#program) return;
+    this.#keepAs(this.#program.text("page_link"), `${fragment}\n${fragment}`);
   }
 
   // From now on nothing is kept, and what is kept stays as it is.
@@ -80,9 +97,10 @@ export class Publisher {
     this.#embed = true;
   }
 
-  // Removes what is kept, so that it is not opened again.
-  forget() {
-    for (const key of [workKey, draftKey, drawingKey, historyKey]) write(lasting, key, "");
+  // Removes this work, so that it is not opened again.
+  forget(work) {
+    for (const storage of [ofThisTab, lasting])
+      if (read(storage, workKey) === work) for (const key of documentKeys) write(storage, key, "");
   }
 
   // The program stopped: nothing from it is kept from now on. Returns what is kept.
@@ -91,7 +109,7 @@ export class Publisher {
     clearTimeout(this.#writeTimer);
     clearTimeout(this.#speakTimer);
     this.#writeTimer = this.#speakTimer = 0;
-    return this.#embed ? "" : read(lasting, workKey);
+    return this.#embed ? "" : read(ofThisTab, workKey);
   }
 
   // Called after each picture.
@@ -101,6 +119,12 @@ export class Publisher {
   }
 
   changed() {
+    this.#changed ||= Boolean(this.#program);
+    this.nameInAddress();
+  }
+
+  // The address is to name what is open, once that is drawn.
+  nameInAddress() {
     if (!this.#program) return;
     this.#drawn = false;
     if (!this.#writeTimer) {
@@ -150,7 +174,7 @@ export class Publisher {
   // Sets the name that the ready-made lesson has in an address; "" if it has none.
   nameLesson(name) {
     this.#lesson = name;
-    this.changed();
+    this.nameInAddress();
   }
 
   // While the lesson of the address is being fetched, the address keeps its name.
@@ -172,7 +196,7 @@ export class Publisher {
 
   // The page is being closed. The address bar cannot be changed any more; a reload would use the old address.
   #leave() {
-    if (this.#program && this.#writeTimer) this.#keep(this.#program.text("page_link"));
+    if (this.#program && this.#writeTimer) this.#keepAs(this.#program.text("page_link"));
   }
 
   notice(text, problem) {
@@ -193,19 +217,30 @@ export class Publisher {
     if (!this.#held) withLesson(url, { lesson: this.lesson(), challenge });
     url.hash = link;
     if (url.href !== location.href) history.replaceState(history.state, "", url);
-    this.#keep(link);
-    if (!this.#embed) write(ofThisTab, addressKey, `${link}\n${before}`);
+    this.#keepAs(link, `${link}\n${before}`);
     end();
   }
 
-  #keep(link) {
+  // Keeps the document, and the addresses that stand for it, unless there is no room for it: then they are links like others.
+  #keepAs(link, addresses) {
     if (this.#embed) return;
+    const kept = this.#keep(link);
+    if (!kept || addresses !== undefined) write(ofThisTab, addressKey, kept ? addresses : "");
+  }
+
+  // Keeps the document. Returns whether there was room for it in this tab.
+  #keep(link) {
     const large = !link && this.#program.number("page_vertex_count") > mostKept;
-    const work = large || link || this.#program.text("page_text");
-    // The work is worth more than what led to it.
-    if (!large && !write(lasting, workKey, work) && write(lasting, historyKey, "")) write(lasting, workKey, work);
-    write(lasting, draftKey, this.#program.text("page_draft"));
-    write(lasting, drawingKey, this.#program.text("page_drawing"));
+    const work = large ? "" : link || this.#program.text("page_text");
+    const [draft, drawing] = ["page_draft", "page_drawing"].map((name) => this.#program.text(name));
+    let kept = false;
+    for (const storage of this.#changed ? [lasting, ofThisTab] : [ofThisTab]) {
+      kept = !large && keepWork(storage, work);
+      write(storage, draftKey, kept ? draft : "");
+      write(storage, drawingKey, drawing);
+    }
+    document.dispatchEvent(new Event("evenlift-kept"));
+    return kept;
   }
 
   #speak({ aloud = true } = {}) {

@@ -55,17 +55,20 @@ async function holdStart() {
 }
 
 // Leaves out what the last start did not survive. `kept` has the fragment's link and the kept texts. Returns those that
-// are to be opened, and a sentence about the others.
+// are to be opened, and a sentence about the others. In place of this tab's own work comes what was open here last, if that is another.
 export async function beginStart(kept) {
   const start = await holdStart();
   const failed = start.alone ? read(lasting, markKey) : noMark;
+  const hasFailed = (text) => text && failed === markOf(text);
   let opens = { ...kept, problem: "" };
-  if (kept.fragment && failed === markOf(kept.fragment)) {
+  if (hasFailed(kept.work)) {
+    for (const text of [kept.work, kept.draft]) if (text) setAside(text);
+    const work = kept.last === kept.work ? "" : kept.last;
+    opens = { ...opens, work, draft: "", drawing: "", problem: `The page stopped when the last polygon was opened, so it is not opened again. ${keptAside}` };
+  }
+  if (hasFailed(kept.fragment)) {  // it may be the link of that work
     setAside(kept.fragment);
     opens = { ...opens, fragment: "", problem: `The page stopped when this link was opened, so it is not opened again. ${keptAside}` };
-  } else if (kept.work && failed === markOf(kept.work)) {
-    for (const text of [kept.work, kept.draft]) if (text) setAside(text);
-    opens = { ...opens, work: "", draft: "", drawing: "", problem: `The page stopped when the last polygon was opened, so it is not opened again. ${keptAside}` };
   }
   const opened = opens.fragment || opens.work;
   const marked = opened !== "" && start.alone && write(lasting, markKey, markOf(opened));

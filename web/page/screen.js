@@ -41,11 +41,20 @@ function followRatio(changed) {
   }, { once: true });
 }
 
+// Whether the page's ground, which in forced colours is the system's, is nearer to black than to white.
+function groundIsDark() {
+  const [red, green, blue] = getComputedStyle(document.body).backgroundColor.match(/[\d.]+/g).map(Number);
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue < 128;
+}
+
 function followPreferences(program) {
-  const queries = ["(prefers-color-scheme: dark)", "(prefers-reduced-motion: reduce)", "(pointer: coarse)"]
+  const [dark, still, coarse, forced] = ["(prefers-color-scheme: dark)", "(prefers-reduced-motion: reduce)", "(pointer: coarse)", "(forced-colors: active)"]
     .map((query) => matchMedia(query));
-  const tell = () => program.call("page_preferences", ...queries.map((query) => (query.matches ? 1 : 0)));
-  for (const query of queries) query.addEventListener("change", tell);
+  const tell = () => {
+    const now = [forced.matches ? groundIsDark() : dark.matches, still.matches, coarse.matches];
+    program.call("page_preferences", ...now.map(Number));
+  };
+  for (const query of [dark, still, coarse, forced]) query.addEventListener("change", tell);
   tell();
 }
 

@@ -1,5 +1,9 @@
 // Access to the browser's storage. It may be full or forbidden; the page works without it.
 
+// What two files of the page read and write.
+export const workKey = "evenlift.work";
+export const historyKey = "evenlift.history";
+
 // Where storage is forbidden, naming it throws.
 export const lasting = () => localStorage;
 export const ofThisTab = () => sessionStorage;

@@ -3,7 +3,7 @@
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, lowered } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
-import { lasting, read, write } from "../page/storage.js";
+import { lasting, ofThisTab, read, write } from "../page/storage.js";
 import { unreadable } from "../page/lesson_text.js";
 import { underWay } from "../page/under_way.js";
 import { noSample, openLessonText, titleOf } from "./lesson_source.js";
@@ -20,7 +20,7 @@ const firstSteps = [
   ["candidates", "All chords that are even enough."],
   ["team 1", "The first team, and why it is this one."],
   ["lever", "Two robots, and what each of them bears."],
-  ["rest", "Some robots stand. Where must the others stand, so that all bear the same?"],
+  ["rest", "Some robots stand. Where must the others stand, so that all can bear the same?"],
   ["start 1", "The first robots whose centroid is C."],
   ["end", "What should they remember?"],
 ];
@@ -95,7 +95,7 @@ class Editor {
     this.#page = page;
     this.#samples = samples;
     this.field = el("textarea", { class: "field", spellcheck: "true", "aria-label": "The lesson’s text", "aria-describedby": "editor-problem", wrap: "soft" });
-    this.field.value = read(lasting, draftKey) || template(page.program);
+    this.field.value = read(ofThisTab, draftKey) || read(lasting, draftKey) || template(page.program);
     this.#begun = this.field.value;
     const open = openLessonOf(page.program);
     if (open) this.#before = { ...open, at: standing(page.program).at };
@@ -157,8 +157,9 @@ class Editor {
     if (!problem) this.#page.program.call("page_go_to_stop", at);
   }
 
+  // For this tab, in which it stays whatever is written in another one, and for the next visit.
   #keep() {
-    write(lasting, draftKey, this.field.value);
+    for (const storage of [ofThisTab, lasting]) write(storage, draftKey, this.field.value);
   }
 
   #soon() {

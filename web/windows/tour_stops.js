@@ -28,17 +28,17 @@ export const stops = [
   }, {
     title: "Loads",
     where: ({ balanced, team }) => !balanced && team,
-    words: () => "The number beside each ringed disc is what this robot bears. C nearly halves a chord, so a team bears nearly equal loads.",
+    words: () => "The number beside each ringed disc is what this robot is to bear. C nearly halves a chord, so a team bears nearly equal loads.",
     points: (here) => here.discs(here.team),
   }, {
     title: "Loads",
     where: ({ balanced, team }) => balanced && team,
-    words: () => "The number beside each ringed disc is what this robot bears. Balanced robots all bear exactly the same.",
+    words: () => "The number beside each ringed disc is what this robot is to bear. Balanced robots can all bear exactly the same.",
     points: (here) => here.discs(),
   }, {
     title: "Lifting base",
     where: ({ baseHasArea }) => baseHasArea,
-    words: ({ coverage }) => `The green area is the lifting base. No push down inside it tips the object; coverage${coverage ? `, here ${coverage},` : ""} says how much of it that is.`,
+    words: ({ coverage }) => `The green area is the lifting base. A push down inside it does not tip the object unless a robot is overloaded; coverage${coverage ? `, here ${coverage},` : ""} says how much of it that is.`,
     points: (here) => here.base(),
   }, {
     title: "Can it still move?",

@@ -1,6 +1,8 @@
 // Balanced robots: m of them, whose centroid is C. Forces of W / m each then add up to W, and their
-// moments about C cancel, so all bear the same; a pair with equal arms is the smallest case. This is
-// beyond the thesis, which asks for such methods in 6.2; algorithm.md, Balanced robots, defines it.
+// moments about C cancel, so all can bear the same. They do so if forces are controlled, or if all
+// are equally stiff and level; three robots that are not on one line do so in any case. A pair with
+// equal arms is the smallest case. This is beyond the thesis, which asks for such methods in 6.2;
+// algorithm.md, Balanced robots, defines it.
 //
 // The robots are found by a local search among sets whose centroid is C. The outline of P begins at
 // v*, the vertex farthest from C (of those within tau L the leftmost, then the lowest), runs once
@@ -79,6 +81,7 @@ struct BalancedSearch {
   std::uint32_t next = 0;            // the next triple of the present round, counted from 0
   bool changed = false;              // whether the present round has exchanged anything
   bool finished = false;             // a whole round changed nothing, or there were most_rounds
+  bool restarted = false;            // a second start was looked for
 };
 inline constexpr std::uint32_t most_rounds = 8;
 
@@ -101,6 +104,10 @@ struct BalancedExchange {
   std::array<LiftingPoint, 3> from, to;
 };
 
+// A search begins once more, at most once, where that leads farther: points that are to hold and do not, from a
+// start in which S_4 is also the best stand with three more, as for m = 4; and robots with a size, of which few
+// sets find a place, from the best sets on usable intervals (docs/algorithm.md).
+//
 // What a search does next. It goes through the triples i < j < k of robots; with more than 12 robots
 // only those of which two are neighbours along the outline, with more than 24 three in a row. The best
 // of the present set and of all sets of the other robots with three more, in this order, becomes the

@@ -87,8 +87,9 @@ double place_at(const PairRange& range, double s);
 // The place of the range at which C sees the end on edge a in a direction, or the one nearest to it. O(1).
 double place_towards(const PairRange& range, const Vec2& direction);
 
-// The two range candidates of a pair are at place_at(range, s) for these s. At the very ends of the
-// range robots would often stand on corners, where they hold nothing.
+// The two range candidates of a pair are at place_at(range, s) for these s, or at the nearest place at which
+// both robots are at least `clear` from the corners (Polygon::is_corner) of their edges, if the range has
+// one. At the very ends of the range robots would often stand on corners, where their contacts do not count.
 inline constexpr double range_places[] = {1.0 / 16, 15.0 / 16};
 
 // All candidates in candidate order; `min_ratio` in [0, 1]. It is an error if there are more than
@@ -97,7 +98,8 @@ inline constexpr double range_places[] = {1.0 / 16, 15.0 / 16};
 // O(n log n + K log K) at worst.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
                                                double min_ratio,
-                                               Positions positions = Positions::best);
+                                               Positions positions = Positions::best,
+                                               double clear = 0);
 
 // Stands for "none" in arrays of indices, where an optional would double the memory.
 inline constexpr std::uint32_t no_index = ~std::uint32_t{0};
@@ -113,7 +115,8 @@ struct TracedCandidates {
   std::vector<std::array<std::uint32_t, 2>> ranges_of_source;
 };
 Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
-                                          double min_ratio, Positions positions = Positions::best);
+                                          double min_ratio, Positions positions = Positions::best,
+                                          double clear = 0);
 
 // The candidates of robots with a size: the chords on which a team's two robots can stand, and lift
 // beneath the object. Of each two edges that face each other, moved inward by the hand's depth, the one
@@ -125,7 +128,8 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
 class Stands;
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,
-                                             Positions positions = Positions::best);
+                                             Positions positions = Positions::best,
+                                             double clear = 0);
 
 // What robots with a size leave of the range of two edges, or of these moved inward: the parts in which
 // both robots can stand, each from its first place, 0, to its last, 1; in order along edge a. Their places

@@ -46,9 +46,28 @@ struct CapacityPlan {
 // at most most_teams_tried(). Distributed teams are others for each number, of which only the loads are computed, and a
 // number of teams is rejected as soon as one robot carries too much. Teams that are exchanged until
 // they hold are others for each number, too: each costs as much as its exchanges (exchange.h).
-// Balanced robots bear the same, so their least number follows from the weight, and from the failures
-// that they are to survive; that such a set exists is not tried.
+// Balanced robots bear the same as planned, so their least number follows from the weight, and from
+// the failures that they are to survive; that such a set exists is not tried.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
+
+// How many robots it takes if any one may fail: with all of them at work none bears more than the capacity,
+// and when one fails, whichever it is, the others carry the object and none of them bears more than that,
+// if all are equally stiff (load_models.h, springs).
+struct FailurePlan {
+  bool possible = false;
+  std::uint32_t robots = 0;   // if possible, the least number that was found to be enough
+  double greatest_load = 0;   // if possible, what one robot bears at most, whichever fails
+  std::uint32_t tried = 0;    // the most robots that were tried
+  bool operator==(const FailurePlan&) const = default;
+};
+
+// The least number of robots for that with the placement's method, each number being placed as place() would
+// place it. It begins with the number that the weight alone asks for, and ends where the method finds no
+// place for more, at most_teams_tried(), or when the loads of most_loads_planned robots were computed. Of
+// balanced robots most_sets_planned numbers are tried, each of which takes a whole search (balanced.h).
+inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
+inline constexpr std::uint32_t most_sets_planned = 8;
+FailurePlan plan_for_failures(const Placement& placement, double capacity);
 
 // Whether two placements have the same plan for every capacity, because they agree in everything on
 // which it depends. O(n).

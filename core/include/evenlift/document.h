@@ -16,6 +16,9 @@ namespace evenlift {
 inline constexpr double max_coordinate = 1e9;             // size of a coordinate, inclusive
 inline constexpr double min_coordinate = 1e-100;          // size of one that is not 0, inclusive
 inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box, inclusive
+inline constexpr double max_length = max_coordinate;      // of a size or distance given, inclusive
+inline constexpr double max_weight = 1e100;               // or capacity of a robot, inclusive
+inline constexpr double min_weight = 1e-100;              // or capacity of a robot, inclusive
 inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon
 inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a link
 inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
@@ -90,8 +93,8 @@ struct Overlays {
   bool operator==(const Overlays&) const = default;
 };
 
-// What a robot takes up, in units of length, each finite and >= 0 (stands.h). All at 0, a robot is the
-// point at which it lifts.
+// What a robot takes up, in units of length, each 0 .. max_length (stands.h). All at 0, a robot is
+// the point at which it lifts.
 struct RobotSize {
   double radius = 0;  // of the round body
   double reach = 0;   // of the arm, from the body's rim to the contact
@@ -110,12 +113,15 @@ struct EdgePart {
   bool operator==(const EdgePart&) const = default;
 };
 
+// The usual distance that is not relied on, in units of R (closure.h).
+inline constexpr double usual_clear = 0.02;
+
 struct Settings {
   // 1 .. max_teams; none means every candidate ("max"), for methods that choose among candidates.
   std::optional<std::uint32_t> teams = 3;
   Method method = Method::area;
   double min_ratio = 0.8;  // minimum load ratio, 0 .. 1, both included
-  double weight = 100;     // of the object, > 0 and finite; loads are in its unit
+  double weight = 100;     // of the object, min_weight .. max_weight; loads are in its unit
   std::uint64_t seed = 1;  // for Method::random
   Overlays overlays;
   std::optional<std::uint32_t> step;  // of the lesson, if it is open
@@ -124,12 +130,15 @@ struct Settings {
   double min_margin = 0.05;           // a hold with this margin is firm, 0 .. 1
   std::optional<double> apart;  // robots should not be nearer to each other, >= 0, in units of
                                 // length; none means 0.12 R
+  std::optional<double> clear;  // distances below are not relied on: those of contacts from corners, and
+                                // that of C from the edge of the base after a failure; >= 0, in
+                                // units of length; none means usual_clear times R
   std::uint32_t survive = 0;    // failures of balanced robots that should leave the object
                                 // steady; they take at least 2 survive + 3 robots
-  double com_radius = 0;  // the centre of mass is known only within this distance, >= 0 and finite,
+  double com_radius = 0;  // the centre of mass is known only within this distance, 0 .. max_length,
                           // in units of length; it changes no placement
-  std::optional<double> capacity;  // what one robot can carry, > 0 and finite, in the unit of the
-                                   // weight; none means no limit; it changes no placement
+  std::optional<double> capacity;  // what one robot can carry, min_weight .. max_weight, in the
+                                   // weight's unit; none means no limit; it changes no placement
   Units units;
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
   RobotSize robot;

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "evenlift/candidates.h"
+#include "evenlift/closure.h"
 #include "evenlift/document.h"
 #include "evenlift/polygon.h"
 #include "evenlift/result.h"
@@ -52,7 +53,7 @@ std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 // and O(n) for each corner of H at worst.
 HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
-                   const std::vector<std::uint32_t>& taken, double min_margin,
+                   const std::vector<std::uint32_t>& taken, const FirmHold& firm,
                    const Stands* stands = nullptr);
 
 // What was exchanged: one team, both of two at once, or all for what one team fewer came to with one
@@ -92,7 +93,7 @@ std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t te
 // allow them.
 ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
                                const std::vector<Candidate>& candidates,
-                               std::vector<std::uint32_t> start, double min_margin,
+                               std::vector<std::uint32_t> start, const FirmHold& firm,
                                const Stands* stands = nullptr);
 
 // The best exchange of one team alone; nothing if none makes the choice better. Like one round of
@@ -100,7 +101,7 @@ ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
 std::optional<Exchange> best_exchange_of(const Polygon& polygon, const Vec2& centre,
                                          const std::vector<Candidate>& candidates,
                                          const std::vector<std::uint32_t>& taken,
-                                         std::uint32_t team, double min_margin,
+                                         std::uint32_t team, const FirmHold& firm,
                                          const Stands* stands = nullptr);
 
 // The teams that the settings ask for, of a method that chooses among candidates: selected

@@ -1,4 +1,5 @@
-// What happens if robots fail: let go of the object, all at once and without a warning.
+// What happens if robots fail: let go of the object, all at once and without a warning. All of it is
+// static: for a moment a sudden loss can double the change of a load.
 //
 // The object is *carried* by robots if C lies in their convex hull within tolerance (tau L): they
 // can balance its weight. It is *steady* if C lies inside that hull by more than the tolerance: then
@@ -27,8 +28,9 @@ int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 
 // The same for robots that keep the object steady: robots within tolerance of the line do not
 // count. Never more than failures_carried. -1 if the object is not steady even with all robots, as
-// with a single team of two. O(m log m).
-int failures_steady(const Points& robots, const Vec2& centre, double diameter);
+// with a single team of two. With `inside` C counts as inside the hull only if it is at least so far from
+// its edge, within tolerance: robots nearer to the line than that do not count. O(m log m).
+int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside = 0);
 
 // What holds of the robots that are left if they still carry the object.
 struct RestOfRobots {

@@ -13,9 +13,10 @@ namespace evenlift {
 // The link of a document, without the `#`. It holds every coordinate bit for bit, and leaves out
 // settings that are at their defaults. It is an error if there are more than max_link_vertices
 // vertices, if a number is not finite, if a coordinate exceeds max_coordinate or if a setting is
-// outside its range, or if the link would be longer than max_link_bytes; nothing else is checked. What
-// version 1 can hold is written as version 1. Settings that only version 2 has are left out if the method
-// does not use them. Every platform makes the same link. O(n).
+// outside its range (of the weight only if it is not above 0), or if the link would be longer than
+// max_link_bytes; nothing else is checked. What version 1 can hold is written as version 1.
+// Settings that only version 2 has are left out if the method does not use them. Every platform
+// makes the same link. O(n).
 Result<std::string> encode_link(const Document& document);
 
 // The document of a link. The text is the link, with or without a `#` before it, or a whole address

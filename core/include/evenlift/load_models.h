@@ -4,17 +4,18 @@
 // equations. More than three robots can do that in many ways, and what decides between them is how
 // the robots give way. A placement's own loads, the *plan*, presume that forces are controlled.
 //
-// *Springs* presumes that all robots are equally stiff and the object is rigid (L. Euler, De
-// pressione ponderis in planum cui incumbit, 1773; engineers compute piles under a rigid cap so). It
-// is also the distribution whose loads have the least sum of squares. Robots only push: one that
+// *Springs* presumes that all robots are equally stiff and level and the object is rigid (L. Euler,
+// De pressione ponderis in planum cui incumbit, 1773; engineers compute piles under a rigid cap so).
+// It is also the distribution whose loads have the least sum of squares. Robots only push: one that
 // would have to pull lets go. The load of a robot at p is max(0, a + b . p), with a and b the same
-// for all. If the robots' centroid is C, as with even teams, equally stiff robots share evenly.
+// for all. If the robots' centroid is C, as with even teams, such robots share evenly.
 //
 // *Best* is the greatest load of a robot if the best of all controllers shares the weight.
 //
 // *Worst* is the greatest load that each robot can come to bear if heights are unequal and some
 // robots bear nothing, as the two legs of four on which a table stands. Each robot has a worst case
-// of its own, so these loads add up to more than the weight.
+// of its own, so these loads add up to more than the weight. They follow from equilibrium alone, so they
+// bound the loads under an object that bends, too.
 //
 // Only robots that push count, so whatever C is not above carries nothing: no model gives loads if
 // C is outside the robots' convex hull H by more than tolerance (tau L). If H is flat within

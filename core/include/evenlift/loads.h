@@ -51,7 +51,7 @@ struct LoadSummary {
 // law of the lever r1 bears the fraction |C r2| / (|C r1| + |C r2|) of its team's part. O(teams).
 std::vector<Team> distribute_weight(const std::vector<Chord>& chords, double weight);
 
-// One team of robots whose centroid is C, which bear the same. O(robots).
+// One team of robots whose centroid is C, which bear the same as planned. O(robots).
 Team share_evenly(const std::vector<LiftingPoint>& robots, const Vec2& centre, double weight);
 
 // Summarizes the loads of all robots; nothing if there are no teams. O(robots).

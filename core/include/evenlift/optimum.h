@@ -68,7 +68,7 @@ struct FirmestChoice {
 // robots do not get into each other's way.
 std::optional<FirmestChoice> firmest_choice(
     const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-    std::size_t teams, const std::vector<std::uint32_t>& start, double min_margin,
+    std::size_t teams, const std::vector<std::uint32_t>& start, const FirmHold& firm,
     const Optimum& widest, const Stands* stands = nullptr, std::uint64_t most = most_choices);
 
 }  // namespace evenlift

@@ -50,6 +50,9 @@ std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
 struct Robustness {
   int failures_carried = -1, failures_steady = -1;
   double tipping_distance = 0;
+  // How many may fail so that C stays at least `clear` (document.h) inside what is left of the base. Never
+  // more than failures_steady.
+  int failures_clear = -1;
 };
 Robustness robustness(const Placement& placement);
 
@@ -74,7 +77,7 @@ Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates
 // The placement while the robot with this number fails, for pictures and words. All robots are still
 // in their row; H, coverage, closure and loads are those of the others, who share the weight by
 // springs. Where they do not carry the object nobody bears anything, there is no summary of loads, and
-// no part of the object is safe to push on. O(n log n).
+// the coverage is 0. O(n log n).
 Placement with_failure(Placement placement, std::size_t robot);
 
 }  // namespace evenlift

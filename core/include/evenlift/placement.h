@@ -35,7 +35,7 @@ struct Placement {
   double coverage = 0;               // see stability.h
   std::optional<LoadSummary> loads;  // none without teams
   Closure closure;
-  bool goal_reached = false;  // robots are placed, and with the goal to hold in form closure
+  bool goal_reached = false;  // robots are placed, and with the goal to hold they hold_clearly()
   Moved moved = {};           // robots that somebody moved from where the method puts them
   bool search_ended = true;   // false where a search or exchanges may still find better robots
 };
@@ -54,6 +54,13 @@ std::optional<InputError> check_settings(const Settings& settings);
 // The points of the boundary that the robots of all teams touch, in their row. Hands that go beneath
 // the object lift farther inside; otherwise these are the lifting points. O(robots).
 std::vector<LiftingPoint> contact_points(const Placement& placement);
+
+// What a firm hold is by its settings (closure.h). O(n).
+FirmHold firm_hold(const Placement& placement);
+
+// Whether the robots hold the object without relying on a contact that is nearer to a corner than the
+// setting `clear`: in form closure with that clearance (closure.h). O(n).
+bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),

@@ -39,7 +39,9 @@ enum class Setting : std::uint8_t {
   robot_reach,
   robot_depth,
   robot_width,
-  robot_gap
+  robot_gap,
+  clear,
+  end_of_settings  // no setting: it stays the last and counts them, so that each needs its row
 };
 
 // The setting's name in JSON and scripts, such as "min_ratio"; and the setting of a name, or
@@ -61,22 +63,23 @@ InputError setting_error(Setting setting, std::string why);
 //   metric     a name such as "area"
 //   min_ratio  a number from 0 to 1
 //   com        two numbers "x,y", or "centroid"
-//   weight     a number above 0
+//   weight     a number from 1e-100 to 1e100
 //   seed       a whole number
 //   overlays   names with commas between them, such as "chords,hull", or "none"
 //   step       a whole number of at most 32 bits, or "none"
 //   robots     a whole number from 2 to 64
 //   goal       "cover" or "hold"
 //   min_margin a number from 0 to 1
-//   apart      a number of at least 0
+//   apart      a number from 0 to 1e9
+//   clear      a number from 0 to 1e9
 //   survive    a whole number from 0 to 30
-//   com_radius a number of at least 0
-//   capacity   a number above 0, or "none"
+//   com_radius a number from 0 to 1e9
+//   capacity   a number from 1e-100 to 1e100, or "none"
 //   unit       "m", "cm", "mm" or "in", or "none"
 //   weight_unit "kg", "t", "N" or "lb"
 //   positions  "best" or "range"
-//   robot      some of "r", "reach", "depth", "width" and "gap", each at most once and with a number of at
-//              least 0, such as "r=30,reach=5"; what is not named is 0. Or "none"
+//   robot      some of "r", "reach", "depth", "width" and "gap", each at most once and with a number
+//              from 0 to 1e9, such as "r=30,reach=5"; what is not named is 0. Or "none"
 //   robot_radius, robot_reach, robot_depth, robot_width, robot_gap   one of these numbers
 //   no_go      edges from 1, or parts of them from 0 to 1, such as "3,5:0.25-0.75"; or "none"
 // Numbers have the syntax of read_number(), whole numbers that of read_whole(): no spaces and no
@@ -109,7 +112,7 @@ std::optional<InputError> check_ranges(const Settings& settings);
 
 // The rules themselves. O(1).
 bool is_min_ratio(double value);  // 0 <= value <= 1
-bool is_weight(double value);     // 0 < value, finite; also the rule of a capacity
-bool is_length(double value);     // 0 <= value, finite; the rule of apart, com_radius, robot sizes
+bool is_weight(double value);     // min_weight .. max_weight; also the rule of a capacity
+bool is_length(double value);  // 0 .. max_length; the rule of apart, clear, com_radius, robot sizes
 
 }  // namespace evenlift

@@ -37,8 +37,9 @@ class CoverageWithin {
 };
 
 // The smallest downward force at q that tips an object of weight `weight`, carried at the corners
-// of `hull`; infinity if q is in H, where no force tips it. With two corners, as of a single team,
-// it is 0 off the line through both; on the line beyond the end r it is weight |C r| / |q r|. O(h).
+// of `hull`; infinity if q is in H, where no force tips it as long as robots push back and none is
+// overloaded. With two corners, as of a single team, it is 0 off the line through both; on the line
+// beyond the end r it is weight |C r| / |q r|. O(h).
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q);
 
 }  // namespace evenlift

@@ -20,15 +20,16 @@ namespace evenlift {
 
 // Why a part of an edge cannot be used.
 enum class WhyUnusable : std::uint8_t {
-  no_go,   // the user says so
-  body,    // the body would meet another part of the boundary
-  arm,     // the arm would cross the object
-  corner,  // the hand would stick out beyond a convex corner
-  hand,    // the object is not deep enough for the hand, or not wide enough
-  narrow,  // what is left between two other parts is shorter than the tolerance
+  no_go,       // the user says so
+  body,        // the body would meet another part of the boundary
+  arm,         // the arm would cross the object
+  corner,      // the hand would stick out beyond a convex corner
+  hand,        // the object is not deep enough for the hand, or not wide enough
+  near_no_go,  // the hand would reach sideways onto a part that the user marked
+  narrow,  // what is left between two other parts is shorter than the tolerance; it stays the last
 };
 
-inline constexpr std::size_t why_unusable_count = 6;
+inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
 
 // "no_go", "body" and so on, as in JSON. O(1).
 std::string_view name(WhyUnusable why);
@@ -55,7 +56,8 @@ struct EdgeFrame {
 //   2. the segment from the body's middle to the contact meets the object at the contact only (if the
 //      reach is above 0),
 //   3. the hand's rectangle lies within the object, to tau L, and half its width from convex corners,
-//   4. t is not in a part that must not be touched.
+//   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a part of the edge that must
+//      not be touched.
 // A robot of which only the gap is above 0 may stand at a vertex, unless an edge there must not be
 // touched at it. Any other robot stands at no vertex: the stretches end 2 tau L before it, where a contact
 // is one inside the edge.
@@ -101,13 +103,19 @@ class Stands {
   // Whether a robot can lift there, within tau L along the edge. The cost is that of why_not().
   bool can_lift(const LiftingPoint& point) const;
 
-  // Whether two robots get into each other's way: their bodies' middles must be 2 r + gap apart, and the
-  // middle lines of their hands the hand's width, both to tau L. O(1).
+  // Whether two robots get into each other's way. Their bodies' middles must be 2 r + gap apart,
+  // and the middle lines of their hands the hand's width. With a reach, the arm of each, the
+  // segment from its contact to the middle of its body, must be r + gap from the middle of the
+  // other's body, and the arms must not cross. All of that is to tau L. O(1).
   bool collide(const LiftingPoint& a, const LiftingPoint& b) const;
   // Whether any two do. O(m^2).
   bool any_collide(const std::vector<LiftingPoint>& points) const;
 
  private:
+  bool bodies_collide(const LiftingPoint& a, const LiftingPoint& b) const;
+  bool arms_collide(const LiftingPoint& a, const LiftingPoint& b) const;
+  bool hands_collide(const LiftingPoint& a, const LiftingPoint& b) const;
+
   RobotSize robot_;
   double near_ = 0;
   std::vector<EdgeFrame> frames_;  // of the edges

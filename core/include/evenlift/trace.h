@@ -161,6 +161,10 @@ struct Trace {
   std::vector<std::vector<std::uint32_t>> robot_numbers;
   std::optional<Placement> in_pairs;  // as many robots by area, if there are as many
 
+  // If somebody moved robots by hand, the placement as it was given. The steps are those of the
+  // method, and `placement` is what they come to; only the last step tells of both.
+  std::optional<Placement> moved;
+
   // A run of similar steps. Item i of it is the `kinds` steps from first + i * kinds on, one of
   // each kind in the order of `kind`.
   struct Block {
@@ -200,8 +204,9 @@ bool centre_is_outside(const Trace& trace);
 // max_trace_steps steps. Costs as much as place() without the selection: O(n log n + K log K) for K
 // edge-pairs and opposite vertices. With balanced robots it costs as much as their search. It is an
 // error if that is not quick to finish, and the trace's placement is what the search came to,
-// wherever the given robots stand; with HistoryLength::start only its start is traced, if that is
-// quick, so that the trace can follow a drag.
+// wherever the given robots stand. So it is with teams that were moved by hand. With
+// HistoryLength::start only its start is traced, if that is quick, so that the trace can follow a
+// drag.
 Result<Trace> make_trace(const Placement& placement, HistoryLength length = HistoryLength::whole);
 
 // The step of `trace` that is nearest to a step of another trace, from before an edit: the step

@@ -30,7 +30,7 @@ std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& probl
   // Either end may become either of the two.
   std::optional<std::array<LiftingPoint, 2>> nearest;
   double least = 0;
-  for (const Candidate& candidate : balanced::pairs_to_complete(problem.rules(), others)) {
+  for (const Candidate& candidate : balanced::all_pairs_to_complete(problem.rules(), others)) {
     const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
     for (const std::array<LiftingPoint, 2>& ends : {std::array{r1, r2}, std::array{r2, r1}}) {
       const double way =

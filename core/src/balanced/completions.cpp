@@ -25,6 +25,13 @@ std::vector<Candidate> pairs_to_complete(const Rules& rules,
                                          const std::vector<LiftingPoint>& robots) {
   const Vec2 middle = middle_of_two_more(robots, rules.centre());
   if (!strictly_inside(rules.polygon().hull(), middle)) return {};
+  return rules.chords().some_about(middle);
+}
+
+std::vector<Candidate> all_pairs_to_complete(const Rules& rules,
+                                             const std::vector<LiftingPoint>& robots) {
+  const Vec2 middle = middle_of_two_more(robots, rules.centre());
+  if (!strictly_inside(rules.polygon().hull(), middle)) return {};
   return rules.chords().about(middle);
 }
 

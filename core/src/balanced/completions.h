@@ -12,9 +12,14 @@ namespace evenlift::balanced {
 // Where the middle of two more robots must be, so that C is the centroid of all.
 Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre);
 
-// The even candidates whose two ends, with these robots, have the centroid C.
+// The even candidates whose two ends, with these robots, have the centroid C: of outlines with more than
+// 1,000 vertices some of them if there are many (EvenChords::some_about).
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
                                          const std::vector<LiftingPoint>& robots);
+
+// The same, and always all of them.
+std::vector<Candidate> all_pairs_to_complete(const Rules& rules,
+                                             const std::vector<LiftingPoint>& robots);
 
 // Keeps the best of the sets that are offered to it; of equal ones the first.
 class Best {

@@ -19,7 +19,38 @@ std::optional<BalancedKey> decided(const Rules& rules, const std::vector<Lifting
   return rules.decided_by(first, second);
 }
 
-// Goes on from the start, and notes each exchange and each round.
+void note_start(balanced::StartSets sets, BalancedHistory& history) {
+  history.start.clear();
+  history.moves.clear();
+  for (auto& set : sets)
+    if (set && !set->set.robots.empty())
+      history.start.push_back(
+          {std::move(set->set.robots), std::move(set->kept), std::move(set->came)});
+}
+
+// The robots with which the first search ended, where it begins once more.
+std::vector<LiftingPoint> last_before(const BalancedStep& step,
+                                      const std::vector<LiftingPoint>& before) {
+  if (!step.exchange) return before;
+  std::vector<LiftingPoint> robots = balanced::others(before, step.exchange->numbers);
+  robots.insert(robots.end(), step.exchange->to.begin(), step.exchange->to.end());
+  return robots;
+}
+
+BalancedMove move_of(const Rules& rules, const BalancedStep& step,
+                     const std::vector<LiftingPoint>& before, std::uint32_t round) {
+  BalancedMove move;
+  move.set = {step.search.robots,
+              balanced::others(before, step.exchange->numbers),
+              {step.exchange->to.begin(), step.exchange->to.end()}};
+  move.numbers = step.exchange->numbers;
+  move.round = round;
+  move.decided_by = decided(rules, step.search.robots, before).value_or(BalancedKey::places);
+  return move;
+}
+
+// Goes on from the start, and notes each exchange and each round. Where the search begins once more the
+// story begins with the second start, since the first one led nowhere.
 void follow(const BalancedProblem& problem, BalancedHistory& history) {
   BalancedSearch search;
   search.robots = history.start.back().robots;
@@ -27,18 +58,14 @@ void follow(const BalancedProblem& problem, BalancedHistory& history) {
   while (!search.finished) {
     const std::vector<LiftingPoint> before = search.robots;
     const std::uint32_t round = search.round;
-    BalancedStep step = try_next_triple(problem, std::move(search));
-    search = std::move(step.search);
+    const bool may_restart = !search.restarted;
+    const BalancedStep step = try_next_triple(problem, std::move(search));
+    search = step.search;
     history.rounds = search.round;
-    if (!step.exchange) continue;
-    BalancedMove move;
-    move.set = {search.robots,
-                balanced::others(before, step.exchange->numbers),
-                {step.exchange->to.begin(), step.exchange->to.end()}};
-    move.numbers = step.exchange->numbers;
-    move.round = round;
-    move.decided_by = decided(problem.rules(), search.robots, before).value_or(BalancedKey::places);
-    history.moves.push_back(std::move(move));
+    const Rules& rules = problem.rules();
+    const bool restarts = may_restart && search.restarted && !search.finished;
+    if (step.exchange && !restarts) history.moves.push_back(move_of(rules, step, before, round));
+    if (restarts) note_start(*balanced::second_start(rules, last_before(step, before)), history);
   }
   history.settled = history.moves.empty() || history.moves.back().round + 1 < history.rounds;
 }
@@ -58,10 +85,7 @@ BalancedHistory balanced_history(const BalancedProblem& problem, HistoryLength l
   history.triples = static_cast<std::uint32_t>(rules.triples().size());
   history.stands = rules.stands().size();
   history.found = sets.back().has_value();
-  for (auto& set : sets)
-    if (set && !set->set.robots.empty())
-      history.start.push_back(
-          {std::move(set->set.robots), std::move(set->kept), std::move(set->came)});
+  note_start(std::move(sets), history);
   if (history.found && length == HistoryLength::whole) follow(problem, history);
   return history;
 }

@@ -106,13 +106,40 @@ std::vector<LiftingPoint> Outline::usable_stands(std::uint32_t number, const Sta
   return stands;
 }
 
+std::vector<std::uint32_t> Outline::edges() const {
+  std::vector<std::uint32_t> edges;
+  edges.reserve(vertices_.size());
+  for (std::size_t step = 0; step < vertices_.size(); ++step) edges.push_back(edge_of_step(step));
+  return edges;
+}
+
+// The ends and the middle of each interval that can be used.
+std::vector<LiftingPoint> Outline::interval_stands(std::uint32_t most, const Stands& room) const {
+  std::vector<LiftingPoint> stands;
+  for (const std::uint32_t edge : edges()) {
+    const Vec2 &p = polygon_.edge_start(edge), &q = polygon_.edge_end(edge);
+    const double size = evenlift::length(q - p);
+    std::vector<Stretch> stretches(room.usable(edge).begin(), room.usable(edge).end());
+    if (!polygon_.counter_clockwise())
+      for (Stretch& stretch : stretches) std::swap(stretch.from, stretch.to);
+    if (!polygon_.counter_clockwise()) std::reverse(stretches.begin(), stretches.end());
+    for (const Stretch& stretch : stretches) {
+      if (stands.size() == 3 * std::size_t{most}) return {};
+      for (const double t : {stretch.from, (stretch.from + stretch.to) / 2, stretch.to})
+        stands.push_back(room.lifting_point({p + (t / size) * (q - p), edge}));
+    }
+  }
+  return stands;
+}
+
 std::vector<LiftingPoint> Outline::stands(const Stands* room) const {
   const std::uint32_t number =
       vertices_.size() > many_vertices ? stands_of_many_vertices : usual_stands;
-  if (room) return usable_stands(number, *room);
-  std::vector<LiftingPoint> stands = even_stands(number);
-  const std::vector<LiftingPoint> reflex = reflex_stands(number);
-  stands.insert(stands.end(), reflex.begin(), reflex.end());
+  std::vector<LiftingPoint> stands =
+      room ? usable_stands(number, *room) : even_stands(number);
+  const std::vector<LiftingPoint> more =
+      room ? interval_stands(number, *room) : reflex_stands(number);
+  stands.insert(stands.end(), more.begin(), more.end());
   return stands;
 }
 

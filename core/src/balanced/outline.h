@@ -19,16 +19,21 @@ class Outline {
   // Lambda.
   double length() const { return starts_.back(); }
 
+  // The edges in the order of the walk. O(n).
+  std::vector<std::uint32_t> edges() const;
+
   // The way from v* counter-clockwise to a point on one of the edges, in [0, Lambda). A point within
   // tau Lambda of the end of the walk is at its beginning. O(1).
   double place(const LiftingPoint& point) const;
 
-  // The stands, in their order. Where robots have a size they are spread over what these can use, and are
-  // lifting points. O(n).
+  // The stands, in their order. Where robots have a size they are spread over what these can use, followed by
+  // the ends and the middle of each usable interval if there are at most as many of these, and are lifting
+  // points. O(n).
   std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
 
  private:
   std::vector<LiftingPoint> usable_stands(std::uint32_t number, const Stands& room) const;
+  std::vector<LiftingPoint> interval_stands(std::uint32_t most, const Stands& room) const;
   std::uint32_t edge_of_step(std::size_t step) const;
   std::vector<LiftingPoint> even_stands(std::uint32_t number) const;
   std::vector<LiftingPoint> reflex_stands(std::uint32_t most) const;

@@ -6,7 +6,6 @@
 
 #include "evenlift/failures.h"
 #include "evenlift/tolerance.h"
-#include "grasp/hold_levels.h"
 
 namespace evenlift::balanced {
 namespace {
@@ -49,16 +48,16 @@ Rules::Rules(Polygon polygon, const Vec2& centre, const Settings& settings)
       centre_(centre),
       robots_(settings.robots),
       holds_(goal_of(settings) == Goal::hold),
-      min_margin_(settings.min_margin),
+      firm_(firm_hold(polygon_, centre, settings)),
       survive_(static_cast<int>(settings.survive)),
       room_(room_of(polygon_, settings)),
       outline_(polygon_, centre),
       stands_(outline_.stands(room_.get())),
       triples_(triples_of(settings.robots)),
-      chords_(polygon_, room_.get()),
+      chords_(polygon_, room_.get(), outline_.edges()),
       coarse_cover_(polygon_, centre),
       cover_(polygon_, centre),
-      margins_(polygon_, centre) {
+      margins_(polygon_, centre, firm_.clear) {
   const double apart = settings.apart.value_or(usual_apart * farthest_vertex(polygon_, centre));
   const double near = std::max(0.0, apart - near_distance(polygon_.diameter()));
   near_square_ = near * near;
@@ -90,12 +89,15 @@ std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots) const {
 int Rules::steady(RatedSet& set) const {
   if (!set.steady)
     set.steady =
-        std::min(survive_, failures_steady(positions(set.robots), centre_, polygon_.diameter()));
+        std::min(survive_, failures_steady(positions(set.robots), centre_, polygon_.diameter(),
+                                           firm_.clear));
   return *set.steady;
 }
 
 std::uint32_t Rules::level(RatedSet& set) const {
-  if (!set.level) set.level = level_of(margins_.of(set.robots), level_bounds(min_margin_));
+  if (!set.level)
+    set.level = level_of(margins_.of(contact_points(room_.get(), set.robots)),
+                         level_bounds(firm_.min_margin));
   return *set.level;
 }
 

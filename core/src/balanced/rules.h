@@ -15,6 +15,7 @@
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"
 #include "evenlift/stands.h"
+#include "grasp/hold_levels.h"
 #include "grasp/margins.h"
 
 namespace evenlift::balanced {
@@ -43,6 +44,7 @@ class Rules {
   const Vec2& centre() const { return centre_; }
   std::uint32_t robots() const { return robots_; }
   const EvenChords& chords() const { return chords_; }
+  const Outline& outline() const { return outline_; }
   const std::vector<LiftingPoint>& stands() const { return stands_; }
   const std::vector<Triple>& triples() const { return triples_; }
 
@@ -60,6 +62,11 @@ class Rules {
 
   // The same of all pairs. O(m^2).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots) const;
+
+  // Whether the goal is to hold, and a set does not even reach the first level.
+  bool misses_hold(RatedSet& set) const { return holds_ && level(set) == 0; }
+  // Whether a is at a higher level.
+  bool holds_better(RatedSet& a, RatedSet& b) const { return level(a) > level(b); }
 
   // Whether a is better than b.
   bool better(RatedSet& a, RatedSet& b) const;
@@ -99,7 +106,7 @@ class Rules {
   Vec2 centre_;
   std::uint32_t robots_;
   bool holds_;  // whether the goal is to hold
-  double min_margin_;
+  FirmHold firm_;
   double near_square_;  // robots whose squared distance is below are too near to each other
   int survive_;
   std::shared_ptr<const Stands> room_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "balanced/completions.h"
+#include "balanced/rounds.h"
 #include "balanced/start.h"
 #include "balanced/triples.h"
 #include "evenlift/balanced_history.h"
@@ -29,13 +30,24 @@ std::size_t steps_of_completion(const Rules& rules) {
   return candidates * (1 + candidates / winding);
 }
 
-BalancedSearch ended(BalancedSearch search, std::size_t triples) {
-  if (search.next < triples) return search;
+BalancedSearch restarted(const Rules& rules, BalancedSearch search) {
+  search.restarted = true;
+  const auto second = balanced::second_start(rules, search.robots);
+  if (!second) return search;
+  search.robots = second->back()->set.robots;
+  search.round = 0;
+  search.finished = rules.robots() < 3;
+  return search;
+}
+
+BalancedSearch ended(const Rules& rules, BalancedSearch search) {
+  if (search.next < rules.triples().size()) return search;
   ++search.round;
   search.finished = !search.changed || search.round == most_rounds;
   search.next = 0;
   search.changed = false;
-  return search;
+  if (!search.finished || search.restarted) return search;
+  return restarted(rules, std::move(search));
 }
 
 }  // namespace
@@ -71,21 +83,25 @@ bool is_quick_to_start(const BalancedProblem& problem) {
 }
 
 bool is_quick_to_finish(const BalancedProblem& problem) {
-  constexpr std::size_t usual_rounds = 3;
   const Rules& rules = problem.rules();
+  constexpr std::size_t usual_rounds = 3;
+  // Robots with a size begin once more from several starts.
+  const std::size_t searches = rules.room() ? 2 + balanced::most_starts : 1;
   const std::size_t completions =
-      completions_of_start(rules) + usual_rounds * rules.triples().size() * rules.stands().size();
+      completions_of_start(rules) +
+      searches * usual_rounds * rules.triples().size() * rules.stands().size();
   return completions * steps_of_completion(rules) <= 500'000;
 }
 
-BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch search) {
+namespace balanced {
+
+BalancedStep try_next_triple(const Rules& rules, BalancedSearch search) {
   if (search.finished) return {std::move(search), std::nullopt};
-  const Rules& rules = problem.rules();
-  const std::vector<balanced::Triple>& triples = rules.triples();
-  const balanced::Triple& triple = triples[search.next++];
+  const std::vector<Triple>& triples = rules.triples();
+  const Triple& triple = triples[search.next++];
   Best best(rules);
   best.offer(rules.rated(search.robots));
-  best.offer_three_more(balanced::others(search.robots, triple));
+  best.offer_three_more(others(search.robots, triple));
   std::optional<BalancedExchange> exchange;
   if (best.completed()) {
     exchange.emplace();
@@ -99,12 +115,22 @@ BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch sear
     search.robots = rules.in_order(*best.set()).robots;
     search.changed = true;
   }
-  return {ended(std::move(search), triples.size()), exchange};
+  return {ended(rules, std::move(search)), exchange};
+}
+
+BalancedSearch finish_search(const Rules& rules, BalancedSearch search) {
+  while (!search.finished) search = try_next_triple(rules, std::move(search)).search;
+  return search;
+}
+
+}  // namespace balanced
+
+BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch search) {
+  return balanced::try_next_triple(problem.rules(), std::move(search));
 }
 
 BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search) {
-  while (!search.finished) search = try_next_triple(problem, std::move(search)).search;
-  return search;
+  return balanced::finish_search(problem.rules(), std::move(search));
 }
 
 }  // namespace evenlift

@@ -1,19 +1,24 @@
 #include "balanced/start.h"
 
+#include "balanced/rounds.h"
+#include "balanced/usable_sets.h"
+
 #include <cstddef>
 #include <utility>
 
 namespace evenlift::balanced {
 namespace {
 
-using Sets = std::vector<std::optional<StartSet>>;
+// From which stands S_4 begins.
+enum class Begin { as_usual, at_every_stand };
 
-std::optional<StartSet> next_set(const Rules& rules, const Sets& sets) {
+std::optional<StartSet> next_set(const Rules& rules, const StartSets& sets, Begin begin) {
   const std::size_t number = sets.size();
   Best best(rules);
   if (sets[number - 2]) best.offer_two_more(sets[number - 2]->set.robots);
   if (number >= 3 && sets[number - 3]) best.offer_three_more(sets[number - 3]->set.robots);
-  if (number == 4 && (rules.robots() == 4 || !best.set()))
+  const bool at_stands = rules.robots() == 4 || begin == Begin::at_every_stand;
+  if (number == 4 && (at_stands || !best.set()))
     for (const LiftingPoint& stand : rules.stands()) best.offer_three_more({stand});
   if (!best.set()) return std::nullopt;
   const std::vector<LiftingPoint>& robots = best.set()->robots;
@@ -21,11 +26,53 @@ std::optional<StartSet> next_set(const Rules& rules, const Sets& sets) {
   return StartSet{rules.in_order(*best.set()), {robots.begin(), kept}, {kept, robots.end()}};
 }
 
+StartSets chain(const Rules& rules, Begin begin) {
+  StartSets sets{StartSet{}, std::nullopt};
+  while (sets.size() <= rules.robots()) sets.push_back(next_set(rules, sets, begin));
+  return sets;
+}
+
+// What the exchanges come to from a start.
+RatedSet end_of(const Rules& rules, const RatedSet& start) {
+  BalancedSearch search;
+  search.robots = rules.in_order(start).robots;
+  search.finished = rules.robots() < 3;
+  search.restarted = true;
+  return rules.rated(finish_search(rules, std::move(search)).robots);
+}
+
+// A set that was not made of smaller ones.
+StartSet whole(const Rules& rules, const RatedSet& set) {
+  const RatedSet ordered = rules.in_order(set);
+  return {ordered, {}, ordered.robots};
+}
+
+std::optional<StartSets> start_that_leads_farther(const Rules& rules, RatedSet now) {
+  std::optional<StartSets> start;
+  for (const RatedSet& set : usable_sets(rules, most_starts)) {
+    RatedSet end = end_of(rules, set);
+    if (!rules.better(end, now)) continue;
+    now = std::move(end);
+    start = StartSets{whole(rules, set)};
+  }
+  return start;
+}
+
 }  // namespace
 
-std::vector<std::optional<StartSet>> start_sets(const Rules& rules) {
-  Sets sets{StartSet{}, std::nullopt};
-  while (sets.size() <= rules.robots()) sets.push_back(next_set(rules, sets));
+StartSets start_sets(const Rules& rules) {
+  StartSets sets = chain(rules, Begin::as_usual);
+  if (rules.room() && !sets.back())
+    for (const RatedSet& set : usable_sets(rules, 1)) sets.back() = whole(rules, set);
+  return sets;
+}
+
+std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& robots) {
+  RatedSet now = rules.rated(robots);
+  if (rules.room()) return start_that_leads_farther(rules, std::move(now));
+  if (rules.robots() <= 4 || !rules.misses_hold(now)) return std::nullopt;
+  StartSets sets = chain(rules, Begin::at_every_stand);
+  if (!sets.back() || !rules.holds_better(sets.back()->set, now)) return std::nullopt;
   return sets;
 }
 

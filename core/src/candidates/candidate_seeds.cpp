@@ -9,13 +9,15 @@ namespace evenlift {
 
 CandidateSeeds::CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
                                const std::vector<OppositeVertices>& opposite, double min_ratio,
-                               Positions positions, bool traced)
+                               Positions positions, double clear, bool traced)
     : polygon_(polygon),
       centre_(centre),
       view_(view),
       min_ratio_(min_ratio),
       positions_(positions),
+      clear_(clear),
       traced_(traced),
+      corners_(polygon),
       has_opposite_(polygon.size()) {
   for (const OppositeVertices& two : opposite) has_opposite_[two.v] = has_opposite_[two.w] = true;
 }
@@ -60,8 +62,9 @@ void CandidateSeeds::add_range(const EdgePair& pair) {
   const SeenEdge a = see(polygon_, view_, pair.a), b = see(polygon_, view_, pair.b);
   const auto range = find_range(polygon_, centre_, a, b, pair, min_ratio_);
   if (!range || is_one_place(*range, near_distance(polygon_.diameter()))) return;
+  const auto clear = clear_part({polygon_, corners_, clear_}, centre_, *range);
   for (const double s : range_places)
-    add_finished(range_candidate(centre_, *range, place_at(*range, s)));
+    add_finished(range_candidate(centre_, *range, clear_place_at(*range, clear, s)));
 }
 
 void CandidateSeeds::add_finished(const Candidate& candidate) {

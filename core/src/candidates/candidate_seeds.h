@@ -11,16 +11,17 @@
 #include "candidates/pair_candidate.h"
 #include "chords/radial_view.h"
 #include "evenlift/candidates.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
 
 class CandidateSeeds {
  public:
   // If `traced`, grow() sets the source of each candidate: the number of the call of add() from
-  // which it came. O(n).
+  // which it came. Range candidates stand at least `clear` from corners where they can. O(n).
   CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
                  const std::vector<OppositeVertices>& opposite, double min_ratio,
-                 Positions positions, bool traced);
+                 Positions positions, double clear, bool traced);
 
   // Examines an edge-pair or two opposite vertices and adds at most one seed, and two more of an
   // edge-pair with positions anywhere in the range. Amortized O(1).
@@ -72,7 +73,9 @@ class CandidateSeeds {
   const RadialView& view_;
   double min_ratio_;
   Positions positions_;
+  double clear_;
   bool traced_;
+  Corners corners_;
   std::vector<bool> has_opposite_;  // by vertex
   std::uint32_t sources_ = 0;
   std::vector<Seed> seeds_;

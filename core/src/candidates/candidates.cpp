@@ -36,7 +36,7 @@ std::optional<InputError> check_number_in_ranges(std::uint64_t sources) {
 }
 
 Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,
-                   Positions positions, bool traced) {
+                   Positions positions, double clear, bool traced) {
   const RadialView view(polygon, centre);
   const std::uint64_t pairs = count_edge_pairs(polygon, view);
   if (auto error = check_number(pairs, "edge-pairs")) return *error;
@@ -45,7 +45,7 @@ Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,
 
   if (positions == Positions::range)
     if (auto error = check_number_in_ranges(pairs + opposite->size())) return *error;
-  CandidateSeeds seeds(polygon, centre, view, *opposite, min_ratio, positions, traced);
+  CandidateSeeds seeds(polygon, centre, view, *opposite, min_ratio, positions, clear, traced);
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) { seeds.add(pair); });
   for (const OppositeVertices& two : *opposite) seeds.add(two);
   Found found;
@@ -108,15 +108,16 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
 }
 
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
-                                               double min_ratio, Positions positions) {
-  auto found = find(polygon, centre, min_ratio, positions, false);
+                                               double min_ratio, Positions positions,
+                                               double clear) {
+  auto found = find(polygon, centre, min_ratio, positions, clear, false);
   if (!found) return found.error();
   return std::move(found->candidates);
 }
 
 Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
-                                          double min_ratio, Positions positions) {
-  auto found = find(polygon, centre, min_ratio, positions, true);
+                                          double min_ratio, Positions positions, double clear) {
+  auto found = find(polygon, centre, min_ratio, positions, clear, true);
   if (!found) return found.error();
   TracedCandidates traced{std::move(found->candidates), {}, {}};
   traced.of_source.assign(found->sources, no_index);

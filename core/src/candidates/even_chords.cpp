@@ -14,24 +14,19 @@
 #include "chords/radial_view.h"
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
 
 namespace evenlift {
 namespace {
 
-// The lines on which the hands of robots lift, from the first to the last place on each; without depth
-// the edges themselves.
-std::vector<LineEnds> lines_of(const Polygon& polygon, const Stands* stands,
-                               std::vector<std::uint32_t>& edges) {
-  std::vector<LineEnds> lines;
-  const bool moved = stands != nullptr && stands->robot().depth > 0;
-  for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
-    const auto line = moved ? stand_line(polygon, Vec2::Zero(), *stands, edge) : std::nullopt;
-    if (moved && !line) continue;
-    edges.push_back(edge);
-    lines.push_back(moved ? LineEnds{line->at(line->low), line->at(line->high)}
-                          : LineEnds{polygon.edge_start(edge), polygon.edge_end(edge)});
-  }
-  return lines;
+// Spreads numbers evenly without a pattern, so that a sample does not pick only one side of every tooth of a
+// comb (the finalizer of MurmurHash3).
+std::uint32_t scattered(std::uint32_t number) {
+  number ^= number >> 16;
+  number *= 0x85ebca6bu;
+  number ^= number >> 13;
+  number *= 0xc2b2ae35u;
+  return number ^ (number >> 16);
 }
 
 // The same pair with a and b exchanged.
@@ -45,10 +40,10 @@ EdgePair exchanged(const EdgePair& pair) {
 class EvenChords::Search {
  public:
   // Stops as soon as `most` chords are found.
-  Search(const EvenChords& chords, const Vec2& centre, std::size_t most)
-      : tree_(chords.tree_),
-        lines_(chords.lines_),
-        edges_(chords.edges_),
+  Search(const EvenChords& chords, const Sample& sample, const Vec2& centre, std::size_t most)
+      : tree_(sample.tree),
+        lines_(sample.lines),
+        edges_(sample.edges),
         stands_(chords.stands_),
         polygon_(chords.polygon_),
         centre_(centre),
@@ -118,8 +113,8 @@ class EvenChords::Search {
 
   void add(std::uint32_t i, std::uint32_t j) {
     if (stands_ && stands_->robot().depth > 0) return add_moved(edges_[i], edges_[j]);
-    add_pair(i, j);
-    add_opposite(i, j);
+    add_pair(edges_[i], edges_[j]);
+    add_opposite(edges_[i], edges_[j]);
   }
 
   void add_moved(std::uint32_t edge_a, std::uint32_t edge_b) {
@@ -165,20 +160,67 @@ class EvenChords::Search {
   std::vector<Candidate> found_;
 };
 
+EvenChords::Sample EvenChords::sample_of(const Polygon& polygon, const Stands* stands,
+                                         const std::vector<std::uint32_t>& edges) {
+  std::vector<std::uint32_t> kept;
+  std::vector<LineEnds> lines;
+  const bool moved = stands != nullptr && stands->robot().depth > 0;
+  for (const std::uint32_t edge : edges) {
+    const auto line = moved ? stand_line(polygon, Vec2::Zero(), *stands, edge) : std::nullopt;
+    if (moved && !line) continue;
+    kept.push_back(edge);
+    lines.push_back(moved ? LineEnds{line->at(line->low), line->at(line->high)}
+                          : LineEnds{polygon.edge_start(edge), polygon.edge_end(edge)});
+  }
+  EdgeTree tree(lines);
+  return {std::move(kept), std::move(lines), std::move(tree)};
+}
+
 EvenChords::EvenChords(const Polygon& polygon, const Stands* stands)
-    : polygon_(polygon), stands_(stands), lines_(lines_of(polygon, stands, edges_)), tree_(lines_) {
+    : polygon_(polygon),
+      stands_(stands),
+      all_(sample_of(polygon, stands, indices_below(polygon.size()))) {
   for (const Vec2& v : polygon.vertices()) size_ = std::max(size_, v.cwiseAbs().maxCoeff());
+}
+
+EvenChords::EvenChords(const Polygon& polygon, const Stands* stands,
+                       const std::vector<std::uint32_t>& walk)
+    : EvenChords(polygon, stands) {
+  constexpr std::size_t few_edges = 1000;
+  constexpr std::size_t smallest_sample = 64;
+  if (walk.size() <= few_edges) return;
+  std::uint32_t below = ~std::uint32_t{0} / 2;
+  for (std::size_t size = walk.size() / 2; size >= smallest_sample; size /= 2, below /= 2) {
+    std::vector<std::uint32_t> edges;
+    for (std::uint32_t i = 0; i < walk.size(); ++i)
+      if (scattered(i) < below) edges.push_back(walk[i]);
+    std::sort(edges.begin(), edges.end());
+    samples_.push_back(sample_of(polygon, stands, edges));
+  }
+  std::reverse(samples_.begin(), samples_.end());
+}
+
+std::vector<Candidate> EvenChords::in_order(std::vector<Candidate> found) const {
+  const double near = near_distance(polygon_.diameter());
+  return merge_duplicates(in_candidate_order(std::move(found), near), near).candidates;
 }
 
 std::vector<Candidate> EvenChords::about(const Vec2& centre) const {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-  const double near = near_distance(polygon_.diameter());
-  return merge_duplicates(in_candidate_order(Search(*this, centre, all).run(), near), near)
-      .candidates;
+  return in_order(Search(*this, all_, centre, all).run());
+}
+
+std::vector<Candidate> EvenChords::some_about(const Vec2& centre) const {
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  for (const Sample& sample : samples_) {
+    std::vector<Candidate> found = Search(*this, sample, centre, all).run();
+    if (found.size() >= enough_chords) return in_order(std::move(found));
+  }
+  return about(centre);
 }
 
 std::size_t EvenChords::count_about(const Vec2& centre, std::size_t most) const {
-  return std::min(most, Search(*this, centre, most).run().size());
+  return std::min(most, Search(*this, all_, centre, most).run().size());
 }
 
 }  // namespace evenlift

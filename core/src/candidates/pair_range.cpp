@@ -1,6 +1,7 @@
 #include "candidates/pair_range.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "chords/section.h"
@@ -67,6 +68,15 @@ double place_at(const PairRange& range, double s) {
   const auto weight = [&](double x) { return 1 + 1 / range.q(x); };  // |r_a r_b| / |C r_a|
   const double before = (1 - s) * weight(range.first), behind = s * weight(range.last);
   return range.first + (range.last - range.first) * (behind / (before + behind));
+}
+
+double place_towards(const PairRange& range, const Vec2& direction) {
+  const double first = cross(range.a0, direction), last = cross(range.a1, direction);
+  // C sees the edge under less than 180 degrees, so the two differ in sign where it sees the place.
+  const double x = first == last ? range.first : first / (first - last);
+  const bool ahead = dot(Vec2((1 - x) * range.a0 + x * range.a1), direction) > 0;
+  if (ahead) return std::clamp(x, range.first, range.last);
+  return std::fabs(first) < std::fabs(last) ? range.first : range.last;
 }
 
 Candidate range_candidate(const Vec2& centre, const PairRange& range, double x) {

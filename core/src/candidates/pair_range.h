@@ -1,10 +1,12 @@
 // The range of an edge-pair (algorithm.md, Ranges): where along it chords are even enough, and the two
-// candidates that it adds.
+// candidates that it adds, far enough from corners where that is possible.
 #pragma once
 
 #include <optional>
 
 #include "candidates/pair_candidate.h"
+#include "evenlift/stands.h"
+#include "polygon/corners.h"
 
 namespace evenlift {
 
@@ -17,5 +19,22 @@ bool is_one_place(const PairRange& range, double near);
 
 // The candidate at a place x of the range. O(1).
 Candidate range_candidate(const Vec2& centre, const PairRange& range, double x);
+
+// How far range candidates stand from corners.
+struct FromCorners {
+  const Polygon& polygon;
+  const Corners& corners;
+  double clear = 0;
+  const Stands* stands = nullptr;  // of robots with a size: what counts is where they touch
+};
+
+// The places from `first` to `last` at which both robots are at least `clear` from the corners of their
+// edges, within tau L. Nothing if that is at most one place, or if `clear` is 0. O(1).
+std::optional<PairRange> clear_part(const FromCorners& from, const Vec2& centre,
+                                    const PairRange& range);
+
+// The place for a range candidate: place_at(range, s), or the nearest in the clear part of the range, if
+// there is one. O(1).
+double clear_place_at(const PairRange& range, const std::optional<PairRange>& clear, double s);
 
 }  // namespace evenlift

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "candidates/pair_range.h"
 #include "evenlift/candidates.h"
 #include "evenlift/stands.h"
 
@@ -45,10 +46,11 @@ std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& sta
 std::vector<PairRange> standing_ranges(const StandLine& a, const StandLine& b, double min_ratio,
                                        double near);
 
-// The candidates that positions anywhere in the range add between two lines: two in their longest range,
+// The candidates that positions anywhere in the range add between two lines of from.stands: two in their
+// longest range, far enough from corners where that is possible,
 // of which each drops out if its load ratio is too low or its robots collide; none if the range is but one
 // place. O(stretches of a times those of b).
-std::vector<Candidate> standing_range_chords(const Stands& stands, const Vec2& centre,
+std::vector<Candidate> standing_range_chords(const FromCorners& from, const Vec2& centre,
                                              const StandLine& a, const StandLine& b,
                                              double min_ratio, double near);
 

@@ -43,21 +43,22 @@ struct Wanted {
   const Stands& stands;
   Positions positions;
   double near;
+  FromCorners from_corners;
 };
 
 void add_pair(const Wanted& wanted, const EdgePair& pair, Found& found) {
-  const auto& [polygon, centre, min_ratio, stands, positions, near] = wanted;
+  const auto& [polygon, centre, min_ratio, stands, positions, near, from_corners] = wanted;
   found.add(standing_chords(polygon, stands, centre, pair, min_ratio), found.sources, false);
   if (positions != Positions::range) return;
   const auto a = stand_line(polygon, centre, stands, pair.a);
   const auto b = stand_line(polygon, centre, stands, pair.b);
   if (a && b)
-    found.add(standing_range_chords(stands, centre, *a, *b, min_ratio, near), found.sources, true);
+    found.add(standing_range_chords(from_corners, centre, *a, *b, min_ratio, near), found.sources, true);
 }
 
 // For hands without depth: the pairs of edges and the opposite vertices of the polygon itself.
 std::optional<InputError> find_on_outline(const Wanted& wanted, Found& found) {
-  const auto& [polygon, centre, min_ratio, stands, positions, near] = wanted;
+  const auto& [polygon, centre, min_ratio, stands, positions, near, from_corners] = wanted;
   const RadialView view(polygon, centre);
   const std::uint64_t pairs = count_edge_pairs(polygon, view);
   if (auto error = check_number(pairs, "edge-pairs")) return error;
@@ -106,10 +107,10 @@ std::uint32_t number_of_pair(const std::vector<NumberedPair>& pairs, std::uint32
 
 void add_lines(const Wanted& wanted, const StandLine& a, const StandLine& b, std::uint32_t source,
                Found& found) {
-  const auto& [polygon, centre, min_ratio, stands, positions, near] = wanted;
+  const auto& [polygon, centre, min_ratio, stands, positions, near, from_corners] = wanted;
   found.add(standing_chords(stands, centre, a, b, min_ratio, near), source, false);
   if (positions == Positions::range)
-    found.add(standing_range_chords(stands, centre, a, b, min_ratio, near), source, true);
+    found.add(standing_range_chords(from_corners, centre, a, b, min_ratio, near), source, true);
 }
 
 // For hands with depth: the edges, moved inward.
@@ -159,9 +160,11 @@ void note_sources(const Found& found, const std::vector<std::uint32_t>& became_o
 
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,
-                                             Positions positions) {
+                                             Positions positions, double clear) {
   const double near = near_distance(polygon.diameter());
-  const Wanted wanted{polygon, centre, min_ratio, stands, positions, near};
+  const Corners corners(polygon);
+  const Wanted wanted{polygon,   centre, min_ratio, stands,
+                      positions, near,   {polygon, corners, clear, &stands}};
   Found found;
   const bool on_outline = stands.robot().depth == 0;
   if (auto error = on_outline ? find_on_outline(wanted, found) : find_on_moved_edges(wanted, found))

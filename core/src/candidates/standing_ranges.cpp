@@ -53,7 +53,7 @@ std::size_t longest_range(const std::vector<PairRange>& ranges, double near) {
   return longest;
 }
 
-std::vector<Candidate> standing_range_chords(const Stands& stands, const Vec2& centre,
+std::vector<Candidate> standing_range_chords(const FromCorners& from, const Vec2& centre,
                                              const StandLine& a, const StandLine& b,
                                              double min_ratio, double near) {
   const std::vector<PairRange> ranges = standing_ranges(a, b, min_ratio, near);
@@ -61,9 +61,10 @@ std::vector<Candidate> standing_range_chords(const Stands& stands, const Vec2& c
   if (ranges.empty()) return found;
   const PairRange& range = ranges[longest_range(ranges, near)];
   if (is_one_place(range, near)) return found;
+  const auto clear = clear_part(from, centre, range);
   for (const double s : range_places) {
-    const Candidate candidate = range_candidate(centre, range, place_at(range, s));
-    if (reaches(candidate.chord, min_ratio) && can_stand(stands, candidate))
+    const Candidate candidate = range_candidate(centre, range, clear_place_at(range, clear, s));
+    if (reaches(candidate.chord, min_ratio) && can_stand(*from.stands, candidate))
       found.push_back(candidate);
   }
   return found;

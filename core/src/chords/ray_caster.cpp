@@ -11,8 +11,10 @@ namespace evenlift {
 RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centre) {
   const double near = near_distance(polygon.diameter());
   edges_.reserve(polygon.size());
+  vertices_.reserve(polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &p = polygon.edge_start(i), &q = polygon.edge_end(i);
+    vertices_.push_back(p - centre);
     const double doubled_area = orient(centre, p, q);
     const bool radial = std::fabs(doubled_area) <= near * length(q - p);
     // Counter-clockwise about C, so that the order of the vertex list does not affect the rounding.
@@ -24,23 +26,33 @@ RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centr
   }
 }
 
+// Both edges at a vertex ask the same question of it. So it is listed once: not once for each of
+// its edges, and also where the boundary touches the ray there and turns back.
+bool RayCaster::meets_vertex(const Vec2& u, std::uint32_t vertex) const {
+  return directions_agree(u, vertices_[vertex]);
+}
+
+std::uint32_t RayCaster::before(std::uint32_t vertex) const {
+  return (vertex == 0 ? static_cast<std::uint32_t>(edges_.size()) : vertex) - 1;
+}
+
 std::vector<RayCaster::Hit> RayCaster::hits(const Vec2& u) const {
   std::vector<Hit> hits;
   const double unit = length(u);
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    const Edge& edge = edges_[i];
-    if (edge.radial) {
-      // Each vertex counts once: as the start of its edge, or as the end if the next edge is not
-      // radial and so does not list it.
-      if (directions_agree(u, edge.start))
-        hits.push_back({length(edge.start), {centre_ + edge.start, i}});
-      const std::uint32_t next = i + 1 == edges_.size() ? 0 : i + 1;
-      if (!edges_[next].radial && directions_agree(u, edge.end)) {
-        hits.push_back({length(edge.end), {centre_ + edge.end, i}});
-      }
-      continue;
+  const auto n = static_cast<std::uint32_t>(edges_.size());
+  const bool meets_first = meets_vertex(u, 0);
+  bool meets_start = meets_first;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const bool meets_end = i + 1 == n ? meets_first : meets_vertex(u, i + 1);
+    if (meets_start) {
+      const bool ends_radial = !edges_[i].radial && edges_[before(i)].radial;
+      hits.push_back({length(vertices_[i]), {centre_ + vertices_[i], ends_radial ? before(i) : i}});
     }
-    // Half-open, so that a vertex on the ray belongs to exactly one of its two edges.
+    // An edge that is met at an end is met nowhere else.
+    const bool inside = !edges_[i].radial && !meets_start && !meets_end;
+    meets_start = meets_end;
+    if (!inside) continue;
+    const Edge& edge = edges_[i];
     const bool start_left = cross(u, edge.start) >= 0, end_left = cross(u, edge.end) >= 0;
     if (start_left == end_left) continue;
     const double multiple = edge.doubled_area / cross(u, edge.end - edge.start);

@@ -17,9 +17,10 @@ class RayCaster {
     double distance = 0;  // from C
     LiftingPoint point;
   };
-  // The boundary points on the ray from C in direction u, nearest first. A radial edge is met at
-  // its end vertices in that direction, any other edge at no more than one point. O(n + k log k)
-  // for k points.
+  // The boundary points on the ray from C in direction u, nearest first, each once. A radial edge
+  // is met at its end vertices in that direction, any other edge at no more than one point. A
+  // vertex on the ray, within tau, is one point, even where the boundary only touches the ray.
+  // O(n + k log k) for k points.
   std::vector<Hit> hits(const Vec2& u) const;
 
   // The farthest point on the ray among `edges`, of which there is at least one and none is radial.
@@ -36,8 +37,12 @@ class RayCaster {
     double doubled_area = 0;  // start x end, accurate
     bool radial = false;
   };
+  bool meets_vertex(const Vec2& u, std::uint32_t vertex) const;
+  std::uint32_t before(std::uint32_t vertex) const;  // the edge that ends there
+
   Vec2 centre_;
   std::vector<Edge> edges_;
+  Points vertices_;  // relative to C
 };
 
 }  // namespace evenlift

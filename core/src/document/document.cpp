@@ -36,13 +36,33 @@ std::optional<Goal> goal_from_name(std::string_view text) {
 }
 
 std::string_view name(LengthUnit unit) {
-  constexpr std::string_view names[] = {"none", "m", "cm", "mm", "in"};
-  return names[static_cast<std::size_t>(unit)];
+  switch (unit) {
+    case LengthUnit::none:
+      return "none";
+    case LengthUnit::m:
+      return "m";
+    case LengthUnit::cm:
+      return "cm";
+    case LengthUnit::mm:
+      return "mm";
+    case LengthUnit::in:
+      return "in";
+  }
+  return {};
 }
 
 std::string_view name(WeightUnit unit) {
-  constexpr std::string_view names[] = {"kg", "t", "N", "lb"};
-  return names[static_cast<std::size_t>(unit)];
+  switch (unit) {
+    case WeightUnit::kg:
+      return "kg";
+    case WeightUnit::t:
+      return "t";
+    case WeightUnit::N:
+      return "N";
+    case WeightUnit::lb:
+      return "lb";
+  }
+  return {};
 }
 
 std::string_view name(Positions positions) {

@@ -1,6 +1,5 @@
 #include "evenlift/settings_text.h"
 
-#include <cmath>
 #include <iterator>
 
 #include "document/stand_settings.h"
@@ -179,7 +178,7 @@ constexpr Entry entries[] = {
      "the minimum load ratio is a number from 0 to 1"},
     {Setting::com, read_com, places, "com", "the centre of mass is two numbers X,Y, or centroid"},
     {Setting::weight, read_number_of<&Settings::weight, is_weight>, keeps, "weight",
-     "the weight is a number greater than 0"},
+     "the weight is a number greater than 0, from 1e-100 to 1e100"},
     {Setting::seed, read_seed, places, "seed",
      "the seed is a whole number from 0 to 18446744073709551615"},
     {Setting::overlays, read_overlays, keeps, "overlays",
@@ -187,9 +186,9 @@ constexpr Entry entries[] = {
     {Setting::step, read_step, keeps, "step",
      "the step is a whole number from 0 to 4294967295, or none"},
     {Setting::capacity, read_capacity, keeps, "capacity",
-     "the capacity of a robot is a number greater than 0, or none"},
+     "the capacity of a robot is a number greater than 0, from 1e-100 to 1e100, or none"},
     {Setting::com_radius, read_number_of<&Settings::com_radius, is_length>, keeps, "com_radius",
-     "the radius within which the centre of mass is known is a number of at least 0"},
+     "the radius within which the centre of mass is known is a number from 0 to 1000000000"},
     {Setting::loads, read_nothing, keeps, "loads",
      "the loads are those of plan, springs, best or worst"},
     {Setting::failed, read_nothing, keeps, "failed",
@@ -201,7 +200,7 @@ constexpr Entry entries[] = {
     {Setting::min_margin, read_number_of<&Settings::min_margin, is_min_margin>, places,
      "min_margin", "the margin of a firm hold is a number from 0 to 1"},
     {Setting::apart, read_number_of<&Settings::apart, is_length>, places, "apart",
-     "the distance that parts robots is a number of at least 0"},
+     "the distance that parts robots is a number from 0 to 1000000000"},
     {Setting::survive, read_whole_of<&Settings::survive, is_survived>, places, "survive",
      "the number of failures to survive is a whole number from 0 to 30"},
     {Setting::unit, read_unit, keeps, "unit", "the unit of lengths is m, cm, mm or in, or none"},
@@ -210,28 +209,31 @@ constexpr Entry entries[] = {
     {Setting::positions, read_named<&Settings::positions, positions_from_name>, places, "positions",
      "the positions are best or range"},
     {Setting::robot, read_whole_robot, places, "robot",
-     "the size of a robot is none, or some of r, reach, depth, width and gap with numbers of at least 0, such as r=30,reach=5"},
+     "the size of a robot is none, or some of r, reach, depth, width and gap with numbers from 0 to 1000000000, such as r=30,reach=5"},
     {Setting::no_go, read_parts, places, "no_go",
      "the edges that must not be touched are none, or at most 1000 edges from 1 or parts of them from 0 to 1, such as 3,5:0.25-0.75"},
     {Setting::robot_radius, read_part_of_robot<&RobotSize::radius>, places, "robot_radius",
-     "the radius of a robot is a number of at least 0"},
+     "the radius of a robot is a number from 0 to 1000000000"},
     {Setting::robot_reach, read_part_of_robot<&RobotSize::reach>, places, "robot_reach",
-     "the reach of a robot's arm is a number of at least 0"},
+     "the reach of a robot's arm is a number from 0 to 1000000000"},
     {Setting::robot_depth, read_part_of_robot<&RobotSize::depth>, places, "robot_depth",
-     "the depth of a robot's hand is a number of at least 0"},
+     "the depth of a robot's hand is a number from 0 to 1000000000"},
     {Setting::robot_width, read_part_of_robot<&RobotSize::width>, places, "robot_width",
-     "the width of a robot's hand is a number of at least 0"},
+     "the width of a robot's hand is a number from 0 to 1000000000"},
     {Setting::robot_gap, read_part_of_robot<&RobotSize::gap>, places, "robot_gap",
-     "the gap between robots is a number of at least 0"},
+     "the gap between robots is a number from 0 to 1000000000"},
+    {Setting::clear, read_number_of<&Settings::clear, is_length>, places, "clear",
+     "the distance that is not relied on is a number from 0 to 1000000000"},
 };
 static_assert(most_no_go == 1000);
 static_assert(max_teams == 1048576);
+static_assert(max_length == 1000000000 && max_weight == 1e100 && min_weight == 1e-100);
 static_assert(least_robots == 2 && most_robots == 64 && most_survived == 30);
 
 constexpr bool in_order() {
   for (std::size_t i = 0; i < std::size(entries); ++i)
     if (entries[i].setting != static_cast<Setting>(i)) return false;
-  return true;
+  return std::size(entries) == static_cast<std::size_t>(Setting::end_of_settings);
 }
 static_assert(in_order(), "entry() finds a setting by its number");
 
@@ -279,20 +281,21 @@ std::optional<InputError> check_ranges(const Settings& settings) {
   if (!is_robot_count(settings.robots)) return setting_error(Setting::robots);
   if (!is_min_margin(settings.min_margin)) return setting_error(Setting::min_margin);
   if (settings.apart && !is_length(*settings.apart)) return setting_error(Setting::apart);
+  if (settings.clear && !is_length(*settings.clear)) return setting_error(Setting::clear);
   if (!is_survived(settings.survive)) return setting_error(Setting::survive);
   if (!is_length(settings.com_radius)) return setting_error(Setting::com_radius);
   if (!is_robot_size(settings.robot)) return setting_error(Setting::robot);
   if (!is_no_go(settings.no_go)) return setting_error(Setting::no_go);
   if (settings.capacity && !is_weight(*settings.capacity)) return setting_error(Setting::capacity);
-  if (settings.units.length > LengthUnit::in) return setting_error(Setting::unit);
-  if (settings.units.weight > WeightUnit::lb) return setting_error(Setting::weight_unit);
+  if (name(settings.units.length).empty()) return setting_error(Setting::unit);
+  if (name(settings.units.weight).empty()) return setting_error(Setting::weight_unit);
   return std::nullopt;
 }
 
 bool is_min_ratio(double value) { return value >= 0 && value <= 1; }
 
-bool is_weight(double value) { return value > 0 && std::isfinite(value); }
+bool is_weight(double value) { return value >= min_weight && value <= max_weight; }
 
-bool is_length(double value) { return value >= 0 && std::isfinite(value); }
+bool is_length(double value) { return value >= 0 && value <= max_length; }
 
 }  // namespace evenlift

@@ -24,15 +24,15 @@ void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
 }  // namespace
 
 Choices::Choices(const Polygon& polygon, const Vec2& centre,
-                 const std::vector<Candidate>& candidates, double min_margin, const Stands* stands)
+                 const std::vector<Candidate>& candidates, const FirmHold& firm, const Stands* stands)
     : polygon_(polygon),
       candidates_(candidates),
       stands_(stands),
       centre_(centre),
-      bounds_(level_bounds(min_margin)),
+      bounds_(level_bounds(firm.min_margin)),
       coarse_cover_(polygon, centre),
       cover_(polygon, centre),
-      margins_(polygon, centre) {
+      margins_(polygon, centre, firm.clear) {
   parts_.reserve(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) parts_.push_back(part_of({i}));
   for (const int x : {-1, 0, 1})

@@ -34,7 +34,7 @@ class Choices {
  public:
   // The polygon, the candidates and the stands must outlive it. O(K log n).
   Choices(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-          double min_margin, const Stands* stands = nullptr);
+          const FirmHold& firm, const Stands* stands = nullptr);
 
   // The teams on these candidates, but the one numbered `without`.
   Part part_of(const std::vector<std::uint32_t>& taken,

@@ -146,9 +146,9 @@ std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b) {
 
 HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
-                   const std::vector<std::uint32_t>& taken, double min_margin,
+                   const std::vector<std::uint32_t>& taken, const FirmHold& firm,
                    const Stands* stands) {
-  const Choices choices(polygon, centre, candidates, min_margin, stands);
+  const Choices choices(polygon, centre, candidates, firm, stands);
   return choices.keys_of(choices.part_of(taken));
 }
 
@@ -170,26 +170,26 @@ std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t te
 
 ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
                                const std::vector<Candidate>& candidates,
-                               std::vector<std::uint32_t> start, double min_margin,
+                               std::vector<std::uint32_t> start, const FirmHold& firm,
                                const Stands* stands) {
   if (start.size() == candidates.size() || start.empty()) {
     ExchangeHistory history;
     if (!start.empty() && start.size() <= most_exchanged_teams)
-      history.keys = hold_keys(polygon, centre, candidates, start, min_margin, stands);
+      history.keys = hold_keys(polygon, centre, candidates, start, firm, stands);
     history.start = std::move(start);
     history.settled = true;
     return history;
   }
-  Choices choices(polygon, centre, candidates, min_margin, stands);
+  Choices choices(polygon, centre, candidates, firm, stands);
   return Exchanger(choices, std::move(start)).run();
 }
 
 std::optional<Exchange> best_exchange_of(const Polygon& polygon, const Vec2& centre,
                                          const std::vector<Candidate>& candidates,
                                          const std::vector<std::uint32_t>& taken,
-                                         std::uint32_t team, double min_margin,
+                                         std::uint32_t team, const FirmHold& firm,
                                          const Stands* stands) {
-  Choices choices(polygon, centre, candidates, min_margin, stands);
+  Choices choices(polygon, centre, candidates, firm, stands);
   const HoldKeys now = choices.keys_of(choices.part_of(taken));
   choices.set_parts({choices.part_of(taken, team)});
   const auto best = exchange::best_trial(choices, trials_with_others(choices, taken), now);
@@ -206,7 +206,8 @@ std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2&
   std::vector<std::uint32_t> taken = select_teams(polygon, centre, candidates, settings.method,
                                                   teams, first_team(settings.positions), stands);
   if (!exchanges_teams(settings)) return taken;
-  return exchange_teams(polygon, centre, candidates, std::move(taken), settings.min_margin, stands)
+  return exchange_teams(polygon, centre, candidates, std::move(taken), firm_hold(polygon, centre, settings),
+                        stands)
       .taken();
 }
 

@@ -232,9 +232,14 @@ Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
 }
 
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
-                     const std::vector<LiftingPoint>& points) {
+                     const std::vector<Contact>& contacts) {
   return nothing_is_free(
-      make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts(polygon, points)));
+      make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts));
+}
+
+bool in_form_closure(const Polygon& polygon, const Vec2& centre,
+                     const std::vector<LiftingPoint>& points) {
+  return in_form_closure(polygon, centre, contacts(polygon, points));
 }
 
 bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
@@ -256,8 +261,8 @@ FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
 
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points) {
-  const Grasp grasp =
-      make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts(polygon, points));
+  const std::vector<Contact> touching = contacts(polygon, points);
+  const Grasp grasp = make_grasp(polygon, centre, farthest_vertex(polygon, centre), touching);
   Closure closure;
   closure.translation = free_translation(grasp);
   closure.translation_free = closure.translation.has_value();
@@ -268,6 +273,7 @@ Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
       !closure.translation_free && !closure.clockwise.exists && !closure.counterclockwise.exists;
   closure.second_order = immobile_to_second_order(grasp, closure);
   closure.margin = margin_of(grasp);
+  if (closure.form_closure) closure.clearance = analyse_clearance(polygon, centre, touching);
   return closure;
 }
 

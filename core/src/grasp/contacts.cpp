@@ -1,27 +1,85 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "evenlift/closure.h"
 #include "evenlift/tolerance.h"
 #include "exact/sorted_indices.h"
-#include "grasp/vertex_finder.h"
+#include "grasp/contact_finder.h"
 
 namespace evenlift {
-VertexFinder::VertexFinder(const Polygon& polygon, double near)
-    : polygon_(polygon), near_(near), by_x_(lexicographic_order(polygon.vertices())) {}
+namespace {
 
-std::optional<std::uint32_t> VertexFinder::find(const Vec2& p) const {
-  auto at = std::lower_bound(by_x_.begin(), by_x_.end(), p.x() - near_,
-                             [&](std::uint32_t v, double x) { return polygon_.vertex(v).x() < x; });
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+ContactFinder::ContactFinder(const Polygon& polygon)
+    : polygon_(polygon), near_(near_distance(polygon.diameter())), corners_(polygon) {
+  cells_.reserve(polygon.size());
+  for (const Vec2& v : polygon.vertices()) cells_.push_back(cell_of(v));
+  by_cell_ = sorted_indices(polygon.size(), [&](std::uint32_t a, std::uint32_t b) {
+    return cells_[a] != cells_[b] ? cells_[a] < cells_[b] : a < b;
+  });
+}
+
+ContactFinder::Cell ContactFinder::cell_of(const Vec2& p) const {
+  const double side = 4 * near_;
+  return {std::floor(p.x() / side), std::floor(p.y() / side)};
+}
+
+// The nearest vertex within tau L; of equally near ones the first in the list.
+std::optional<std::uint32_t> ContactFinder::vertex_at(const Vec2& p) const {
+  const Cell low = cell_of(p - Vec2(near_, near_)), high = cell_of(p + Vec2(near_, near_));
   std::optional<std::uint32_t> nearest;
   double least = near_;
-  for (; at != by_x_.end() && polygon_.vertex(*at).x() <= p.x() + near_; ++at) {
-    const double distance = length(polygon_.vertex(*at) - p);
-    if (distance < least || (distance == least && !nearest)) {
+  const auto look_into = [&](const Cell& cell) {
+    auto at =
+        std::lower_bound(by_cell_.begin(), by_cell_.end(), cell,
+                         [&](std::uint32_t v, const Cell& wanted) { return cells_[v] < wanted; });
+    for (; at != by_cell_.end() && cells_[*at] == cell; ++at) {
+      const double distance = length(polygon_.vertex(*at) - p);
+      if (distance > least) continue;
+      if (nearest && distance == least && *nearest < *at) continue;
       nearest = *at;
       least = distance;
     }
-  }
+  };
+  look_into(low);
+  if (low[1] != high[1]) look_into({low[0], high[1]});
+  if (low[0] != high[0]) look_into({high[0], low[1]});
+  if (low[0] != high[0] && low[1] != high[1]) look_into(high);
   return nearest;
+}
+
+double ContactFinder::to_corner(const Vec2& p, std::uint32_t edge) const {
+  double least = infinity;
+  for (const auto& corner : {corners_.before(edge), corners_.after(edge)})
+    if (corner) least = std::min(least, length(polygon_.vertex(*corner) - p));
+  return least;
+}
+
+std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points) const {
+  std::vector<Contact> contacts;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const auto vertex = vertex_at(points[i].position);
+    if (!vertex) {
+      const auto [position, edge] = points[i];
+      contacts.push_back({position, edge, i, to_corner(position, edge)});
+      continue;
+    }
+    const Turn turn = polygon_.turn(*vertex);
+    if (turn == Turn::convex) continue;
+    const Vec2& position = polygon_.vertex(*vertex);
+    // The notch of a reflex vertex keeps the robot where it is.
+    const double to_corner =
+        turn == Turn::reflex ? infinity : this->to_corner(position, *vertex);
+    contacts.push_back({position, *vertex, i, to_corner});
+    if (turn == Turn::reflex)
+      contacts.push_back(
+          {position, static_cast<std::uint32_t>(polygon_.previous(*vertex)), i, to_corner});
+  }
+  return contacts;
 }
 
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
@@ -38,26 +96,7 @@ Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise) {
 }
 
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
-  return find_contacts(polygon, VertexFinder(polygon, near_distance(polygon.diameter())), points);
-}
-
-std::vector<Contact> find_contacts(const Polygon& polygon, const VertexFinder& finder,
-                                   const std::vector<LiftingPoint>& points) {
-  std::vector<Contact> contacts;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto vertex = finder.find(points[i].position);
-    if (!vertex) {
-      contacts.push_back({points[i].position, points[i].edge, i});
-      continue;
-    }
-    const Turn turn = polygon.turn(*vertex);
-    if (turn == Turn::convex) continue;
-    const Vec2& position = polygon.vertex(*vertex);
-    contacts.push_back({position, *vertex, i});
-    if (turn == Turn::reflex)
-      contacts.push_back({position, static_cast<std::uint32_t>(polygon.previous(*vertex)), i});
-  }
-  return contacts;
+  return ContactFinder(polygon).find(points);
 }
 
 }  // namespace evenlift

@@ -10,19 +10,38 @@
 namespace evenlift {
 namespace {
 
+// Whether a touch's edge has a direction in [0, 180) degrees. Comparing coordinates is exact.
+bool points_up(const Grasp::Touch& touch) {
+  return touch.to.y() > touch.from.y() ||
+         (touch.to.y() == touch.from.y() && touch.to.x() > touch.from.x());
+}
+
+double turn_of(const Grasp::Touch& a, const Grasp::Touch& b) {
+  return cross_of_differences(a.from, a.to, b.from, b.to);
+}
+
+bool same_direction(const Grasp::Touch& a, const Grasp::Touch& b) {
+  return points_up(a) == points_up(b) && turn_of(a, b) == 0;
+}
+
+// Of the touches whose edges have the same direction, which is decided exactly, only those farthest back
+// and farthest along it stay.
 void keep_extremes(Grasp& grasp) {
   const std::vector<Grasp::Touch>& touches = grasp.touches;
   std::vector<double> place(touches.size());
-  for (std::size_t i = 0; i < touches.size(); ++i) place[i] = along(grasp, touches[i]);
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    place[i] = along(grasp, touches[i]) / length(touches[i].direction());
   const auto order = sorted_indices(touches.size(), [&](std::uint32_t i, std::uint32_t j) {
-    if (touches[i].edge != touches[j].edge) return touches[i].edge < touches[j].edge;
+    const Grasp::Touch &a = touches[i], &b = touches[j];
+    if (points_up(a) != points_up(b)) return points_up(a);
+    if (const double turn = turn_of(a, b); turn != 0) return turn > 0;
     return place[i] < place[j];
   });
   std::vector<std::uint32_t> kept;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::uint32_t edge = touches[order[k]].edge;
-    const bool is_first = k == 0 || touches[order[k - 1]].edge != edge;
-    const bool is_last = k + 1 == order.size() || touches[order[k + 1]].edge != edge;
+    const Grasp::Touch& touch = touches[order[k]];
+    const bool is_first = k == 0 || !same_direction(touches[order[k - 1]], touch);
+    const bool is_last = k + 1 == order.size() || !same_direction(touches[order[k + 1]], touch);
     if (is_first || is_last) kept.push_back(order[k]);
   }
   std::sort(kept.begin(), kept.end());

@@ -1,18 +1,19 @@
 #include "grasp/margins.h"
 
-#include "evenlift/tolerance.h"
 #include "grasp/grasp.h"
 
 namespace evenlift {
 
-Margins::Margins(const Polygon& polygon, const Vec2& centre)
+Margins::Margins(const Polygon& polygon, const Vec2& centre, double clear)
     : polygon_(polygon),
       centre_(centre),
       radius_(farthest_vertex(polygon, centre)),
-      finder_(polygon, near_distance(polygon.diameter())) {}
+      clear_(clear),
+      finder_(polygon) {}
 
 std::vector<Wrench> Margins::wrenches_of(const std::vector<LiftingPoint>& points) const {
-  return wrenches(make_grasp(polygon_, centre_, radius_, find_contacts(polygon_, finder_, points)));
+  return wrenches(make_grasp(polygon_, centre_, radius_,
+                             clear_contacts(polygon_, finder_.find(points), clear_)));
 }
 
 std::optional<double> Margins::of(const std::vector<LiftingPoint>& points) const {

@@ -1,32 +1,33 @@
-// The margins of many grasps of one object.
+// The margins of many grasps of one object, of the contacts that are far enough from corners.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "evenlift/closure.h"
-#include "grasp/vertex_finder.h"
+#include "grasp/contact_finder.h"
 #include "grasp/wrench_margin.h"
 
 namespace evenlift {
 
 class Margins {
  public:
-  // The polygon must outlive it. O(n log n).
-  Margins(const Polygon& polygon, const Vec2& centre);
+  // The polygon must outlive it. Contacts nearer than `clear` to a corner do not count. O(n log n).
+  Margins(const Polygon& polygon, const Vec2& centre, double clear);
 
-  // The same as analyse_closure(polygon, centre, points).margin. O(m log n + m^2).
+  // The same as that of analyse_hold() of the clear_contacts() of these points. O(m log n) and the cost of
+  // wrench_margin().
   std::optional<double> of(const std::vector<LiftingPoint>& points) const;
 
-  // The wrenches of robots at the points, as the margin is found from them: of contacts on one edge
+  // The wrenches of robots at the points, as the margin is found from them: of contacts on parallel edges
   // the first and the last. O(m log n).
   std::vector<Wrench> wrenches_of(const std::vector<LiftingPoint>& points) const;
 
  private:
   const Polygon& polygon_;
   Vec2 centre_;
-  double radius_;
-  VertexFinder finder_;
+  double radius_, clear_;
+  ContactFinder finder_;
 };
 
 }  // namespace evenlift

@@ -221,13 +221,15 @@ Wrench normal_of(const std::vector<Wrench>& w, const Triangle& facet) {
   return p.cross(q);
 }
 
-}  // namespace
-
-double wrench_margin(const std::vector<Wrench>& wrenches) {
-  return weakest_direction(wrenches).margin;
+// The wrench that reaches farthest in a direction.
+Index farthest_along(const std::vector<Wrench>& wrenches, const Wrench& direction) {
+  Index best = 0;
+  for (Index i = 1; i < wrenches.size(); ++i)
+    if (wrenches[i].dot(direction) > wrenches[best].dot(direction)) best = i;
+  return best;
 }
 
-WeakestDirection weakest_direction(const std::vector<Wrench>& wrenches) {
+WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
   const std::vector<Triangle> facets = hull_facets(wrenches);
   double least = facets.empty() ? 0 : std::numeric_limits<double>::infinity();
   Triangle weakest{};
@@ -252,6 +254,80 @@ WeakestDirection weakest_direction(const std::vector<Wrench>& wrenches) {
                                ? direction_of(-nearest)
                                : direction_of(normal_of(wrenches, weakest));
   return {least > 0 && distance <= beside ? least : 0.0 - distance, direction};  // never -0
+}
+
+// The normal of the plane through the origin and those two wrenches that span it best.
+Wrench normal_through_origin(const std::vector<Wrench>& wrenches) {
+  Wrench best = Wrench::Zero();
+  for (std::size_t i = 0; i < wrenches.size(); ++i)
+    for (std::size_t j = i + 1; j < wrenches.size(); ++j) {
+      const Wrench normal = wrenches[i].cross(wrenches[j]);
+      if (normal.squaredNorm() > best.squaredNorm()) best = normal;
+    }
+  return direction_of(best);
+}
+
+// Of many wrenches few bound the ball. Begins with those that reach farthest along the axes, and adds the
+// one that reaches farthest in the weakest direction of those that are there, until none reaches farther
+// than these do: then the direction is the weakest of all.
+class FewOfMany {
+ public:
+  explicit FewOfMany(const std::vector<Wrench>& all) : all_(all) {
+    for (const int axis : {0, 1, 2})
+      for (const int sign : {-1, 1}) activate(sign * Wrench::Unit(axis));
+  }
+
+  WeakestDirection weakest() {
+    while (true) {
+      const std::vector<Wrench> active = active_wrenches();
+      const WeakestDirection found = weakest_of_few(active);
+      if (reach(found.direction) <= found.margin + same_reach) return found;
+      if (activate(found.direction)) continue;
+      // The weakest facet is too small to tell its direction, as where all wrenches are in one plane.
+      const Wrench normal = normal_through_origin(active);
+      const bool added = activate(normal), also_added = activate(-normal);
+      if (added || also_added) continue;
+      return std::max(reach(normal), reach(-normal)) <= tau ? found : weakest_of_few(all_);
+    }
+  }
+
+ private:
+  // More than the rounding of u . w, and less than what a margin tells.
+  static constexpr double same_reach = 1e-13;
+
+  double reach(const Wrench& direction) const {
+    return all_[farthest_along(all_, direction)].dot(direction);
+  }
+
+  // Returns whether the wrench that reaches farthest was not there yet.
+  bool activate(const Wrench& direction) {
+    const Index added = farthest_along(all_, direction);
+    const auto at = std::lower_bound(active_.begin(), active_.end(), added);
+    if (at != active_.end() && *at == added) return false;
+    active_.insert(at, added);
+    return true;
+  }
+
+  std::vector<Wrench> active_wrenches() const {
+    std::vector<Wrench> wrenches;
+    wrenches.reserve(active_.size());
+    for (const Index i : active_) wrenches.push_back(all_[i]);
+    return wrenches;
+  }
+
+  const std::vector<Wrench>& all_;
+  std::vector<Index> active_;  // ascending
+};
+
+}  // namespace
+
+double wrench_margin(const std::vector<Wrench>& wrenches) {
+  return weakest_direction(wrenches).margin;
+}
+
+WeakestDirection weakest_direction(const std::vector<Wrench>& wrenches) {
+  constexpr std::size_t few = 32;
+  return wrenches.size() <= few ? weakest_of_few(wrenches) : FewOfMany(wrenches).weakest();
 }
 
 }  // namespace evenlift

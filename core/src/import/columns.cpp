@@ -171,7 +171,7 @@ bool has_field(const Fields& fields, std::string_view name) {
 }
 
 std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& fields) {
-  if (has_field(fields, "robot") && has_field(fields, "load"))
+  if (has_field(fields, "robot") || has_field(fields, "robots"))
     return error(line, ErrorCode::unsupported, robots_are_no_polygon);
   if (has_field(fields, "polygon") && has_field(fields, "method"))
     return error(line, ErrorCode::unsupported,

@@ -52,11 +52,14 @@ class JsonShapes {
   void geometry(Index object, std::string_view name, const Document& of);
   void polygon(Index rings, std::string_view name, const Document& of);
   std::string name_of(Index feature) const;
+  const char* what_is_left() const;
+  bool lists_robots(Index array) const;
 
   std::string_view text_;
   const JsonTree& tree_;
   Gathering gathering_;
   std::size_t heights_ = 0, holes_ = 0;
+  bool centre_of_holed_is_open_ = false;  // some polygon with holes comes without a centre of mass
 };
 
 // --- What evenlift wrote
@@ -118,6 +121,7 @@ std::optional<InputError> JsonShapes::take_beyond(Document& document) const {
                : std::nullopt;
   };
   if (auto wrong = take("positions", Setting::positions)) return wrong;
+  if (auto wrong = take("clear", Setting::clear)) return wrong;
   if (auto wrong = take("goal", Setting::goal)) return wrong;
   if (document.settings.goal == Goal::hold) return take("min_margin", Setting::min_margin);
   document.settings.goal.reset();
@@ -130,6 +134,7 @@ std::optional<InputError> JsonShapes::take_balanced(Document& document) const {
                                                      {"goal", Setting::goal},
                                                      {"min_margin", Setting::min_margin},
                                                      {"apart", Setting::apart},
+                                                     {"clear", Setting::clear},
                                                      {"survive", Setting::survive}};
   for (const auto& [name, setting] : members)
     if (const auto at = tree_.member(0, name); is(at, Kind::number) || is(at, Kind::string))
@@ -337,6 +342,7 @@ void JsonShapes::polygon(Index rings, std::string_view name, const Document& of)
   Result<Points> ring = points(first);
   if (!ring) return gathering_.add_problem(ring.error());
   for (Index i = tree_.next(first); i != tree_.end(rings); i = tree_.next(i)) ++holes_;
+  if (tree_.next(first) != tree_.end(rings) && !of.centre_of_mass) centre_of_holed_is_open_ = true;
   Document document = of;
   document.vertices = std::move(ring).value();
   gathering_.add(std::move(document), name, "polygon");
@@ -404,8 +410,23 @@ void JsonShapes::geojson(Index object, std::string_view name, const Document& of
   }
 }
 
+// What a polygon is without its holes. A centre of mass may still be given later, by an option.
+const char* JsonShapes::what_is_left() const {
+  return centre_of_holed_is_open_
+             ? "the shape and, unless one is given, its centre of mass are those of what the outer ring encloses"
+             : "the shape is that of what the outer ring encloses, with the centre of mass that is given";
+}
+
+// Whether an array lists robots, as a table of them does that was made JSON.
+bool JsonShapes::lists_robots(Index array) const {
+  const Index first = tree_.first(array);
+  return first != tree_.end(array) && tree_.member(first, "robot") && is_point(first);
+}
+
 Result<Import> JsonShapes::read() {
   if (is(tree_.root(), Kind::array)) {
+    if (lists_robots(tree_.root()))
+      return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
     gathering_.import.format = "points in JSON";
     arrays(tree_.root());
     return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]", {}});
@@ -422,10 +443,8 @@ Result<Import> JsonShapes::read() {
   gathering_.import.format = "GeoJSON";
   geojson(0, "", {});
   if (holes_ > 0)
-    gathering_.note(
-        counted(holes_, "hole was", "holes were") +
-        " left out, since holes are not supported: the shape and its centre of mass are "
-        "those of what the outer ring encloses");
+    gathering_.note(counted(holes_, "hole was", "holes were") +
+                    " left out, since holes are not supported: " + what_is_left());
   if (heights_ > 0) gathering_.note("coordinates beyond x and y were left out");
   const std::string found = gathering_.left_out.list();
   return gathering_.finish(

@@ -179,7 +179,7 @@ void SvgReader::path(const pugi::xml_node& node, const Context& context,
   if (has_outlines_inside(*outlines))
     gathering_.note(
         "outlines inside another are shapes of their own, since holes are not supported: the shape "
-        "around them and its centre of mass are those without a hole");
+        "around them and, unless one is given, its centre of mass are those without a hole");
   for (std::size_t i = 0; i < outlines->size(); ++i) {
     const auto& [outline, closed] = (*outlines)[i];
     std::string name = called;

@@ -63,6 +63,18 @@ std::optional<InputError> check_point(const Vec2& point, const Place& place) {
   return std::nullopt;
 }
 
+// Links held any finite weight and distance before these were bounded, and they are read for ever. What is
+// out of bounds now is refused where robots are placed.
+std::optional<InputError> check_linked_settings(Settings settings) {
+  const Settings usual;
+  const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
+  if (is_positive(settings.weight)) settings.weight = usual.weight;
+  if (is_positive(settings.com_radius)) settings.com_radius = usual.com_radius;
+  if (settings.capacity && is_positive(*settings.capacity)) settings.capacity.reset();
+  if (settings.apart && is_positive(*settings.apart)) settings.apart.reset();
+  return check_ranges(settings);
+}
+
 std::optional<InputError> check_linkable(const Document& document) {
   if (document.vertices.size() > max_link_vertices) {
     return InputError{ErrorCode::too_many_vertices, "a link holds at most 32768 vertices", {}};
@@ -79,7 +91,7 @@ std::optional<InputError> check_linkable(const Document& document) {
     return InputError{
         ErrorCode::bad_setting, "robots that were moved by hand stand where none can", {}};
   }
-  return check_ranges(document.settings);
+  return check_linked_settings(document.settings);
 }
 
 // --- A link within a text

@@ -30,6 +30,8 @@ std::optional<Setting> setting_of(Tag tag) {
       return Setting::min_margin;
     case Tag::apart:
       return Setting::apart;
+    case Tag::clear:
+      return Setting::clear;
     case Tag::survive:
       return Setting::survive;
     case Tag::positions:
@@ -95,6 +97,21 @@ bool has_moved(const Document& document) {
                                                       : !moved.teams.empty();
 }
 
+// Takes a number that was not bounded when links could hold it first: see check_linked_settings().
+bool take_unbounded(Tag tag, const std::string& text, Settings& settings) {
+  const std::optional<double> value = read_number(text);
+  if (!value || *value < 0) return false;
+  if (tag == Tag::apart)
+    settings.apart = *value;
+  else if (tag == Tag::capacity && *value > 0)
+    settings.capacity = *value;
+  else if (tag == Tag::com_radius)
+    settings.com_radius = *value;
+  else
+    return false;
+  return true;
+}
+
 bool take_moved(const std::string& text, Document& document) {
   auto moved = read_moved(text);
   if (!moved) return false;
@@ -125,6 +142,7 @@ Records records_of(const Document& document) {
   if (!(settings.units == Units{})) records.push_back({Tag::units, units_text(settings.units)});
   if (settings.overlays.halo) records.push_back({Tag::halo, shown});
   if (has_moved(document)) records.push_back({Tag::moved, moved_text(document.moved)});
+  if (settings.clear) records.push_back({Tag::clear, shortest(*settings.clear)});
   return records;
 }
 
@@ -147,6 +165,7 @@ bool take_records(const Records& records, Document& document) {
       continue;
     }
     if (record.tag == Tag::robots) document.settings.method = Method::balanced;
+    if (take_unbounded(record.tag, record.payload, document.settings)) continue;
     if (read_setting(*setting_of(record.tag), record.payload, document)) return false;
   }
   return true;

@@ -30,6 +30,7 @@ enum class Tag : std::uint8_t {
   units = 11,  // of lengths and of weights, with a comma before the latter
   halo = 18,   // an overlay, which has no setting of its own
   moved = 19,  // robots that were moved by hand
+  clear = 20,
   // Reserved.
   cargo = 12,
   holes = 13,

@@ -34,6 +34,7 @@ inline void forget_later_settings(Settings& settings) {
   settings.goal = usual.goal;
   settings.min_margin = usual.min_margin;
   settings.apart = usual.apart;
+  settings.clear = usual.clear;
   settings.survive = usual.survive;
   settings.positions = usual.positions;
   settings.com_radius = usual.com_radius;

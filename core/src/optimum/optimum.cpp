@@ -144,13 +144,13 @@ std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t lim
 class Firmest {
  public:
   Firmest(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-          double min_margin, const Stands* stands)
+          const FirmHold& firm, const Stands* stands)
       : polygon_(polygon),
         centre_(centre),
         candidates_(candidates),
-        min_margin_(min_margin),
+        firm_(firm),
         stands_(stands),
-        choices_(polygon, centre, candidates, min_margin, stands) {}
+        choices_(polygon, centre, candidates, firm, stands) {}
 
   HoldKeys keys_of(const std::vector<std::uint32_t>& taken) const {
     return choices_.keys_of(choices_.part_of(taken));
@@ -191,7 +191,7 @@ class Firmest {
     for (const std::vector<std::uint32_t>& start : starts) {
       if (check_exchanges(candidates_.size(), start.size(), stands_)) continue;
       const ExchangeHistory history =
-          exchange_teams(polygon_, centre_, candidates_, start, min_margin_, stands_);
+          exchange_teams(polygon_, centre_, candidates_, start, firm_, stands_);
       const HoldKeys keys = keys_of(history.taken());
       if (better_by(keys, best.keys)) {
         best.taken = history.taken();
@@ -204,7 +204,7 @@ class Firmest {
   void bound(const Optimum& widest, FirmestChoice& best) const {
     best.most_level = best_level;
     if (candidates_.size() <= most_candidates_bounded)
-      best.most_level = level_of(margin_of_all(), level_bounds(min_margin_));
+      best.most_level = level_of(margin_of_all(), level_bounds(firm_.min_margin));
     best.most_level = std::max(best.most_level, best.keys.level);
     best.most_coverage = std::max(widest.bound, best.keys.coverage);
     best.proved = best.keys.level == best.most_level &&
@@ -217,14 +217,15 @@ class Firmest {
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);
     const auto touching = contact_points(stands_, robots_of(candidates_, all));
-    const auto margin = analyse_hold(polygon_, centre_, touching).margin;
+    const auto counted = clear_contacts(polygon_, contacts(polygon_, touching), firm_.clear);
+    const auto margin = analyse_hold(polygon_, centre_, counted).margin;
     return margin ? std::optional(*margin + tau) : std::nullopt;
   }
 
   const Polygon& polygon_;
   Vec2 centre_;
   const std::vector<Candidate>& candidates_;
-  double min_margin_;
+  FirmHold firm_;
   const Stands* stands_;
   exchange::Choices choices_;
 };
@@ -244,10 +245,10 @@ std::optional<FirmestChoice> firmest_choice(const Polygon& polygon, const Vec2& 
                                             const std::vector<Candidate>& candidates,
                                             std::size_t teams,
                                             const std::vector<std::uint32_t>& start,
-                                            double min_margin, const Optimum& widest,
+                                            const FirmHold& firm, const Optimum& widest,
                                             const Stands* stands, std::uint64_t most) {
   if (start.empty() || start.size() > most_exchanged_teams) return std::nullopt;
-  Firmest firmest(polygon, centre, candidates, min_margin, stands);
+  Firmest firmest(polygon, centre, candidates, firm, stands);
   FirmestChoice best;
   best.taken = start;
   best.keys = firmest.keys_of(start);

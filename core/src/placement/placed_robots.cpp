@@ -118,7 +118,8 @@ Robustness robustness(const Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
   const double size = diameter(placement);
   return {failures_carried(robots, centre, size), failures_steady(robots, centre, size),
-          tipping_distance(placement.lifting_base, centre, size)};
+          tipping_distance(placement.lifting_base, centre, size),
+          failures_steady(robots, centre, size, firm_hold(placement).clear)};
 }
 
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement) {

@@ -34,7 +34,7 @@ std::vector<Chord> choose_chords(Placement& placement) {
 // Whether the placement is what its goal asks for.
 bool reaches_goal(const Placement& placement) {
   if (placement.teams.empty()) return false;
-  return goal_of(placement.settings) == Goal::cover || placement.closure.form_closure;
+  return goal_of(placement.settings) == Goal::cover || hold_clearly(placement);
 }
 
 // Fills in everything of a placement that follows from the points at which robots lift.
@@ -102,9 +102,11 @@ void choose_teams(Placement& placement, Effort effort) {
 
 Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
                                              const Settings& settings, const Stands* stands) {
-  if (!stands) return find_candidates(polygon, centre, settings.min_ratio, settings.positions);
+  const double clear = firm_hold(polygon, centre, settings).clear;
+  if (!stands)
+    return find_candidates(polygon, centre, settings.min_ratio, settings.positions, clear);
   auto found =
-      standing_candidates(polygon, centre, settings.min_ratio, *stands, settings.positions);
+      standing_candidates(polygon, centre, settings.min_ratio, *stands, settings.positions, clear);
   if (!found) return found.error();
   return std::move(found->candidates);
 }
@@ -124,6 +126,16 @@ std::optional<InputError> check_balanced(const Settings& settings) {
 void describe_grasp(Placement& placement) {
   placement.loads = summarize_loads(placement.teams);
   describe_grasp(placement, lifting_points(placement.teams));
+}
+
+FirmHold firm_hold(const Placement& placement) {
+  return firm_hold(placement.polygon, placement.centre_of_mass, placement.settings);
+}
+
+bool hold_clearly(const Placement& placement) {
+  const Closure& closure = placement.closure;
+  return closure.form_closure &&
+         is_clear(placement.polygon, closure.clearance, firm_hold(placement).clear);
 }
 
 std::vector<LiftingPoint> contact_points(const Placement& placement) {

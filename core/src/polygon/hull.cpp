@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "evenlift/predicates.h"
@@ -63,6 +64,14 @@ double squared_distance(const Vec2& a, const Vec2& b) {
   return dot(d, d);
 }
 
+// Whether the corner c between a and b is one that rounding alone makes: within `flat` of either, or on the
+// side from a to b, within tau of its length.
+bool is_on_side(const Vec2& a, const Vec2& c, const Vec2& b, double flat) {
+  if (squared_distance(a, c) <= flat * flat || squared_distance(c, b) <= flat * flat) return true;
+  const double squared = squared_distance(a, b), along = dot(c - a, b - a);
+  return along >= 0 && along <= squared && std::fabs(orient(a, b, c)) <= tau * squared;
+}
+
 // Leaves out the corners that rounding alone makes: those within `flat` of the corner before them,
 // and those on a straight run, whose distance from the side that spans the run is at most tau of
 // its length. The tip of a thin hull may be as near to the line of that side, but lies beyond its
@@ -77,15 +86,8 @@ Points without_straight_corners(const Points& hull, double flat) {
   }
   const auto corner = [&](std::size_t i) -> const Vec2& { return hull[(start + i) % n]; };
   const auto is_straight = [&](std::size_t from, std::size_t to) {
-    const Vec2 &a = corner(from), &b = corner(to);
-    const double squared = squared_distance(a, b);
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const Vec2& c = corner(i);
-      if (squared_distance(a, c) <= flat * flat || squared_distance(c, b) <= flat * flat) continue;
-      const double along = dot(c - a, b - a);
-      if (along < 0 || along > squared) return false;
-      if (std::fabs(orient(a, b, c)) > tau * squared) return false;
-    }
+    for (std::size_t i = from + 1; i < to; ++i)
+      if (!is_on_side(corner(from), corner(i), corner(to), flat)) return false;
     return true;
   };
   Points kept{corner(0)};
@@ -115,6 +117,53 @@ Points hull_of_sorted(Points points, double flat) {
   return flat > 0 ? without_straight_corners(hull, flat) : hull;
 }
 
+// A side of a hull that a point is beyond, by bisection over the triangles that the first corner makes with
+// the sides; nothing if the point is inside or on the rim. O(log h).
+std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
+  const std::size_t n = hull.size();
+  if (orient(hull[0], hull[1], p) < 0) return 0;
+  if (orient(hull[n - 1], hull[0], p) < 0) return n - 1;
+  std::size_t low = 1, high = n - 1;  // p is left of the line to `low`, and not left of that to `high`
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (orient(hull[0], hull[middle], p) > 0 ? low : high) = middle;
+  }
+  return orient(hull[low], hull[high], p) < 0 ? std::optional(low) : std::nullopt;
+}
+
+// A hull with one more point, by the sides that the point is beyond. Nothing where a corner beside the point
+// is one that rounding makes, which takes a look at the whole hull. O(h), of which little is arithmetic.
+std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat) {
+  const std::size_t n = hull.size();
+  const auto side = [&](std::size_t i) { return orient(hull[i % n], hull[(i + 1) % n], p); };
+  const auto visible = side_before(hull, p);
+  if (!visible) return hull;
+  if (is_on_side(hull[*visible], p, hull[(*visible + 1) % n], flat)) return hull;
+  // The sides that p is beyond, or in line with: from `first` on, `number` of them.
+  std::size_t first = *visible, number = 1;
+  while (number < n && side(first + n - 1) <= 0) {
+    first = (first + n - 1) % n;
+    ++number;
+  }
+  while (number < n && side(first + number) <= 0) ++number;
+  if (number + 2 > n) return std::nullopt;
+  Points widened;
+  widened.reserve(n + 1);
+  widened.push_back(p);
+  for (std::size_t i = first + number; i <= first + n; ++i) widened.push_back(hull[i % n]);
+  const std::size_t m = widened.size();
+  for (const std::size_t i : {m - 1, m, m + 1})
+    if (is_on_side(widened[(i - 1) % m], widened[i % m], widened[(i + 1) % m], flat))
+      return std::nullopt;
+  std::rotate(widened.begin(),
+              std::min_element(widened.begin(), widened.end(), lexicographically_before),
+              widened.end());
+  return widened;
+}
+
+// So many corners that it pays to look for the sides that change.
+constexpr std::size_t many_corners = 64;
+
 }  // namespace
 
 Points convex_hull(Points points, double flat) {
@@ -125,6 +174,9 @@ Points convex_hull(Points points, double flat) {
 }
 
 Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat) {
+  if (hull.size() >= many_corners)
+    if (auto with_p = with_point(hull, p, flat))
+      if (auto with_both = with_point(*with_p, q, flat)) return *std::move(with_both);
   const auto right = std::max_element(hull.begin(), hull.end(), lexicographically_before);
   Points points;
   points.reserve(hull.size() + 2);

@@ -234,6 +234,14 @@ Turn Polygon::turn(std::size_t i) const {
   return turn_side(i) > 0 ? Turn::convex : Turn::reflex;
 }
 
+bool Polygon::is_corner(std::size_t i) const {
+  if (turn(i) != Turn::convex) return false;
+  constexpr double cosine_of_15_degrees = 0.96592582628906828675;
+  const Vec2 before = vertices_[i] - vertices_[previous(i)],
+             after = vertices_[next(i)] - vertices_[i];
+  return dot(before, after) < (cosine_of_15_degrees - tau) * length(before) * length(after);
+}
+
 double Polygon::turn_side(std::size_t i) const {
   const double side = orient(vertices_[previous(i)], vertices_[i], vertices_[next(i)]);
   return counter_clockwise_ ? side : -side;

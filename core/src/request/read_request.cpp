@@ -175,9 +175,17 @@ Problem Reader::take_settings(Index object, Document& document) const {
     const auto setting = setting_from_name(name);
     if (!setting || *setting == Setting::loads || *setting == Setting::failed)
       return error(i, "there is no setting \"" + name + "\"", ErrorCode::bad_setting);
-    if (tree_.kind(i) == Kind::null) continue;  // as if it were not given
-    if (auto wrong = read_setting(*setting, value_text(i), document)) return wrong;
+    if (tree_.member(*settings, name) != i)
+      return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);
   }
+  // The order of members means nothing: all of a robot's size comes before its parts.
+  for (const bool whole_robot : {true, false})
+    for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
+      const Setting setting = *setting_from_name(tree_.name(i));
+      if ((setting == Setting::robot) != whole_robot) continue;
+      if (tree_.kind(i) == Kind::null) continue;  // as if it were not given
+      if (auto wrong = read_setting(setting, value_text(i), document)) return wrong;
+    }
   return std::nullopt;
 }
 

@@ -94,7 +94,8 @@ std::string placement_answer(const Request& request, const Placement& placement)
   std::optional<CapacityInJson> capacity;
   const Settings& settings = placement.settings;
   if (settings.capacity)
-    capacity = CapacityInJson{*settings.capacity, plan_capacity(placement, *settings.capacity)};
+    capacity = CapacityInJson{*settings.capacity, plan_capacity(placement, *settings.capacity),
+                              plan_for_failures(placement, *settings.capacity)};
   return placement_json(placement, request.candidates, capacity,
                         {settings.com_radius, request.failures});
 }

@@ -56,10 +56,10 @@ int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
 
 // The least number of robots on one side of a line through C.
 //
-// C and each robot lie at most L apart, so an arc differs from half a turn by at least tau on either
-// side, and the rounding of directions, some 1e-16, decides only what is at the tolerance's own edge.
-int depth(const Points& robots, const Vec2& centre, double diameter, OnTheLine on_the_line) {
-  const double near = near_distance(known_size(robots, centre, diameter));
+// C and each robot lie at most L apart, and `near` is at least tau L, so an arc differs from half a turn by
+// at least tau on either side, and the rounding of directions, some 1e-16, decides only what is at the
+// tolerance's own edge.
+int depth(const Points& robots, const Vec2& centre, double near, OnTheLine on_the_line) {
   std::vector<Arc> arcs;
   arcs.reserve(robots.size());
   int at_centre = 0;
@@ -75,14 +75,19 @@ int depth(const Points& robots, const Vec2& centre, double diameter, OnTheLine o
   return always + least_overlap(arcs, on_the_line);
 }
 
+double tolerance(const Points& robots, const Vec2& centre, double diameter) {
+  return near_distance(known_size(robots, centre, diameter));
+}
+
 }  // namespace
 
 int failures_carried(const Points& robots, const Vec2& centre, double diameter) {
-  return depth(robots, centre, diameter, OnTheLine::counts) - 1;
+  return depth(robots, centre, tolerance(robots, centre, diameter), OnTheLine::counts) - 1;
 }
 
-int failures_steady(const Points& robots, const Vec2& centre, double diameter) {
-  return depth(robots, centre, diameter, OnTheLine::does_not) - 1;
+int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside) {
+  const double near = tolerance(robots, centre, diameter);
+  return depth(robots, centre, std::max(near, inside - near), OnTheLine::does_not) - 1;
 }
 
 }  // namespace evenlift

@@ -1,33 +1,63 @@
 // Which robots get into each other's way.
 #include <algorithm>
+#include <cmath>
 
 #include "evenlift/plane.h"
+#include "evenlift/predicates.h"
 #include "evenlift/stands.h"
 
 namespace evenlift {
 namespace {
 
-bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const auto sides_differ = [](const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
-    return (cross(q - p, r - p) > 0) != (cross(q - p, s - p) > 0);
-  };
-  return sides_differ(a, b, c, d) && sides_differ(c, d, a, b);
+struct Segment {
+  Vec2 from, to;
+};
+
+// Whether the ends of a segment lie on different sides of the line of another, both more than
+// `near` away.
+bool parts_ends(const Segment& line, const Segment& other, double near) {
+  const double close = near * length(line.to - line.from);
+  const double a = orient(line.from, line.to, other.from), b = orient(line.from, line.to, other.to);
+  return std::fabs(a) > close && std::fabs(b) > close && (a > 0) != (b > 0);
 }
 
-double distance_of_segments(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  if (cross_each_other(a, b, c, d)) return 0;
-  return std::min({distance_to_segment(c, d, a), distance_to_segment(c, d, b),
-                   distance_to_segment(a, b, c), distance_to_segment(a, b, d)});
+// Whether two segments cross, by more than `near`: those that only touch do not.
+bool cross_each_other(const Segment& a, const Segment& b, double near) {
+  return parts_ends(a, b, near) && parts_ends(b, a, near);
+}
+
+double distance_of_segments(const Segment& a, const Segment& b) {
+  if (cross_each_other(a, b, 0)) return 0;
+  return std::min(
+      {distance_to_segment(b.from, b.to, a.from), distance_to_segment(b.from, b.to, a.to),
+       distance_to_segment(a.from, a.to, b.from), distance_to_segment(a.from, a.to, b.to)});
 }
 
 }  // namespace
 
-bool Stands::collide(const LiftingPoint& a, const LiftingPoint& b) const {
+bool Stands::bodies_collide(const LiftingPoint& a, const LiftingPoint& b) const {
   const double apart = 2 * robot_.radius + robot_.gap - near_;
-  if (apart > 0 && length(stand(a) - stand(b)) < apart) return true;
-  if (robot_.width <= near_) return false;
-  return distance_of_segments(contact(a), a.position, contact(b), b.position) <
-         robot_.width - near_;
+  return apart > 0 && length(stand(a) - stand(b)) < apart;
+}
+
+// Without a reach an arm is within its own body, and that keeps off the other one.
+bool Stands::arms_collide(const LiftingPoint& a, const LiftingPoint& b) const {
+  if (robot_.reach <= 0) return false;
+  const Segment arm_a{contact(a), stand(a)}, arm_b{contact(b), stand(b)};
+  const double clear = robot_.radius + robot_.gap - near_;
+  return (clear > 0 && (distance_to_segment(arm_a.from, arm_a.to, arm_b.to) < clear ||
+                        distance_to_segment(arm_b.from, arm_b.to, arm_a.to) < clear)) ||
+         cross_each_other(arm_a, arm_b, near_);
+}
+
+bool Stands::hands_collide(const LiftingPoint& a, const LiftingPoint& b) const {
+  return robot_.width > near_ &&
+         distance_of_segments({contact(a), a.position}, {contact(b), b.position}) <
+             robot_.width - near_;
+}
+
+bool Stands::collide(const LiftingPoint& a, const LiftingPoint& b) const {
+  return bodies_collide(a, b) || arms_collide(a, b) || hands_collide(a, b);
 }
 
 bool Stands::any_collide(const std::vector<LiftingPoint>& points) const {

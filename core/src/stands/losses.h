@@ -10,7 +10,8 @@
 
 namespace evenlift {
 
-inline constexpr std::size_t reasons_to_lose = 5;  // all of WhyUnusable but `narrow`
+// All of WhyUnusable but `narrow`, which is the last.
+inline constexpr std::size_t reasons_to_lose = static_cast<std::size_t>(WhyUnusable::narrow);
 
 class Losses {
  public:

@@ -24,8 +24,23 @@ std::vector<char> forbidden_vertices(const Polygon& polygon, const std::vector<E
 }  // namespace
 
 std::string_view name(WhyUnusable why) {
-  constexpr std::string_view names[] = {"no_go", "body", "arm", "corner", "hand", "narrow"};
-  return names[static_cast<std::size_t>(why)];
+  switch (why) {
+    case WhyUnusable::no_go:
+      return "no_go";
+    case WhyUnusable::body:
+      return "body";
+    case WhyUnusable::arm:
+      return "arm";
+    case WhyUnusable::corner:
+      return "corner";
+    case WhyUnusable::hand:
+      return "hand";
+    case WhyUnusable::near_no_go:
+      return "near_no_go";
+    case WhyUnusable::narrow:
+      return "narrow";
+  }
+  return {};
 }
 
 Stands::Stands(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go)

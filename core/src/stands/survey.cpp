@@ -45,9 +45,13 @@ void Surveyor::add_no_go(std::uint32_t edge, double size, Losses& losses) const 
   const auto first =
       std::lower_bound(no_go_.begin(), no_go_.end(), edge,
                        [](const EdgePart& part, std::uint32_t e) { return part.edge < e; });
-  for (auto part = first; part != no_go_.end() && part->edge == edge; ++part)
-    losses.add(WhyUnusable::no_go, {part->from == 0 ? -infinity : part->from * size,
-                                    part->to == 1 ? infinity : part->to * size});
+  const double half = robot_.width / 2;
+  for (auto part = first; part != no_go_.end() && part->edge == edge; ++part) {
+    const Stretch marked{part->from == 0 ? -infinity : part->from * size,
+                         part->to == 1 ? infinity : part->to * size};
+    losses.add(WhyUnusable::no_go, marked);
+    if (half > 0) losses.add(WhyUnusable::near_no_go, {marked.from - half, marked.to + half});
+  }
 }
 
 void Surveyor::add_corners(std::uint32_t edge, double size, Losses& losses) const {

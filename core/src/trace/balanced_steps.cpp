@@ -138,7 +138,7 @@ void look_at_failure(const Trace& trace, StepDetail& detail, BalancedDetail& bal
   balanced.robots.erase(balanced.robots.begin() + failed);
   balanced.numbers.erase(balanced.numbers.begin() + failed);
   if (auto springs = spring_loads(positions(balanced.robots), trace.centre,
-                                  trace.polygon.diagonal(), trace.placement.settings.weight))
+                                  trace.polygon.diameter(), trace.placement.settings.weight))
     balanced.loads = std::move(springs->loads);
 }
 

@@ -9,12 +9,15 @@
 
 namespace evenlift {
 
-// The margin (closure.h) of robots that lift at these points, where they touch the object; none
-// without contacts.
+// The margin (closure.h) of robots that lift at these points, where they touch the object, by the contacts
+// that count: those that are far enough from corners. None without such contacts.
 inline std::optional<double> margin_of(const Trace& trace,
                                        const std::vector<LiftingPoint>& robots) {
-  const auto touching = contact_points(trace.placement.stands.get(), robots);
-  return analyse_hold(trace.polygon, trace.centre, touching).margin;
+  const Placement& placement = trace.placement;
+  const auto touching = contacts(trace.polygon, contact_points(placement.stands.get(), robots));
+  const double clear = firm_hold(placement).clear;
+  return analyse_hold(trace.polygon, trace.centre, clear_contacts(trace.polygon, touching, clear))
+      .margin;
 }
 
 }  // namespace evenlift

@@ -48,8 +48,8 @@ StandsDetail look_at_stands(const Trace& trace) {
   }
   if (!stands.has_body()) return detail;
   detail.fits = roomiest(trace.polygon, stands);
-  for (const WhyUnusable why :
-       {WhyUnusable::body, WhyUnusable::arm, WhyUnusable::corner, WhyUnusable::hand}) {
+  for (const WhyUnusable why : {WhyUnusable::body, WhyUnusable::arm, WhyUnusable::corner,
+                                WhyUnusable::hand, WhyUnusable::near_no_go}) {
     const std::uint32_t part = longest[static_cast<std::size_t>(why)];
     if (part == no_index) continue;
     detail.misfits.push_back({part, contact_at(trace.polygon, parts[part].edge, parts[part].part)});

@@ -193,6 +193,9 @@ void StepNumbers::result() {
   count("teams", placement_.teams.size());
   add("coverage", placement_.coverage);
   count("form_closure", placement_.closure.form_closure);
+  if (!trace_.moved) return;
+  add("moved_coverage", trace_.moved->coverage);
+  count("moved_form_closure", trace_.moved->closure.form_closure);
 }
 
 }  // namespace evenlift

@@ -180,9 +180,11 @@ std::optional<InputError> collect_candidates(Trace& trace) {
   const double min_ratio = trace.placement.settings.min_ratio;
   const Positions positions = trace.placement.settings.positions;
   const Stands* stands = trace.placement.stands.get();
+  const double clear = firm_hold(trace.placement).clear;
   auto traced =
-      stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands, positions)
-             : trace_candidates(trace.polygon, trace.centre, min_ratio, positions);
+      stands
+          ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands, positions, clear)
+          : trace_candidates(trace.polygon, trace.centre, min_ratio, positions, clear);
   if (!traced) return traced.error();
   trace.candidate_of_source = std::move(traced->of_source);
   for (std::uint32_t source = 0; source < traced->ranges_of_source.size(); ++source) {
@@ -233,7 +235,7 @@ void trace_exchanges(Trace& trace) {
                      select_teams(trace.polygon, trace.centre, placement.candidates,
                                   settings.method, placement.requested_teams,
                                   first_team(settings.positions), placement.stands.get()),
-                     settings.min_margin, placement.stands.get());
+                     firm_hold(placement), placement.stands.get());
   trace.stages.push_back(teams_on(placement, trace.exchanges->start));
   for (const Exchange& exchange : trace.exchanges->exchanges)
     trace.stages.push_back(teams_on(placement, exchange.taken));
@@ -246,7 +248,9 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
   if (!placement.moved.teams.empty()) {
     const auto found = place(placement.polygon, placement.centre_of_mass, placement.settings);
     if (!found) return found.error();
-    return make_trace(*found, length);
+    Result<Trace> trace = make_trace(*found, length);
+    if (trace) trace->moved = placement;
+    return trace;
   }
   Trace trace{.placement = placement,
               .polygon = placement.polygon,
@@ -267,7 +271,9 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
               .history = {},
               .robot_numbers = {},
               .in_pairs = {},
+              .moved = {},
               .blocks = {}};
+  if (placement.moved.any()) trace.moved = placement;
   if (placement.settings.method == Method::balanced)
     if (auto error = trace_search(trace, length)) return *error;
   if (trace.by_candidates())

@@ -38,9 +38,19 @@ void find_standing(const Trace& trace, PairDetail& detail) {
 }  // namespace
 
 std::string_view name(Outcome outcome) {
-  constexpr std::string_view names[] = {"bisecting", "nearer_end", "too_uneven", "midpoint",
-                                        "parallel_low"};
-  return names[static_cast<std::size_t>(outcome)];
+  switch (outcome) {
+    case Outcome::bisecting:
+      return "bisecting";
+    case Outcome::nearer_end:
+      return "nearer_end";
+    case Outcome::too_uneven:
+      return "too_uneven";
+    case Outcome::midpoint:
+      return "midpoint";
+    case Outcome::parallel_low:
+      return "parallel_low";
+  }
+  return {};
 }
 
 PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {

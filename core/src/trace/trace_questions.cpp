@@ -113,7 +113,7 @@ const Chord& chord_of_choice(const Trace& trace, const StepDetail& detail, const
 OtherSwap compare_swap(const Trace& trace, const StepDetail& detail, const Question& question,
                        std::uint32_t choice) {
   const Placement& placement = trace.placement;
-  const double firm = placement.settings.min_margin;
+  const FirmHold firm = firm_hold(placement);
   const Stands* stands = placement.stands.get();
   std::vector<std::uint32_t> taken = taken_before(trace, detail.step.item);
   OtherSwap other;

@@ -1,6 +1,6 @@
 // The detail of a choice: the score of every candidate, by the selection's own gain functions.
 #include <algorithm>
-#include <span>
+#include <array>
 
 #include "evenlift/selection.h"
 #include "evenlift/tolerance.h"
@@ -18,22 +18,32 @@ struct Key {
   DecidedBy decided_by;  // the answer where candidates differ in it
 };
 
-// The keys of each rule, in the order of the enumeration. A first team has only two different keys;
-// its third repeats one of them and tells nothing new.
-constexpr Key keys_of_rule[4][3] = {
-    {{Quantity::length, DecidedBy::first_key},
-     {Quantity::ratio, DecidedBy::ratio},
-     {Quantity::length, DecidedBy::length}},
-    {{Quantity::ratio, DecidedBy::first_key},
-     {Quantity::length, DecidedBy::length},
-     {Quantity::ratio, DecidedBy::length}},
-    {{Quantity::score, DecidedBy::first_key},
-     {Quantity::ratio, DecidedBy::ratio},
-     {Quantity::length, DecidedBy::length}},
-    {{Quantity::length, DecidedBy::first_key},
-     {Quantity::ratio, DecidedBy::ratio},
-     {Quantity::length, DecidedBy::length}},
-};
+using Keys = std::array<Key, 3>;
+
+// A first team has only two different keys; its third repeats one of them and tells nothing new.
+constexpr Keys by_length{{{Quantity::length, DecidedBy::first_key},
+                          {Quantity::ratio, DecidedBy::ratio},
+                          {Quantity::length, DecidedBy::length}}};
+constexpr Keys by_ratio{{{Quantity::ratio, DecidedBy::first_key},
+                         {Quantity::length, DecidedBy::length},
+                         {Quantity::ratio, DecidedBy::length}}};
+constexpr Keys by_score{{{Quantity::score, DecidedBy::first_key},
+                         {Quantity::ratio, DecidedBy::ratio},
+                         {Quantity::length, DecidedBy::length}}};
+
+// There is no default, so that the compiler asks for the keys of each rule.
+const Keys& keys_of(Rule rule) {
+  switch (rule) {
+    case Rule::longest_even:
+    case Rule::longest:
+      return by_length;
+    case Rule::most_even:
+      return by_ratio;
+    case Rule::score:
+      break;
+  }
+  return by_score;
+}
 
 // The selection's tournament: at each key the candidates that tie with the best stay in. A
 // candidate's `stage` is the number of keys that it survived.
@@ -63,9 +73,7 @@ class Tournament {
   }
 
  private:
-  std::span<const Key, 3> keys() const {
-    return keys_of_rule[static_cast<std::size_t>(scores_.rule)];
-  }
+  const Keys& keys() const { return keys_of(scores_.rule); }
 
   double key(std::uint32_t i, std::uint32_t which) const {
     switch (keys()[which].quantity) {

@@ -11,13 +11,20 @@ values of the program's options (see Settings). What is wrong with them raises E
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, Mapping, Optional, Sequence, TypedDict, Union
+from typing import TYPE_CHECKING, Mapping, Optional, Sequence, Union
 
+from . import _requests, types
 from ._library import EvenliftError, answer, ask
 from ._results import Candidates, Experiment, Placement
+from .types import Point, Polygon, PoseFormat, PoseOrigin, Settings
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
+else:
+    try:
+        from typing import Unpack
+    except ImportError:  # before Python 3.11; those who ask for the hints get the settings themselves
+        Unpack = {Settings: Settings}
 
 __all__ = [
     "Candidates",
@@ -32,60 +39,9 @@ __all__ = [
     "place",
     "poses",
     "svg",
+    "types",
     "version",
 ]
-
-Point = Sequence[float]
-Polygon = Union[str, Sequence[Point], Any]  # Any stands for NumPy's arrays
-
-
-class Settings(TypedDict, total=False):
-    """What may be set; docs/cli.md of the repository tells more of each. None means as usual."""
-
-    teams: Union[int, Literal["max"], None]
-    metric: Literal["area", "circle", "distance", "distributed", "random", "balanced", None]
-    min_ratio: Optional[float]
-    weight: Optional[float]
-    seed: Optional[int]
-    robots: Optional[int]
-    goal: Literal["cover", "hold", None]
-    min_margin: Optional[float]
-    apart: Optional[float]
-    survive: Optional[int]
-    positions: Literal["best", "range", None]
-    robot: Optional[str]
-    robot_radius: Optional[float]
-    robot_reach: Optional[float]
-    robot_depth: Optional[float]
-    robot_width: Optional[float]
-    robot_gap: Optional[float]
-    no_go: Optional[str]
-    com_radius: Optional[float]
-    capacity: Optional[float]
-    overlays: Optional[str]
-    unit: Literal["m", "cm", "mm", "in", "none", None]
-    weight_unit: Literal["kg", "t", "N", "lb", None]
-
-
-def _shape(polygon: Polygon) -> dict[str, Any]:
-    """The members of a request that say what the polygon is."""
-    if isinstance(polygon, str):
-        return {"text": polygon}
-    return {"polygon": [[float(x), float(y)] for x, y in polygon]}
-
-
-def _request(polygon: Polygon, centre_of_mass: Optional[Point], settings: Mapping[str, Any]) -> dict[str, Any]:
-    request = _shape(polygon)
-    if centre_of_mass is not None:
-        x, y = centre_of_mass
-        request["centre_of_mass"] = [float(x), float(y)]
-    request["settings"] = {name: _plain(value) for name, value in settings.items()}
-    return request
-
-
-def _plain(value: Any) -> Any:
-    """NumPy's numbers as Python's."""
-    return value.item() if hasattr(value, "item") else value
 
 
 def place(
@@ -97,42 +53,46 @@ def place(
     **settings: Unpack[Settings],
 ) -> Placement:
     """Places robots under the object. `candidates` lists the candidate chords, too, and `failures` what happens if a robot fails."""
-    request = _request(polygon, centre_of_mass, settings)
+    asked = _requests.request(polygon, centre_of_mass, settings, also=("candidates", "failures"))
     if candidates:
-        request["candidates"] = True
+        asked["candidates"] = True
     if failures:
-        request["failures"] = True
-    return Placement(request)
+        asked["failures"] = True
+    return Placement(asked)
 
 
 def candidates(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> Candidates:
-    """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}: at the best places and as points. Of the
-    settings only min_ratio and the centre of mass count."""
-    return Candidates({"command": "candidates", **_request(polygon, centre_of_mass, settings)})
+    """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}. Of the settings those count that have a say in
+    it: min_ratio, centre_of_mass, positions, the robots' size and no_go."""
+    return Candidates({"command": "candidates", **_requests.request(polygon, centre_of_mass, settings)})
 
 
 def svg(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, candidates: bool = False, **settings: Unpack[Settings]) -> str:
     """The placement as a picture, which also opens in evenlift's page."""
-    return ask({"command": "svg", **_request(polygon, centre_of_mass, settings), "candidates": candidates})["svg"]
+    asked = _requests.request(polygon, centre_of_mass, settings, also=("candidates",))
+    picture: str = ask({"command": "svg", **asked, "candidates": bool(candidates)})["svg"]
+    return picture
 
 
 def poses(
     polygon: Polygon,
     *,
-    format: Literal["csv", "json", "yaml"] = "json",
+    format: PoseFormat = "json",
     frame: str = "object",
-    origin: Literal["file", "com"] = "file",
+    origin: PoseOrigin = "file",
     centre_of_mass: Optional[Point] = None,
     **settings: Unpack[Settings],
 ) -> str:
     """The robots' poses as the text of a file; YAML is a geometry_msgs/msg/PoseArray of ROS 2."""
-    request = _request(polygon, centre_of_mass, settings)
-    return ask({"command": "poses", **request, "format": format, "frame": frame, "origin": origin})["poses"]
+    asked = _requests.request(polygon, centre_of_mass, settings, also=("format", "frame", "origin"))
+    text: str = ask({"command": "poses", **asked, **_requests.pose_options(format, frame, origin)})["poses"]
+    return text
 
 
 def link(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> str:
     """The share link of the polygon with its settings."""
-    return ask({"command": "link", **_request(polygon, centre_of_mass, settings)})["link"]
+    fragment: str = ask({"command": "link", **_requests.request(polygon, centre_of_mass, settings)})["link"]
+    return fragment
 
 
 def experiment(
@@ -147,14 +107,15 @@ def experiment(
     with 30 candidates some seconds. Polygons have their names in a mapping, and else numbers. One that cannot be measured is left
     out, and `refused` says why."""
     named = polygons.items() if isinstance(polygons, Mapping) else ((f"polygon {i}", p) for i, p in enumerate(polygons, 1))
-    asked = [{"name": name, **_shape(polygon)} for name, polygon in named]
     settings = {"min_ratio": min_ratio, "samples": samples, "max_teams": max_teams, "max_balanced": max_balanced}
-    return Experiment({"command": "experiment", "polygons": asked, "settings": {k: _plain(v) for k, v in settings.items()}})
+    asked = {"command": "experiment", "polygons": _requests.named_shapes(named), "settings": _requests.values(settings)}
+    return Experiment(asked)
 
 
 def version() -> str:
     """The version of the library inside."""
-    return ask({"command": "version"})["version"]
+    number: str = ask({"command": "version"})["version"]
+    return number
 
 
 __version__ = version()

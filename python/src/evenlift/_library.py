@@ -8,6 +8,8 @@ import pathlib
 import sys
 from typing import Any, Optional
 
+from .types import Place
+
 _name = {"win32": "evenlift.dll", "darwin": "libevenlift.dylib"}.get(sys.platform, "libevenlift.so")
 _library = ctypes.CDLL(str(pathlib.Path(__file__).with_name(_name)))
 _library.evenlift_run.argtypes = [ctypes.c_char_p]
@@ -19,17 +21,33 @@ _library.evenlift_free.restype = None
 class EvenliftError(ValueError):
     """A request that evenlift cannot answer. `code` is one word for programs, `place` says where, if that is known."""
 
-    def __init__(self, message: str, code: str, place: Optional[dict[str, Any]]) -> None:
+    code: str
+    place: Optional[Place]
+
+    def __init__(self, message: str, code: str, place: Optional[Place] = None) -> None:
         super().__init__(message)
         self.code = code
         self.place = place
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made_again, (type(self), self.args), self.__dict__
+
+
+def _made_again(kind: type[EvenliftError], args: tuple[Any, ...]) -> EvenliftError:
+    """An error of a copy or of another process, whose attributes follow. Without __init__, whose arguments an error does not keep
+    and a subclass may change: pools of processes would wait for ever for an error that cannot be made again."""
+    return kind.__new__(kind, *args)
 
 
 def answer(request: str) -> str:
     """The answer to a request, both JSON (docs/requests.md). Other threads run meanwhile."""
     if "\0" in request:
-        raise EvenliftError("a request has no zero bytes", "bad_syntax", None)
-    pointer = _library.evenlift_run(request.encode("utf-8"))
+        raise EvenliftError("A request has no zero bytes", "bad_syntax")
+    try:
+        data = request.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise EvenliftError(f"Character {error.start + 1} of the request is half a character", "bad_syntax") from None
+    pointer = _library.evenlift_run(data)
     if not pointer:
         raise MemoryError
     try:
@@ -50,4 +68,5 @@ def ask_for_text(request: dict[str, Any]) -> str:
 
 
 def ask(request: dict[str, Any]) -> dict[str, Any]:
-    return json.loads(ask_for_text(request))
+    answered: dict[str, Any] = json.loads(ask_for_text(request))
+    return answered

@@ -7,13 +7,16 @@ import io
 import json
 from typing import TYPE_CHECKING, Any, Optional, Union
 
+from . import types
 from ._library import ask, ask_for_text
 
 if TYPE_CHECKING:
-    import numpy
+    from ._members import ExperimentMembers, PlacementMembers  # pyright: ignore[reportMissingModuleSource]
+else:
+    ExperimentMembers = PlacementMembers = dict
 
 
-class Placement(dict[str, Any]):
+class Placement(PlacementMembers):
     """What `evenlift place --json` prints, as a dictionary (docs/cli.md lists its members). `json` has its very bytes."""
 
     def __init__(self, request: dict[str, Any]) -> None:
@@ -25,34 +28,41 @@ class Placement(dict[str, Any]):
         """The placement as a picture."""
         shown = {name: self._request[name] for name in ("polygon", "text", "centre_of_mass", "settings") if name in self._request}
         listed = bool(self._request.get("candidates")) if candidates is None else candidates
-        return ask({"command": "svg", **shown, "candidates": listed})["svg"]
+        picture: str = ask({"command": "svg", **shown, "candidates": listed})["svg"]
+        return picture
 
     def _repr_svg_(self) -> str:
         return self.svg()
 
-    def arrays(self) -> dict[str, numpy.ndarray]:
+    def arrays(self) -> types.PlacementArrays:
         """The numbers as NumPy arrays: `polygon` and `hull` (n × 2), and in the robots' order `at`, `stand` and `contact`
         (m × 2), `load`, `heading` in degrees, and `team`."""
         import numpy
 
-        robots = self.get("robots", [])
-        arrays = {name: numpy.array(self[name], dtype=float).reshape(-1, 2) for name in ("polygon", "hull")}
-        for name in ("at", "stand", "contact"):
-            arrays[name] = numpy.array([robot[name] for robot in robots], dtype=float).reshape(-1, 2)
-        for name in ("load", "heading"):
-            arrays[name] = numpy.array([robot[name] for robot in robots], dtype=float)
-        arrays["team"] = numpy.array([robot["team"] for robot in robots], dtype=int)
-        return arrays
+        def points(of: list[types.Position]) -> types.FloatArray:
+            return numpy.array(of, dtype=float).reshape(-1, 2)
+
+        robots = self.get("robots") or []
+        return {
+            "polygon": points(self["polygon"]),
+            "hull": points(self["hull"]),
+            "at": points([robot["at"] for robot in robots]),
+            "stand": points([robot["stand"] for robot in robots]),
+            "contact": points([robot["contact"] for robot in robots]),
+            "load": numpy.array([robot["load"] for robot in robots], dtype=float),
+            "heading": numpy.array([robot["heading"] for robot in robots], dtype=float),
+            "team": numpy.array([robot["team"] for robot in robots], dtype=int),
+        }
 
 
-class Candidates(list[dict[str, Any]]):
+class Candidates(list[types.Candidate]):
     """Candidate chords in candidate order, each {"ends", "ratio", "kind"}."""
 
     def __init__(self, request: dict[str, Any]) -> None:
         self.json = ask_for_text(request)
         super().__init__(json.loads(self.json)["candidates"])
 
-    def arrays(self) -> dict[str, numpy.ndarray]:
+    def arrays(self) -> types.CandidateArrays:
         """`ends` (n × 2 × 2) and `ratio` (n) as NumPy arrays."""
         import numpy
 
@@ -63,40 +73,42 @@ class Candidates(list[dict[str, Any]]):
 def _number(text: str) -> Union[int, float, str, None]:
     if text == "":
         return None
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return text
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        return float(text)
+    except ValueError:
+        return text
 
 
 _names = {"set", "polygon", "method", "metric", "problem"}  # columns of words, whatever they look like
 
 
-class Experiment(dict[str, Any]):
+class Experiment(ExperimentMembers):
     """What `evenlift experiment` finds. `measurements`, `aggregates` and `polygons` are lists of rows, each a dictionary by the
     columns of the files of the same names, with None where a field is empty; csv() has the files themselves."""
 
     def __init__(self, request: dict[str, Any]) -> None:
         self.json = ask_for_text(request)
         content = json.loads(self.json)
-        self._tables = {name: content[name] for name in ("measurements", "aggregates", "polygons")}
+        self._tables: dict[str, str] = {name: content[name] for name in ("measurements", "aggregates", "polygons")}
         for name, text in self._tables.items():
             rows = csv.DictReader(io.StringIO(text, newline=""))
             content[name] = [{k: v if k in _names else _number(v) for k, v in row.items()} for row in rows]
         super().__init__(content)
 
-    def csv(self, table: str = "measurements") -> str:
+    def csv(self, table: types.Table = "measurements") -> str:
         """A table as the text of a CSV file, the bytes that the program writes."""
         return self._tables[table]
 
-    def arrays(self, table: str = "measurements") -> dict[str, numpy.ndarray]:
+    def arrays(self, table: types.Table = "measurements") -> dict[str, types.Array]:
         """A table's columns as NumPy arrays; where a field of numbers is empty there is NaN."""
         import numpy
 
-        rows = self[table]
-        columns = {}
+        rows: Any = self[table]
+        columns: dict[str, types.Array] = {}
         for name in next(csv.reader(io.StringIO(self._tables[table], newline=""))):
             values = [row[name] for row in rows]
             columns[name] = numpy.array(values) if name in _names else numpy.array(values, dtype=float)

@@ -30,6 +30,7 @@ struct Aggregate {
   Statistics max_share;        // 0.5 .. 1 (5.5, 5.6)
   Statistics coverage;         // 0 .. 1 (5.7, 5.8)
   double closed = 0;           // part of these polygons in form closure, 0 .. 1
+  double held_clear = 0;       // and by contacts that are clear of corners, 0 .. 1
   // `closable` is the number of polygons that at least one placement of teams of two closes, by any
   // method, and `form_closure` the fraction of those that this method closes (figure 5.11). The
   // other two are the same by the thesis's own, weaker test.

@@ -15,6 +15,7 @@ namespace evenlift {
 struct CapacityInJson {
   double limit = 0;
   CapacityPlan plan;
+  std::optional<FailurePlan> if_one_fails;  // if it was asked for
 };
 
 // What is written of doubt and failures beyond what is always there.

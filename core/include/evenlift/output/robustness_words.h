@@ -11,8 +11,9 @@
 
 namespace evenlift {
 
-// What the robots bear by a model: "If all robots are equally stiff they bear 15.9–17.5 kg each.
-// Robots 2 and 5 let go." Empty for the plan, of which loads_in_words speaks. Robots count from 1.
+// What the robots bear by a model: "If all robots are equally stiff and level and the object does not
+// bend, they bear 15.9–17.5 kg each. Robots 2 and 5 let go." Empty for the plan, of which
+// loads_in_words speaks. Robots count from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
 // "It can tip: the centre of mass may be off by 200 mm, and from 177 mm on the object tips." Empty if it cannot. O(1).
@@ -27,9 +28,11 @@ std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness
 std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
                                        double capacity, const Units& units = {});
 
-// Which robots the object cannot do without, and what the others bear at most.
+// Which robots the object cannot do without, what the others bear at most, and with a capacity whose failure
+// leaves some robot with more than that.
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
-                              const Units& units = {});
+                              const Units& units = {},
+                              const std::optional<double>& capacity = std::nullopt);
 
 // "Robot 3 fails: carried by the other five, at most 21.3 kg." What it bears is by springs. If that is
 // more than the capacity, it says so.

@@ -60,6 +60,9 @@ std::string with_weight_unit(const std::string& number, const Units& units);
 std::string given_weight(double weight, const Units& units);
 std::string with_length_unit(const std::string& number, const Units& units);
 
+// A length that is promised, so never more than it is: its first two digits, as "12" for 12.9.
+std::string promised_length(double length, const Units& units);
+
 // A share of 1 as a percentage: "81 %". Only 0 is "0 %" and only 1 is "100 %", both within
 // tolerance; what would be rounded to them is "< 1 %" or "> 99 %" (with one decimal "< 0.1 %").
 std::string percentage(double share, int decimals = 0);
@@ -95,16 +98,18 @@ std::string loads_in_words(const Placement& placement, LoadModel shown = LoadMod
 // empty.
 std::string shortage_in_words(const Placement& placement);
 
-// "81 % of the object is safe to push on." Empty with no team.
+// "A push down on 81 % of the object does not tip it." Empty with no team.
 std::string coverage_in_words(const Placement& placement);
 
-// "It can still turn clockwise." or what holds it. Empty with no team.
+// "It can still turn clockwise." or what holds it, and how far robots may be off; or which robot must stand
+// exactly, since it is beside a corner. Empty with no team.
 std::string closure_in_words(const Placement& placement);
 
 // "turn either way and slide"; empty if nothing is free.
 std::string free_motions_in_words(const Closure& closure);
 
-// Whether the robots hold the object, if only to second order.
+// Whether the robots hold the object, if only to second order; in form closure only if they hold_clearly()
+// (placement.h).
 bool is_held(const Placement& placement);
 
 // A result that covers less of the object than this is not a good one.
@@ -126,15 +131,16 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Uni
 std::string no_go_in_words(const std::vector<EdgePart>& no_go);
 
 // Which robots carry more than one can, and how many robots are needed if the plan for that is
-// known. O(teams).
+// known, and that for any one failing. O(teams).
 std::string capacity_in_words(const Placement& placement, double capacity,
-                              const CapacityPlan* plan);
+                              const CapacityPlan* plan, const FailurePlan* if_one_fails = nullptr);
 
 // The same where other robots are overloaded than by plan: those by this model of the loads, or those of the
 // others while the robot `failed` (from 0) fails. The plan knows neither, and the words say so.
 std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
-                              const std::optional<std::size_t>& failed = std::nullopt);
+                              const std::optional<std::size_t>& failed = std::nullopt,
+                              const FailurePlan* if_one_fails = nullptr);
 
 // One of the numbers that describe a result, with a few words on what it means.
 struct Fact {

@@ -1,7 +1,6 @@
 #include "evenlift/experiment/measure.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "evenlift/closure.h"
 #include "evenlift/hull.h"
@@ -138,6 +137,8 @@ void add_sample(const Subject& subject, double weight, const std::vector<Chord>&
   for (std::size_t t = closed; t <= chords.size(); ++t) sums[t - 1].form_closure += 1;
   const std::size_t no_area = first_passing(subject, placement.points(), no_region_has_area);
   for (std::size_t t = no_area; t <= chords.size(); ++t) sums[t - 1].no_area += 1;
+  const std::size_t clear = first_passing(subject, placement.points(), holds_clearly);
+  for (std::size_t t = clear; t <= chords.size(); ++t) sums[t - 1].held_clear += 1;
 }
 
 std::vector<Measurement> measure_random(const Subject& subject,
@@ -154,8 +155,8 @@ std::vector<Measurement> measure_random(const Subject& subject,
   for (std::size_t t = 0; t < teams; ++t) {
     Measurement& m = sums[t];
     m.robots = static_cast<std::uint32_t>(2 * (t + 1));
-    for (double* sum : {&m.coverage, &m.form_closure, &m.no_area, &m.load_min, &m.load_mean,
-                        &m.load_max, &m.spread, &m.max_share})
+    for (double* sum : {&m.coverage, &m.form_closure, &m.no_area, &m.held_clear, &m.load_min,
+                        &m.load_mean, &m.load_max, &m.spread, &m.max_share})
       *sum /= m.samples;
   }
   std::erase_if(sums, [](const Measurement& m) { return m.samples == 0; });
@@ -172,8 +173,7 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings) {
     return bad_setting("max_teams", "the greatest number of teams is from 1 to 10000");
   if (settings.most_balanced < least_robots || settings.most_balanced > most_robots)
     return bad_setting("max_balanced", "the greatest number of balanced robots is from 2 to 64");
-  if (!(settings.weight > 0) || !std::isfinite(settings.weight))
-    return bad_setting("weight", "the weight is a finite number greater than 0");
+  if (!is_weight(settings.weight)) return setting_error(Setting::weight);
   return std::nullopt;
 }
 

@@ -38,9 +38,17 @@ Measurement measured(const Subject& subject, const std::vector<LiftingPoint>& po
 
 }  // namespace
 
+bool holds_clearly(const Polygon& polygon, const Vec2& centre,
+                   const std::vector<LiftingPoint>& points) {
+  const double clear = firm_hold(polygon, centre, {}).clear;
+  return in_form_closure(polygon, centre,
+                         clear_contacts(polygon, contacts(polygon, points), clear));
+}
+
 void test_closure(const Subject& subject, const std::vector<LiftingPoint>& points, Measurement& m) {
   m.form_closure = in_form_closure(subject.polygon, subject.centre, points) ? 1 : 0;
   m.no_area = no_region_has_area(subject.polygon, subject.centre, points) ? 1 : 0;
+  m.held_clear = holds_clearly(subject.polygon, subject.centre, points) ? 1 : 0;
 }
 
 std::vector<Measurement> measure_balanced(const Subject& subject,

@@ -12,12 +12,12 @@ namespace {
 
 // Increase it whenever the same polygon gives other rows or the rows look different: older parts
 // are then measured again.
-constexpr const char* part_format = "evenlift experiment 3";
+constexpr const char* part_format = "evenlift experiment 4";
 
 const csv::Row measurement_columns = {"set",     "polygon",   "method",    "teams",
                                       "robots",  "samples",   "coverage",  "form_closure",
-                                      "no_area", "load_min",  "load_mean", "load_max",
-                                      "spread",  "max_share", "chosen"};
+                                      "no_area", "held_clear", "load_min",  "load_mean",
+                                      "load_max", "spread",  "max_share", "chosen"};
 
 csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
   return {of.set,
@@ -29,6 +29,7 @@ csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
           shortest(m.coverage),
           shortest(m.form_closure),
           shortest(m.no_area),
+          shortest(m.held_clear),
           shortest(m.load_min),
           shortest(m.load_mean),
           shortest(m.load_max),
@@ -80,8 +81,8 @@ bool read_measurement(const csv::Row& row, PolygonResult& result) {
   m.robots = fields.whole();
   if (teams != teams_of(m.method, m.robots)) return false;
   m.samples = fields.whole();
-  for (double* value : {&m.coverage, &m.form_closure, &m.no_area, &m.load_min, &m.load_mean,
-                        &m.load_max, &m.spread, &m.max_share})
+  for (double* value : {&m.coverage, &m.form_closure, &m.no_area, &m.held_clear, &m.load_min,
+                        &m.load_mean, &m.load_max, &m.spread, &m.max_share})
     *value = fields.number();
   if (!row.back().empty()) {
     m.chosen = fields.whole();

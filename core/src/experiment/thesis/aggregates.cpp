@@ -12,7 +12,7 @@ namespace {
 
 // The values of one method and number of robots, in the order of the polygons.
 struct Column {
-  std::vector<double> spread, load_max, max_share, coverage, closed;
+  std::vector<double> spread, load_max, max_share, coverage, closed, held_clear;
   std::vector<double> form_closure, no_area;  // of the polygons on which it is possible
 };
 
@@ -32,6 +32,7 @@ csv::Row aggregate_row(const std::string& set, const Aggregate& a) {
   row.push_back(optional_number(a.form_closure));
   row.push_back(std::to_string(a.no_area_possible));
   row.push_back(optional_number(a.no_area));
+  row.push_back(shortest(a.held_clear));
   return row;
 }
 
@@ -67,6 +68,7 @@ std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results) {
       column.max_share.push_back(m.max_share);
       column.coverage.push_back(m.coverage);
       column.closed.push_back(m.form_closure);
+      column.held_clear.push_back(m.held_clear);
       if (closable) column.form_closure.push_back(m.form_closure);
       if (no_area_possible) column.no_area.push_back(m.no_area);
     }
@@ -82,6 +84,7 @@ std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results) {
     a.max_share = statistics(column.max_share);
     a.coverage = statistics(column.coverage);
     a.closed = statistics(column.closed).mean;
+    a.held_clear = statistics(column.held_clear).mean;
     a.closable = static_cast<std::uint32_t>(column.form_closure.size());
     if (a.closable > 0) a.form_closure = statistics(column.form_closure).mean;
     a.no_area_possible = static_cast<std::uint32_t>(column.no_area.size());
@@ -95,7 +98,8 @@ std::string aggregates_csv(const std::vector<SetAggregates>& sets) {
   std::string text = csv::line(
       {"set", "method", "teams", "robots", "polygons", "spread_mean", "spread_sd", "load_max_mean",
        "load_max_sd", "max_share_mean", "max_share_sd", "coverage_mean", "coverage_sd",
-       "closed_mean", "closable", "form_closure_mean", "no_area_possible", "no_area_mean"});
+       "closed_mean", "closable", "form_closure_mean", "no_area_possible", "no_area_mean",
+       "held_clear_mean"});
   for (const SetAggregates& set : sets)
     for (const Aggregate& a : set.aggregates) text += csv::line(aggregate_row(set.set, a));
   return text;

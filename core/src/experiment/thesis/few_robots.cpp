@@ -18,6 +18,7 @@ struct Measure {
 constexpr Measure measures[] = {
     {"coverage, %", [](const Aggregate& a) { return in_percent(a.coverage.mean); }},
     {"in form closure, %", [](const Aggregate& a) { return in_percent(a.closed); }},
+    {"held with clearance, %", [](const Aggregate& a) { return in_percent(a.held_clear); }},
     {"spread of loads, kg of 100 kg", [](const Aggregate& a) { return fixed(a.spread.mean, 2); }},
     {"number of polygons", [](const Aggregate& a) { return std::to_string(a.polygons); }},
 };

@@ -2,16 +2,26 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace evenlift::experiment::markdown {
 
-// A text as a cell; names of polygons and sets may hold anything.
-inline std::string cell(const std::string& text) {
+// A text as a cell that shows it as it is. Names of polygons and sets may hold anything: neither
+// HTML nor what Markdown would take for its own becomes more than text.
+inline std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (c == '|' || c == '\\') out += '\\';
-    out += c == '\n' || c == '\r' ? ' ' : c;
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::string_view("\\|`*_~[]").find(c) != std::string_view::npos) out += '\\';
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else
+      out += byte < 0x20 || byte == 0x7f ? ' ' : c;
   }
   return out;
 }

@@ -37,16 +37,16 @@ std::string times(const Range& range) {
 // deviation with any number of teams decides.
 template <class Write>
 std::string deviations(const Rows& rows, std::uint32_t most_robots, Pick pick, Write write) {
-  const Aggregate* greatest[std::size(all_methods)] = {};
-  for (const Aggregate& a : rows) {
-    const Aggregate*& held = greatest[static_cast<std::size_t>(a.method)];
-    if (a.robots <= most_robots && pick(a) && (!held || *pick(a) > *pick(*held))) held = &a;
-  }
   const Aggregate *most = nullptr, *least = nullptr;
-  for (const Aggregate* a : greatest) {
-    if (!a) continue;
-    if (!most || *pick(*a) > *pick(*most)) most = a;
-    if (!least || *pick(*a) < *pick(*least)) least = a;
+  for (const Method method : all_methods) {
+    const Aggregate* held = nullptr;
+    for (const Aggregate& a : rows)
+      if (a.method == method && a.robots <= most_robots && pick(a) &&
+          (!held || *pick(a) > *pick(*held)))
+        held = &a;
+    if (!held) continue;
+    if (!most || *pick(*held) > *pick(*most)) most = held;
+    if (!least || *pick(*held) < *pick(*least)) least = held;
   }
   if (!most) return "One polygon alone has no standard deviation.";
   if (*pick(*most) <= 0) return "It is the same for all of these polygons, with every method.";

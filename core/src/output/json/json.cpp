@@ -1,5 +1,6 @@
 #include "evenlift/output/json.h"
 
+#include <cmath>
 #include "evenlift/candidates.h"
 #include "evenlift/doubt.h"
 #include "evenlift/placed_robots.h"
@@ -61,6 +62,10 @@ std::string closure_json(const Closure& closure) {
   return json::long_object(
       {{"form_closure", json::boolean(closure.form_closure)},
        {"margin", closure.margin ? json::number(*closure.margin) : "null"},
+       {"clearance", std::isfinite(closure.clearance.distance)
+                         ? json::number(closure.clearance.distance)
+                         : "null"},
+       {"tolerance", json::number(closure.clearance.tolerance)},
        {"second_order", json::boolean(closure.second_order)},
        {"free", json::array(free)},
        {"clockwise", json::points(closure.clockwise.clipped, 2)},
@@ -77,6 +82,14 @@ std::string com_radius_json(const Placement& placement, const std::optional<Mode
   return radius ? json::number(*radius) : "null";
 }
 
+std::string failure_plan_json(const std::optional<FailurePlan>& plan) {
+  if (!plan) return "null";
+  return json::object(
+      {{"robots_needed", plan->possible ? std::to_string(plan->robots) : "null"},
+       {"greatest_load", plan->possible ? json::number(plan->greatest_load) : "null"},
+       {"robots_tried", std::to_string(plan->tried)}});
+}
+
 std::string capacity_json(const Placement& placement, const CapacityInJson& capacity,
                           const std::optional<ModelLoads>& models) {
   std::vector<std::string> robots;
@@ -90,7 +103,8 @@ std::string capacity_json(const Placement& placement, const CapacityInJson& capa
        {"greatest_load", plan.possible ? json::number(plan.greatest_load) : "null"},
        {"teams_tried", std::to_string(plan.tried)},
        {"robots_needed", plan.possible ? std::to_string(plan.teams * plan.team_size) : "null"},
-       {"com_radius", com_radius_json(placement, models, capacity.limit)}});
+       {"com_radius", com_radius_json(placement, models, capacity.limit)},
+       {"if_one_fails", failure_plan_json(capacity.if_one_fails)}});
 }
 
 std::string overlays_json(const Overlays& overlays) {
@@ -109,6 +123,11 @@ void add_beyond(std::vector<json::Member>& members, const Settings& settings) {
     members.push_back({"positions", json::text(name(settings.positions))});
   if (exchanges_teams(settings))
     members.push_back({"min_margin", json::number(settings.min_margin)});
+}
+
+// Below which distance nothing is relied on: none is the usual one.
+void add_clear(std::vector<json::Member>& members, const Settings& settings) {
+  members.push_back({"clear", settings.clear ? json::number(*settings.clear) : "null"});
 }
 
 void add_moved(std::vector<json::Member>& members, const Moved& moved) {
@@ -205,6 +224,7 @@ std::string placement_json(const Placement& placement, bool with_candidates,
     add_balanced(members, settings);
   else
     add_beyond(members, settings);
+  add_clear(members, settings);
   add_asked(members, settings);
   add_moved(members, placement.moved);
   add_stands(members, placement);
@@ -212,7 +232,7 @@ std::string placement_json(const Placement& placement, bool with_candidates,
     members.push_back(
         {"robustness", json::robustness(placement, models, robustness.com_radius, 1)});
   if (robots && robustness.failures)
-    members.push_back({"failures", json::failures(single_failures(placement), 1)});
+    members.push_back({"failures", json::failures(single_failures(placement), capacity ? std::optional(capacity->limit) : std::nullopt, 1)});
   if (capacity) members.push_back({"capacity", capacity_json(placement, *capacity, models)});
   return json::long_object(members, 0) + "\n";
 }
@@ -240,6 +260,7 @@ std::string document_json(const Document& document) {
     add_balanced(members, settings);
   else
     add_beyond(members, settings);
+  add_clear(members, settings);
   add_moved(members, document.moved);
   return json::long_object(members, 0) + "\n";
 }

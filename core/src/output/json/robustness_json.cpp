@@ -18,10 +18,11 @@ std::string ranges(const std::vector<double>& loads, const SpringLoads& springs,
   return array(items);
 }
 
-std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest) {
+std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
+                    const std::optional<double>& capacity) {
   const auto if_carried = [&](const std::string& value) { return rest ? value : "null"; };
   const RestOfRobots known = rest.value_or(RestOfRobots{});
-  return object({{"robot", std::to_string(robot)},
+  std::vector<Member> members = {{"robot", std::to_string(robot)},
                  {"carried", boolean(rest.has_value())},
                  {"steady", boolean(known.steady)},
                  {"com_margin", if_carried(number(known.tipping_distance))},
@@ -30,7 +31,11 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest) 
                  {"margin", number_or_null(known.margin)},
                  {"plan_max", number_or_null(known.greatest_by_plan)},
                  {"springs_max", if_carried(number(known.greatest_by_springs))},
-                 {"best_max", if_carried(number(known.least_greatest))}});
+                 {"best_max", if_carried(number(known.least_greatest))}};
+  if (capacity)
+    members.push_back(
+        {"over_capacity", if_carried(boolean(known.greatest_by_springs > *capacity))});
+  return object(members);
 }
 
 }  // namespace
@@ -62,6 +67,7 @@ std::string robustness(const Placement& placement, const std::optional<ModelLoad
       {"com_margin", number(known.tipping_distance)},
       {"failures_carried", std::to_string(known.failures_carried)},
       {"failures_steady", std::to_string(known.failures_steady)},
+      {"failures_clear", std::to_string(known.failures_clear)},
       {"load_per_length", models ? numbers(models->springs.per_length) : "null"}};
   if (com_radius > 0) {
     members.push_back({"com_radius", number(com_radius)});
@@ -76,10 +82,11 @@ std::string robustness(const Placement& placement, const std::optional<ModelLoad
   return long_object(members, depth);
 }
 
-std::string failures(const std::vector<std::optional<RestOfRobots>>& failures, int depth) {
+std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
+                     const std::optional<double>& capacity, int depth) {
   std::vector<std::string> items;
   for (std::size_t robot = 0; robot < failures.size(); ++robot)
-    items.push_back(failure(robot, failures[robot]));
+    items.push_back(failure(robot, failures[robot], capacity));
   return long_array(items, depth);
 }
 

@@ -18,6 +18,7 @@ std::string models(const std::optional<ModelLoads>& models, int depth);
 std::string robustness(const Placement& placement, const std::optional<ModelLoads>& models,
                        double com_radius, int depth);
 
-std::string failures(const std::vector<std::optional<RestOfRobots>>& failures, int depth);
+std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
+                     const std::optional<double>& capacity, int depth);
 
 }  // namespace evenlift::json

@@ -71,7 +71,7 @@ std::string StepFormulas::three() const {
 std::string StepCaptions::many() const {
   const std::size_t robots = detail_.balanced->robots.size();
   return fill(
-      "The law of the centroid: # bear the same as soon as C is the centroid of their places. Lay the arrows from C to the robots end to end, each shortened to its part of the weight: they come back to C, so no side pulls harder than another. In pairs or not, they may stand anywhere else.",
+      "The law of the centroid: # can bear the same as soon as C is the centroid of their places. They do so if forces are controlled, or if all are equally stiff and level. Lay the arrows from C to the robots end to end, each shortened to its part of the weight: they come back to C, so no side pulls harder than another.",
       {counted(robots, "robot")});
 }
 
@@ -116,9 +116,9 @@ std::string StepCaptions::completion() const {
   const Piece robots = whole(balanced.robots.size());
   std::string text =
       chords == 1
-          ? fill("This chord makes a set of # robots that bear the same.", {robots})
+          ? fill("This chord makes a set of # robots that can bear the same.", {robots})
           : fill(
-                "Each of the # chords makes a set of # robots that bear the same. The best is chord #.",
+                "Each of the # chords makes a set of # robots that can bear the same. The best is chord #.",
                 {whole(chords), robots, counted_from_1(balanced.chosen)});
   if (!balanced.rest.empty())
     text += fill(
@@ -225,11 +225,14 @@ std::string StepCaptions::failure() const {
 }
 
 std::string StepCaptions::failures() const {
-  const int carried = robustness(placement_).failures_carried;
+  const Robustness known = robustness(placement_);
   const std::string text = failures_in_words(detail_.balanced->rest_of, placement_.settings.units);
-  return carried < 2 ? text
-                     : text + fill(" Even any # may fail at once, whichever they are.",
-                                   {whole(static_cast<std::size_t>(carried))});
+  if (known.failures_carried < 2) return text;
+  return text +
+         fill(known.failures_steady < known.failures_carried
+                  ? " The others even carry it if any # fail at once, though it can tip then."
+                  : " The others even carry it if any # fail at once.",
+              {whole(static_cast<std::size_t>(known.failures_carried))});
 }
 
 std::string StepCaptions::pairs() const {
@@ -237,10 +240,14 @@ std::string StepCaptions::pairs() const {
   const std::size_t teams = pairs.teams.size();
   const double most = pairs.loads->max;
   const std::string loads = load_in_words(pairs.loads->min, most, most, placement_.settings.units);
+  const int steady = robustness(pairs).failures_steady;
   return fill(
-      "As many robots in pairs, chosen by area, cover # instead of #, and bear # each. But every line through C has one robot of each pair on either side, so # carry any # at once, wherever they stand. Balanced robots give no such promise: each set must be looked at.",
+      "As many robots in pairs, chosen by area, cover # instead of #, and bear # each. But every line through C has one robot of each pair on either side, so # carry any # at once, wherever they stand; #. Balanced robots give no such promise: each set must be looked at.",
       {percent(pairs.coverage), percent(placement_.coverage), loads, counted(teams, "pair"),
-       counted(teams - 1, "failure")});
+       counted(teams - 1, "failure"),
+       steady < 1
+           ? std::string("but already one can leave them on a knife's edge")
+           : fill("here they stay steady in any #", {whole(static_cast<std::size_t>(steady))})});
 }
 
 }  // namespace evenlift

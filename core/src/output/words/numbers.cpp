@@ -131,6 +131,14 @@ std::string with_length_unit(const std::string& number, const Units& units) {
                                           : number + "\u00A0" + std::string(name(units.length));
 }
 
+std::string promised_length(double length, const Units& units) {
+  Decimal decimal = shortest_decimal(length);
+  constexpr std::uint64_t two_digits = 100;
+  for (; decimal.digits >= two_digits; ++decimal.exponent) decimal.digits /= 10;
+  const std::string text = std::to_string(decimal.digits) + "e" + std::to_string(decimal.exponent);
+  return with_length_unit(plain(*read_number(text)), units);
+}
+
 std::string points_ahead(double share, double other) {
   const auto hundredths = [](double of) { return std::round(10000 * of); };
   return plain((hundredths(share) - hundredths(other)) / 100) + " points";

@@ -60,7 +60,7 @@ constexpr Line by_chance[] = {
      "  r2 := one of the boundary points straight across C; if none, draw again"},
     {Statement::wider_base, "  H := the convex hull of H and its robots"}};
 constexpr Line by_centroid[] = {
-    {Statement::centroid_law, "m robots bear W/m each if C is the centroid of their places"},
+    {Statement::centroid_law, "m robots can bear W/m each if C is the centroid of their places"},
     {Statement::each_number, "for i = 2 … m: some robots Q stand, two more make i of them"},
     {Statement::middle, "  M := (i C − the sum of Q) / 2, the middle between the two"},
     {Statement::even_chords, "  chords := between points of P and of P turned about M"},

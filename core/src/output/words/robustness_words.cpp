@@ -19,8 +19,9 @@ std::string length_in_words(double length, const Units& units) {
 
 std::string springs_in_words(const SpringLoads& springs, const Units& units) {
   const auto [least, greatest] = std::minmax_element(springs.loads.begin(), springs.loads.end());
-  std::string text = "If all robots are equally stiff they bear " +
-                     load_in_words(*least, *greatest, *greatest, units) + " each.";
+  std::string text =
+      "If all robots are equally stiff and level and the object does not bend, they bear " +
+      load_in_words(*least, *greatest, *greatest, units) + " each.";
   Robots idle;
   for (std::size_t i = 0; i < springs.loads.size(); ++i)
     if (springs.loads[i] == 0) idle.push_back(i + 1);
@@ -54,7 +55,7 @@ std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units
              load_in_words(loads.best, loads.best, units) + ".";
     case LoadModel::worst: {
       const double greatest = *std::max_element(loads.worst.begin(), loads.worst.end());
-      return "If the robots' heights are unequal, a robot may come to bear up to " +
+      return "If the robots' heights are unequal or the object bends, a robot may come to bear up to " +
              load_in_words(greatest, greatest, units) + ".";
     }
   }
@@ -72,8 +73,8 @@ std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness
                            const Units& units) {
   const SpringLoads& springs = loads.springs;
   const double change = greatest_change(springs, com_radius);
-  std::string text = "If the centre of mass is off by up to " +
-                     with_length_unit(plain(com_radius), units) + ", loads change by up to " +
+  std::string text = "If C is off by up to " + with_length_unit(plain(com_radius), units) +
+                     ", the loads of equally stiff robots change by up to " +
                      load_in_words(change, change, units) + ".";
   if (robustness.tipping_distance == 0)
     return text + " The object can tip however little it is off.";
@@ -101,8 +102,8 @@ std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness
 }
 
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
-                              const Units& units) {
-  Robots needed, for_steadiness;
+                              const Units& units, const std::optional<double>& capacity) {
+  Robots needed, for_steadiness, for_capacity;
   double greatest = 0;
   for (std::size_t i = 0; i < failures.size(); ++i) {
     if (!failures[i]) {
@@ -110,6 +111,7 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
       continue;
     }
     if (!failures[i]->steady) for_steadiness.push_back(i + 1);
+    if (capacity && failures[i]->greatest_by_springs > *capacity) for_capacity.push_back(i + 1);
     greatest = std::max(greatest, failures[i]->greatest_by_springs);
   }
   if (needed.size() == failures.size()) return "The object falls whichever robot fails.";
@@ -119,7 +121,10 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
                                     : "The object falls if " + robots_or(needed) +
                                           " fails. If another fails, the others carry it, " + most;
   if (!for_steadiness.empty()) text += " It can tip if " + robots_or(for_steadiness) + " fails.";
-  return text;
+  if (!for_capacity.empty())
+    text += " One carries more than " + given_weight(*capacity, units) + " if " +
+            robots_or(for_capacity) + " fails.";
+  return text + " A sudden failure can double the change of load for a moment.";
 }
 
 std::string failure_in_words(std::size_t robot, std::size_t robots,
@@ -145,7 +150,8 @@ std::string rest_in_words(const Placement& failing) {
 std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness,
                                    bool failing) {
   if (placement.teams.empty()) return {};
-  const int carried = robustness.failures_carried, steady = robustness.failures_steady;
+  // Steady by a hair is nothing to rely on.
+  const int carried = robustness.failures_carried, steady = robustness.failures_clear;
   std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);
   if (carried > 0 && steady > 0 && steady < carried)
     may_fail =
@@ -153,12 +159,13 @@ std::vector<Fact> robustness_facts(const Placement& placement, const Robustness&
   else if (carried > 0 && steady < carried)
     may_fail += ", but it can tip then";
   if (failing) may_fail = "one fails now";
-  return {{"Robots that may fail", may_fail,
-           "How many may let go at once, whichever they are, so that the others carry the object, "
-           "however much each of them then bears"},
-          {"Centre of mass may be off by",
-           length_in_words(robustness.tipping_distance, placement.settings.units),
-           "The distance at which the object tips, if robots can only push"}};
+  return {
+      {"Robots that may fail", may_fail,
+       "How many may let go at once, whichever they are, so that the others carry the object, "
+       "however much each of them then bears"},
+      {"Centre of mass may be off by",
+       length_in_words(robustness.tipping_distance, placement.settings.units),
+       "Farther off it can tip; nearer it does not, if robots push back and none is overloaded"}};
 }
 
 }  // namespace evenlift

@@ -34,6 +34,9 @@ std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot,
       return robot.depth > 0
                  ? fill("at # a hand of depth # would stick out", {lost, size(robot.depth)})
                  : fill("at # a hand of width # would stick out", {lost, size(robot.width)});
+    case WhyUnusable::near_no_go:
+      return fill("at # a hand of width # would reach onto what is marked",
+                  {lost, size(robot.width)});
     case WhyUnusable::narrow:
       break;
   }
@@ -59,6 +62,12 @@ std::string StepCaptions::stands() const {
   if (apart > 0)
     text += fill(" The middles of two robots stay at least # apart.",
                  {with_length_unit(plain(apart), placement_.settings.units)});
+  const double clear = robot.radius + robot.gap;
+  if (robot.reach > 0)
+    text += fill(
+        clear > 0 ? " An arm stays # away from the middles of other robots, and arms do not cross."
+                  : " Arms do not cross.",
+        {with_length_unit(plain(clear), placement_.settings.units)});
   return text;
 }
 

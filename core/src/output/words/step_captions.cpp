@@ -46,7 +46,10 @@ std::string StepCaptions::polygon() const {
               {counted(n, "vertex"), number(trace_.polygon.area(), 0.1 * size * size)}) +
          (reflex == 0 ? "It is convex."
                       : fill("It is not convex: # of its corners point#inwards.",
-                             {whole(reflex), reflex == 1 ? "s " : " "}));
+                             {whole(reflex), reflex == 1 ? "s " : " "})) +
+         (trace_.moved
+              ? " Robots were moved by hand. The steps tell where the method puts them, and the last one also what is true where they stand now."
+              : "");
 }
 
 std::string StepCaptions::centroid() const {
@@ -69,10 +72,10 @@ std::string StepCaptions::what_c_is() const {
 
 std::string StepCaptions::centre() const {
   if (trace_.balanced())
-    return what_c_is() + fill(" Where must # stand on the boundary so that all bear the same?",
+    return what_c_is() + fill(" Where must # stand on the boundary so that all can bear the same?",
                               {counted(placement_.settings.robots, "robot")});
   return what_c_is() +
-         " Two robots hold the object without tipping only if C is between them: a team stands at the two ends of a chord through C.";
+         " Two robots carry the object without tipping only if C is between them: a team stands at the two ends of a chord through C.";
 }
 
 std::string StepCaptions::radial() const {
@@ -422,14 +425,15 @@ std::string StepCaptions::loads() const {
 std::string StepCaptions::coverage() const {
   if (placement_.lifting_base.size() < 3)
     return "All robots stand on one line, so H has no area: a push beside the line tips the object.";
-  return fill("H covers # of the object. Whoever pushes down there cannot tip it.",
-              {percent(placement_.coverage)});
+  return fill(
+      "H covers # of the object. A push down there does not tip it, as long as robots push back and none is overloaded.",
+      {percent(placement_.coverage)});
 }
 
 std::string StepCaptions::contacts() const {
   const std::size_t number = trace_.contacts.size();
   return fill(
-      "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at an inward corner two, at an outward one none: # for #. Before the first, the object turns about any point, either way.",
+      "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at an inward corner two; at an outward one it is not counted, the safe side: # for #. Before the first, the object turns about any point, either way.",
       {counted(number, "contact"), counted(count_robots(placement_.teams), "robot")});
 }
 
@@ -466,8 +470,9 @@ std::string StepCaptions::closure() const {
   const Closure& closure = placement_.closure;
   const Piece margin = margin_text(closure.margin.value_or(0));
   if (closure.form_closure)
-    return fill("No centre to turn about, no way to slide: form closure, with a margin of #.",
-                {margin});
+    return fill(
+        "No centre to turn about, no way to slide: first-order form closure, with a margin of #, as long as no robot gives way.",
+        {margin});
   return fill("No form closure: the object can begin to #.", {free_motions_in_words(closure)}) +
          (closure.margin
               ? fill(" The margin is #; only above 0 do the contacts hold the object.", {margin})
@@ -480,6 +485,10 @@ std::string StepCaptions::second_order() const {
              : "Nor does the curvature of these motions stop them: to second order the object is not held either.";
 }
 
-std::string StepCaptions::result() const { return verdict(placement_); }
+std::string StepCaptions::result() const {
+  const std::string text = verdict(placement_);
+  if (!trace_.moved) return text;
+  return text + " Then robots were moved by hand. Where they stand now: " + verdict(*trace_.moved);
+}
 
 }  // namespace evenlift

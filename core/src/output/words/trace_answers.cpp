@@ -15,6 +15,20 @@ std::string edges_of(const Trace& trace, std::uint32_t pair) {
               {counted_from_1(trace.pairs[pair].a), counted_from_1(trace.pairs[pair].b)});
 }
 
+// What a rule compares first. There is no default, so that the compiler asks for each rule's word.
+const char* compared_by(Rule rule) {
+  switch (rule) {
+    case Rule::longest_even:
+    case Rule::longest:
+      return "length";
+    case Rule::most_even:
+      return "load ratio";
+    case Rule::score:
+      return "score";
+  }
+  return "";
+}
+
 // "the longest even candidate", and the like.
 const char* aim(const Trace& trace, Rule rule) {
   if (rule == Rule::longest_even) return "is the longest even one";
@@ -55,10 +69,9 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
     default:
       break;
   }
-  constexpr const char* what[] = {"length", "load ratio", "score"};
   return fill(
       "For team # candidate # has a # of ##. Candidate #, which it takes, has #. Candidate # comes at place # of those that were left.",
-      {team, own, what[static_cast<std::size_t>(answer.rule)], answer.exact ? "" : "at most ",
+      {team, own, compared_by(answer.rule), answer.exact ? "" : "at most ",
        score_text(trace, answer.rule, answer.value, answer.best), winner,
        score_text(trace, answer.rule, answer.best, answer.value), own,
        counted_from_1(answer.rank)});

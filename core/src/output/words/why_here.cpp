@@ -44,7 +44,7 @@ std::string first_team_is(const TeamScores& scores) {
     return "No chord has two equal halves. The first team takes the one that is nearest to that.";
   return std::string("The first team takes the longest chord ") +
          (scores.rule == Rule::longest ? "that is even enough" : "with two equal halves") +
-         ": the farther apart robots stand, the harder the object is to tip.";
+         ": the farther apart robots stand, the wider the lifting base can become.";
 }
 
 std::string further_team_is(const Trace& trace, const TeamScores& scores) {

@@ -89,6 +89,30 @@ std::string need_in_words(const CapacityPlan& plan, const Settings& settings, Lo
   return capital(presumed + "not even all " + tried + " robots that find a place are enough.");
 }
 
+// So many that any one of them may fail.
+std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
+  if (plan.possible)
+    return "If any one may fail: " + count_of(plan.robots, "robot", "robots") + ", at most " +
+           load_in_words(plan.greatest_load, plan.greatest_load, units) +
+           " each if equally stiff.";
+  return "If any one may fail, up to " + count_of(plan.tried, "robot", "robots") +
+         " were not found to be enough.";
+}
+
+// "a robot of team 2"; balanced robots have numbers of their own.
+std::string robot_in_words(const Placement& placement, std::size_t robot) {
+  if (placement.settings.method == Method::balanced) return "robot " + std::to_string(robot + 1);
+  return "a robot of team " + std::to_string(find_robot(placement.teams, robot).team + 1);
+}
+
+// Of a hold that relies on a contact beside a corner.
+std::string near_corner_in_words(const Placement& placement) {
+  const Clearance& clearance = placement.closure.clearance;
+  return "It is held only as long as " + robot_in_words(placement, clearance.point.value_or(0)) +
+         " stands exactly: it is " + promised_length(clearance.distance, placement.settings.units) +
+         " beside a corner.";
+}
+
 // A margin below 0 says by how much closure is missed, which tells nobody how firm a hold is.
 std::string hold_in_words(const Closure& closure) {
   if (closure.form_closure && closure.margin) return margin_in_words(*closure.margin);
@@ -157,6 +181,8 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Uni
     case WhyUnusable::hand:
       return robot.depth > 0 ? "a hand of depth " + size(robot.depth) + " would stick out here"
                              : "a hand of width " + size(robot.width) + " would stick out here";
+    case WhyUnusable::near_no_go:
+      return "a hand of width " + size(robot.width) + " would reach onto what is marked";
     case WhyUnusable::narrow:
       break;
   }
@@ -168,10 +194,10 @@ std::string shortage_in_words(const Placement& placement) {
   const std::size_t teams = placement.teams.size();
   if (teams == 0 && !placement.search_ended) return {};
   if (teams == 0 && placement.settings.method == Method::balanced)
-    return "There is no balanced placement of " + std::to_string(placement.settings.robots) +
+    return "No balanced placement of " + std::to_string(placement.settings.robots) +
            (placement.stands
-                ? " robots of this size: none was found that fit, with the centre of mass as centroid."
-                : " robots: none was found whose centroid is the centre of mass.");
+                ? " robots of this size was found: none in which they fit, with the centre of mass as their centroid."
+                : " robots was found: none whose centroid is the centre of mass.");
   const bool has_size = !(placement.settings.robot == RobotSize{});
   if (teams == 0 && placement.stands)
     return has_size
@@ -197,17 +223,21 @@ std::string shortage_in_words(const Placement& placement) {
 std::string coverage_in_words(const Placement& placement) {
   if (placement.teams.empty()) return {};
   if (placement.lifting_base.size() < 3) return "They stand on one line, so the object can tip.";
-  if (placement.coverage >= 1 - tau) return "All of the object is safe to push on.";
+  if (placement.coverage >= 1 - tau) return "A push down anywhere on the object does not tip it.";
+  if (placement.coverage <= tau) return "A push down anywhere on the object can tip it.";
   std::string share = percentage(placement.coverage);
-  for (const auto& [sign, words] : {std::pair("<", "Less than"), {">", "More than"}})
+  for (const auto& [sign, words] : {std::pair("<", "less than"), {">", "more than"}})
     if (share.starts_with(sign)) share.replace(0, 1, words);
-  return share + " of the object is safe to push on.";
+  return "A push down on " + share + " of the object does not tip it.";
 }
 
 std::string closure_in_words(const Placement& placement) {
   if (placement.teams.empty()) return {};
   const Closure& closure = placement.closure;
-  if (closure.form_closure) return "The robots' contact alone stops it from sliding or turning.";
+  if (closure.form_closure && !hold_clearly(placement)) return near_corner_in_words(placement);
+  if (closure.form_closure)
+    return "The robots' contact alone stops it from sliding or turning. Robots may be off by " +
+           promised_length(closure.clearance.tolerance, placement.settings.units) + ".";
   if (closure.second_order)
     return "It is held, but only by the curvature of the contact (second order).";
   if (!closure.margin) return "Nothing keeps it from sliding or turning.";
@@ -226,7 +256,7 @@ std::string free_motions_in_words(const Closure& closure) {
 }
 
 bool is_held(const Placement& placement) {
-  return placement.closure.form_closure || placement.closure.second_order;
+  return placement.closure.form_closure ? hold_clearly(placement) : placement.closure.second_order;
 }
 
 std::string detail_in_words(const Placement& placement) {
@@ -242,17 +272,20 @@ std::string verdict(const Placement& placement, LoadModel shown,
   return joined({loads_in_words(placement, shown, ranges), detail_in_words(placement)});
 }
 
-std::string capacity_in_words(const Placement& placement, double capacity,
-                              const CapacityPlan* plan) {
+std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
+                              const FailurePlan* if_one_fails) {
   return capacity_in_words(placement, capacity, plan, overloaded_robots(placement, capacity),
-                           LoadModel::plan);
+                           LoadModel::plan, std::nullopt, if_one_fails);
 }
 
 std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
-                              const std::optional<std::size_t>& failed) {
-  return joined({overload_in_words(placement, capacity, overloaded, model, failed),
-                 plan ? need_in_words(*plan, placement.settings, model, failed) : std::string()});
+                              const std::optional<std::size_t>& failed,
+                              const FailurePlan* if_one_fails) {
+  return joined(
+      {overload_in_words(placement, capacity, overloaded, model, failed),
+       plan ? need_in_words(*plan, placement.settings, model, failed) : std::string(),
+       if_one_fails ? need_if_one_fails(*if_one_fails, placement.settings.units) : std::string()});
 }
 
 std::vector<Fact> facts_in_words(const Placement& placement) {
@@ -263,8 +296,10 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
                      "One for each candidate chord at this minimum load ratio; two robots each"});
   if (placement.teams.empty()) return facts;
   const LoadSummary loads = placement.loads.value_or(LoadSummary{});
-  facts.push_back({"Coverage", percentage(placement.coverage, 1),
-                   "Share of the object inside the lifting base"});
+  facts.push_back(
+      {"Coverage", percentage(placement.coverage, 1),
+       "Share of the object inside the lifting base: no push down there tips it, if robots "
+       "push back and none is overloaded"});
   facts.push_back({"Mean load", load_in_words(loads.mean, loads.max, placement.settings.units),
                    "Of all robots"});
   facts.push_back({"Spread of loads",
@@ -274,10 +309,17 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
     facts.push_back({"Greatest share in a team", percentage(loads.max_share, 1),
                      "50 % in a team that is perfectly even"});
   const Closure& closure = placement.closure;
-  facts.push_back({"Form closure", form_closure_in_words(closure),
-                   "Whether the robots' contact alone keeps the object from moving in the plane"});
-  facts.push_back({"How firmly held", hold_in_words(closure),
-                   "The margin of form closure, where the object cannot move"});
+  facts.push_back(
+      {"Form closure", form_closure_in_words(closure),
+       "Whether the robots' contact alone keeps the object from moving in the plane, to first "
+       "order, if no robot gives way"});
+  facts.push_back(
+      {"How firmly held", hold_in_words(closure),
+       "The margin of form closure, to compare placements of one object with each other"});
+  if (closure.form_closure)
+    facts.push_back({"Robots may be off by",
+                     promised_length(closure.clearance.tolerance, placement.settings.units),
+                     "Each along its edge, all at once in any way: the object is still held"});
   return facts;
 }
 

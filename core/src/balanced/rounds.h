@@ -1,0 +1,12 @@
+// The exchanges of the search, on the rules alone (evenlift/balanced.h has the same for a problem).
+#pragma once
+
+#include "balanced/rules.h"
+#include "evenlift/balanced.h"
+
+namespace evenlift::balanced {
+
+BalancedStep try_next_triple(const Rules& rules, BalancedSearch search);
+BalancedSearch finish_search(const Rules& rules, BalancedSearch search);
+
+}  // namespace evenlift::balanced

@@ -1,0 +1,235 @@
+#include "balanced/usable_sets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "evenlift/tolerance.h"
+
+namespace evenlift::balanced {
+namespace {
+
+// Part of an edge on which robots can stand, by the way t along the edge, and where they lift then: at
+// start + t along, from C.
+struct Interval {
+  std::uint32_t edge = 0;
+  double from = 0, to = 0;
+  Vec2 start = Vec2::Zero(), along = Vec2::Zero();
+  std::uint32_t most = 0;  // robots that find room beside each other
+
+  Vec2 at(double t) const { return start + t * along; }
+};
+
+// How many robots an interval takes, and the places that the middle of them can have.
+struct Group {
+  const Interval* interval;
+  std::uint32_t robots;
+  double middle, half;  // from middle - half to middle + half
+  double share = 0;     // of `half` by which the middle is off, -1 .. 1
+};
+
+// Directions in which sums are bounded before they are solved.
+constexpr std::array<std::array<double, 2>, 16> compass{{{1, 0},
+                                                         {2, 1},
+                                                         {1, 1},
+                                                         {1, 2},
+                                                         {0, 1},
+                                                         {-1, 2},
+                                                         {-1, 1},
+                                                         {-2, 1},
+                                                         {-1, 0},
+                                                         {-2, -1},
+                                                         {-1, -1},
+                                                         {-1, -2},
+                                                         {0, -1},
+                                                         {1, -2},
+                                                         {1, -1},
+                                                         {2, -1}}};
+using Reach = std::array<double, compass.size()>;
+
+Reach reach_of(const Interval& interval) {
+  Reach reach;
+  const Vec2 first = interval.at(interval.from), last = interval.at(interval.to);
+  for (std::size_t i = 0; i < compass.size(); ++i) {
+    const Vec2 u(compass[i][0], compass[i][1]);
+    reach[i] = std::max(dot(u, first), dot(u, last));
+  }
+  return reach;
+}
+
+// Finds shares so that the groups' sum is 0: among all that reach as far as they can towards what is
+// missing, scaled back. That is a knapsack whose items may be divided. False if the groups cannot reach it.
+bool settle(std::vector<Group>& groups, double near) {
+  Vec2 missing = Vec2::Zero();
+  for (const Group& group : groups) missing -= group.robots * group.interval->at(group.middle);
+  const double way = length(missing);
+  if (way <= near) return true;
+  const Vec2 towards = missing / way;
+  struct Item {
+    Group* group;
+    double sign, across, ahead;
+  };
+  std::vector<Item> items;
+  double behind = 0;  // of the balance across, that is still to be taken with the share -1
+  for (Group& group : groups) {
+    const Vec2 whole = group.robots * group.half * group.interval->along;
+    double across = cross(towards, whole), ahead = dot(towards, whole);
+    const double sign = across < 0 || (across == 0 && ahead < 0) ? -1 : 1;
+    across *= sign;
+    ahead *= sign;
+    behind += across;
+    items.push_back({&group, sign, across, ahead});
+  }
+  // The steepest come first: they are taken with 1 until the rest, with -1, balances them.
+  std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+    return a.ahead * b.across > b.ahead * a.across;
+  });
+  double balance = -behind, reached = 0;
+  std::vector<double> shares;
+  for (const Item& item : items) {
+    double share = -1;
+    if (item.across == 0)
+      share = 1;
+    else if (balance < 0)
+      share = std::min(1.0, -1 - balance / item.across);
+    balance += (share + 1) * item.across;
+    reached += share * item.ahead;
+    shares.push_back(share);
+  }
+  if (reached < way - near) return false;
+  const double scale = std::min(1.0, way / reached);
+  for (std::size_t i = 0; i < items.size(); ++i)
+    items[i].group->share = items[i].sign * shares[i] * scale;
+  return true;
+}
+
+class UsableSets {
+ public:
+  UsableSets(const Rules& rules, std::size_t most)
+      : rules_(rules),
+        most_(most),
+        near_(near_distance(rules.polygon().diameter())),
+        spacing_(spacing_of(rules.room()->robot())) {
+    for (const std::uint32_t edge : rules.outline().edges()) add_intervals(edge);
+    reach_behind_.resize(intervals_.size() + 1);
+    reach_behind_.back().fill(0);
+    for (std::size_t i = intervals_.size(); i-- > 0;) {
+      const Reach reach = reach_of(intervals_[i]);
+      for (std::size_t u = 0; u < compass.size(); ++u)
+        reach_behind_[i][u] = i + 1 == intervals_.size()
+                                  ? reach[u]
+                                  : std::max(reach[u], reach_behind_[i + 1][u]);
+    }
+  }
+
+  std::vector<RatedSet> find() && {
+    Reach none;
+    none.fill(0);
+    choose(0, rules_.robots(), none);
+    return std::move(best_);
+  }
+
+ private:
+  static double spacing_of(const RobotSize& robot) {
+    return std::max(2 * robot.radius + robot.gap, robot.width);
+  }
+
+  void add_intervals(std::uint32_t edge) {
+    const Polygon& polygon = rules_.polygon();
+    const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
+    const double size = length(q - p);
+    for (const Stretch& stretch : rules_.room()->usable(edge)) {
+      Interval interval{edge, stretch.from, stretch.to,
+                        rules_.room()->lifting_point({p, edge}).position - rules_.centre(),
+                        (q - p) / size, rules_.robots()};
+      const double room = (stretch.to - stretch.from + near_) / spacing_;
+      if (spacing_ > 0 && room < rules_.robots())
+        interval.most = static_cast<std::uint32_t>(room) + 1;
+      intervals_.push_back(interval);
+    }
+  }
+
+  // Chooses how many of the robots that are left stand on the intervals from one on. `reach` is how far
+  // those that were chosen can reach from C, in the directions of the compass.
+  void choose(std::size_t from, std::uint32_t left, const Reach& reach) {
+    if (left == 0) return settle_and_keep();
+    if (from == intervals_.size() || ++nodes_ > most_nodes || !can_balance(from, left, reach))
+      return;
+    const Interval& interval = intervals_[from];
+    const Reach of_one = reach_of(interval);
+    for (std::uint32_t robots = std::min(left, interval.most) + 1; robots-- > 0;) {
+      Reach sum = reach;
+      for (std::size_t u = 0; u < compass.size(); ++u) sum[u] += robots * of_one[u];
+      if (robots > 0) chosen_.push_back({from, robots});
+      choose(from + 1, left - robots, sum);
+      if (robots > 0) chosen_.pop_back();
+    }
+  }
+
+  bool can_balance(std::size_t from, std::uint32_t left, const Reach& reach) const {
+    for (std::size_t u = 0; u < compass.size(); ++u)
+      if (reach[u] + left * reach_behind_[from][u] < -near_ * left) return false;
+    return true;
+  }
+
+  void settle_and_keep() {
+    std::vector<Group> groups;
+    for (const auto& [number, robots] : chosen_) {
+      const Interval& interval = intervals_[number];
+      const double half_width = spacing_ * (robots - 1) / 2;
+      groups.push_back({&interval, robots, (interval.from + interval.to) / 2,
+                        std::max(0.0, (interval.to - interval.from) / 2 - half_width)});
+    }
+    if (!settle(groups, near_)) return;
+    for (const double width : {0.0, 0.5, 1.0}) keep(robots_of(groups, width));
+  }
+
+  // The robots of the groups, from as near to each other as they can stand, 0, to as far, 1.
+  std::vector<LiftingPoint> robots_of(const std::vector<Group>& groups, double width) const {
+    std::vector<LiftingPoint> robots;
+    for (const Group& group : groups) {
+      const Interval& interval = *group.interval;
+      const double middle = group.middle + group.share * group.half;
+      const double room = std::min(middle - interval.from, interval.to - middle);
+      const double least = spacing_ * (group.robots - 1) / 2;
+      const double half = std::max(least, least + width * (room - least));
+      for (std::uint32_t i = 0; i < group.robots; ++i) {
+        const double part = group.robots > 1 ? 2.0 * i / (group.robots - 1) - 1 : 0;
+        const double t = std::clamp(middle + part * half, interval.from, interval.to);
+        robots.push_back({rules_.centre() + interval.at(t), interval.edge});
+      }
+    }
+    return robots;
+  }
+
+  void keep(const std::vector<LiftingPoint>& robots) {
+    for (std::size_t i = 0; i < robots.size(); ++i)
+      if (!rules_.room()->can_lift(robots[i]) || rules_.collides(robots, i, robots[i])) return;
+    RatedSet set = rules_.rated(robots);
+    auto at = best_.end();
+    while (at != best_.begin() && rules_.better(set, *(at - 1))) --at;
+    if (static_cast<std::size_t>(at - best_.begin()) >= most_) return;
+    best_.insert(at, std::move(set));
+    if (best_.size() > most_) best_.pop_back();
+  }
+
+  const Rules& rules_;
+  std::size_t most_;
+  double near_, spacing_;
+  std::vector<Interval> intervals_;
+  std::vector<Reach> reach_behind_;  // how far one robot reaches on this interval or a later one
+  std::vector<std::pair<std::size_t, std::uint32_t>> chosen_;  // intervals, and their robots
+  std::size_t nodes_ = 0;
+  std::vector<RatedSet> best_;
+};
+
+}  // namespace
+
+std::vector<RatedSet> usable_sets(const Rules& rules, std::size_t most) {
+  if (!rules.room()) return {};
+  return UsableSets(rules, most).find();
+}
+
+}  // namespace evenlift::balanced

@@ -1,0 +1,112 @@
+// How exactly robots must stand: what is left of a hold without the contacts beside corners.
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/closure.h"
+#include "evenlift/tolerance.h"
+#include "exact/sorted_indices.h"
+
+namespace evenlift {
+namespace {
+
+// The contacts from the farthest from a corner to the nearest. What holds of the first k of them, form
+// closure and a large margin, holds of more of them, too: so it is found by bisection.
+class FarthestFirst {
+ public:
+  FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts)
+      : polygon_(polygon), centre_(centre), radius_(farthest_vertex(polygon, centre)) {
+    for (const std::uint32_t i : sorted_indices(contacts.size(), [&](auto a, auto b) {
+           return contacts[a].to_corner > contacts[b].to_corner;
+         }))
+      contacts_.push_back(contacts[i]);
+  }
+
+  // The fewest contacts that hold; one more than there are if not even all of them do.
+  std::size_t fewest_that_hold() const {
+    return first(1, [&](std::size_t number) {
+      return in_form_closure(polygon_, centre_, first_contacts(number));
+    });
+  }
+
+  const Contact& last_of(std::size_t number) const { return contacts_[number - 1]; }
+  std::size_t size() const { return contacts_.size(); }
+
+  // The supremum of min(k, R m(k)) over the sets of at least so many contacts. The distance falls with
+  // their number and the margin grows, so the best set is one of two neighbours.
+  double tolerance(std::size_t fewest) const {
+    const auto by_margin = [&](std::size_t number) {
+      const auto margin = analyse_hold(polygon_, centre_, first_contacts(number)).margin;
+      return radius_ * std::max(0.0, margin.value_or(0));
+    };
+    const auto within = [&](std::size_t number) {
+      return std::min(last_of(number).to_corner, by_margin(number));
+    };
+    const std::size_t enough = first(fewest, [&](std::size_t number) {
+      return by_margin(number) >= last_of(number).to_corner;
+    });
+    double best = 0;
+    if (enough <= size()) best = within(enough);
+    if (enough > fewest) best = std::max(best, within(enough - 1));
+    return best;
+  }
+
+ private:
+  std::vector<Contact> first_contacts(std::size_t number) const {
+    return {contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(number)};
+  }
+
+  // The first number from `low` on that fulfils a condition, which all larger ones fulfil, too.
+  template <class Condition>
+  std::size_t first(std::size_t low, Condition fulfils) const {
+    std::size_t high = size() + 1;
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2;
+      if (fulfils(middle))
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    return low;
+  }
+
+  const Polygon& polygon_;
+  Vec2 centre_;
+  double radius_;
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace
+
+std::vector<Contact> clear_contacts(const Polygon& polygon, const std::vector<Contact>& contacts,
+                                    double clear) {
+  const double least = clear - near_distance(polygon.diameter());
+  std::vector<Contact> kept;
+  kept.reserve(contacts.size());
+  for (const Contact& contact : contacts)
+    if (contact.to_corner >= least) kept.push_back(contact);
+  return kept;
+}
+
+Clearance analyse_clearance(const Polygon& polygon, const Vec2& centre,
+                            const std::vector<Contact>& contacts) {
+  const FarthestFirst farthest(polygon, centre, contacts);
+  const std::size_t fewest = farthest.fewest_that_hold();
+  Clearance clearance;
+  if (fewest > farthest.size()) return clearance;
+  const Contact& nearest = farthest.last_of(fewest);
+  clearance.distance = nearest.to_corner;
+  if (std::isfinite(nearest.to_corner)) clearance.point = nearest.point;
+  clearance.tolerance = farthest.tolerance(fewest);
+  return clearance;
+}
+
+FirmHold firm_hold(const Polygon& polygon, const Vec2& centre, const Settings& settings) {
+  return {settings.min_margin,
+          settings.clear.value_or(usual_clear * farthest_vertex(polygon, centre))};
+}
+
+bool is_clear(const Polygon& polygon, const Clearance& clearance, double clear) {
+  return clearance.distance >= clear - near_distance(polygon.diameter());
+}
+
+}  // namespace evenlift

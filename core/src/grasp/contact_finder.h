@@ -1,0 +1,37 @@
+// Finds the contacts of robots with an object: where they touch it, and how far that is from a corner.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "evenlift/closure.h"
+#include "polygon/corners.h"
+
+namespace evenlift {
+
+class ContactFinder {
+ public:
+  // The polygon must outlive it. O(n log n).
+  explicit ContactFinder(const Polygon& polygon);
+
+  // The same as contacts() (closure.h). O(m log n) for m points, if few vertices lie within tau L of one
+  // another.
+  std::vector<Contact> find(const std::vector<LiftingPoint>& points) const;
+
+ private:
+  // A square of a grid. Its side is 4 tau L, so what is within tau L of a point is in four squares.
+  using Cell = std::array<double, 2>;
+  Cell cell_of(const Vec2& p) const;
+  std::optional<std::uint32_t> vertex_at(const Vec2& p) const;
+  double to_corner(const Vec2& p, std::uint32_t edge) const;
+
+  const Polygon& polygon_;
+  double near_;
+  std::vector<Cell> cells_;             // by vertex
+  std::vector<std::uint32_t> by_cell_;  // the vertices in the order of their cells
+  Corners corners_;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,126 @@
+// How many robots it takes if any one of them may fail.
+#include <algorithm>
+#include <cmath>
+
+#include "evenlift/balanced.h"
+#include "evenlift/capacity.h"
+#include "evenlift/exchange.h"
+#include "evenlift/load_models.h"
+#include "evenlift/selection.h"
+
+namespace evenlift {
+namespace {
+
+// Places any number of robots with the method of a placement.
+class Placer {
+ public:
+  explicit Placer(const Placement& placement) : placement_(placement) {}
+
+  bool is_balanced() const { return placement_.settings.method == Method::balanced; }
+
+  // Nothing if so many find no place.
+  std::vector<Team> teams(std::uint32_t robots) {
+    const Settings& settings = placement_.settings;
+    if (is_balanced()) return balanced(robots);
+    const std::size_t number = robots / 2;
+    std::vector<Chord> chords;
+    switch (settings.method) {
+      case Method::distributed:
+        chords = distributed_teams(placement_.polygon, placement_.centre_of_mass, number);
+        break;
+      case Method::random:
+        chords = random_teams(placement_.polygon, placement_.centre_of_mass, number, settings.seed);
+        break;
+      case Method::area:
+      case Method::circle:
+      case Method::distance:
+      case Method::balanced:
+        chords = chords_of(placement_.candidates, chosen(number));
+    }
+    if (chords.size() < number) return {};
+    return distribute_weight(chords, settings.weight);
+  }
+
+ private:
+  std::vector<Team> balanced(std::uint32_t robots) const {
+    Settings settings = placement_.settings;
+    settings.robots = robots;
+    const BalancedProblem problem(placement_.polygon, placement_.centre_of_mass, settings);
+    auto search = start_balanced(problem);
+    if (!search) return {};
+    return {share_evenly(finish_search(problem, *std::move(search)).robots,
+                         placement_.centre_of_mass, settings.weight)};
+  }
+
+  // Teams that are chosen one after another are the first of more of them.
+  std::vector<std::uint32_t> chosen(std::size_t number) {
+    const bool exchanged = exchanges_teams(placement_.settings);
+    if (exchanged || chosen_.size() < number)
+      chosen_ = choose_candidates(placement_.polygon, placement_.centre_of_mass,
+                                  placement_.candidates, placement_.settings,
+                                  exchanged ? number : 2 * number, placement_.stands.get());
+    return {chosen_.begin(),
+            chosen_.begin() + static_cast<std::ptrdiff_t>(std::min(number, chosen_.size()))};
+  }
+
+  const Placement& placement_;
+  std::vector<std::uint32_t> chosen_;
+};
+
+// What one robot bears at most, with all at work or when any one fails; nothing if the object falls then, or
+// if it is more than the capacity.
+std::optional<double> greatest_of_all(const Placement& placement, const std::vector<Team>& teams,
+                                      double capacity) {
+  const Points all = positions(lifting_points(teams));
+  const std::vector<double> planned = planned_loads(teams);
+  double greatest = *std::max_element(planned.begin(), planned.end());
+  for (std::size_t failed = 0; failed < all.size() && greatest <= capacity; ++failed) {
+    Points others = all;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(failed));
+    const auto springs = spring_loads(others, placement.centre_of_mass,
+                                      placement.polygon.diameter(), placement.settings.weight);
+    if (!springs) return std::nullopt;
+    greatest = std::max(greatest,
+                        *std::max_element(springs->loads.begin(), springs->loads.end()));
+  }
+  return greatest <= capacity ? std::optional(greatest) : std::nullopt;
+}
+
+// Even robots that bear the same when one of them has failed carry weight / (robots - 1).
+std::uint32_t least_that_may_do(const Settings& settings, double capacity, std::uint32_t most) {
+  const double number = std::ceil(settings.weight / capacity) + 1;
+  const auto by_weight = static_cast<std::uint32_t>(std::clamp(number, 3.0, most + 1.0));
+  const bool balanced = settings.method == Method::balanced;
+  if (balanced && settings.survive > 0) return std::max(by_weight, 2 * settings.survive + 3);
+  return balanced ? by_weight : by_weight + by_weight % 2;
+}
+
+}  // namespace
+
+FailurePlan plan_for_failures(const Placement& placement, double capacity) {
+  Placer method(placement);
+  const bool balanced = method.is_balanced();
+  const std::uint32_t most = balanced ? most_robots : 2 * most_teams_tried(placement.settings),
+                      step = balanced ? 1 : 2;
+  const std::uint32_t least = least_that_may_do(placement.settings, capacity, most);
+  FailurePlan plan;
+  plan.tried = least - 1;
+  std::uint64_t loads = 0;
+  for (std::uint32_t robots = least; robots <= most; robots += step) {
+    if (balanced && robots >= least + most_sets_planned) break;
+    loads += std::uint64_t{robots} * robots;
+    if (loads > most_loads_planned) break;
+    if (exchanges_teams(placement.settings) &&
+        check_exchanges(placement.candidates.size(), robots / 2, placement.stands.get()))
+      break;
+    const std::vector<Team> teams = method.teams(robots);
+    if (teams.empty() && !balanced) break;
+    plan.tried = robots;
+    if (teams.empty()) continue;
+    if (const auto greatest = greatest_of_all(placement, teams, capacity))
+      return {true, robots, *greatest, robots};
+  }
+  return plan;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,27 @@
+#include "polygon/corners.h"
+
+namespace evenlift {
+
+// Goes round once, beginning behind a vertex that turns, which every polygon has.
+Corners::Corners(const Polygon& polygon)
+    : before_(polygon.size(), none), after_(polygon.size(), none) {
+  std::size_t first = 0;
+  while (polygon.turn(first) == Turn::straight) ++first;
+  std::vector<std::size_t> run;
+  std::size_t begin = first;
+  do {
+    std::size_t end = begin;
+    run.clear();
+    do {
+      run.push_back(end);
+      end = polygon.next(end);
+    } while (polygon.turn(end) == Turn::straight);
+    for (const std::size_t edge : run) {
+      if (polygon.is_corner(begin)) before_[edge] = static_cast<std::uint32_t>(begin);
+      if (polygon.is_corner(end)) after_[edge] = static_cast<std::uint32_t>(end);
+    }
+    begin = end;
+  } while (begin != first);
+}
+
+}  // namespace evenlift

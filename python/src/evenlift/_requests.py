@@ -1,0 +1,179 @@
+"""Requests, made of what a function was called with. The core says where in a request something is wrong; nobody who calls a
+function has written one, so what the core would give a line and a column of it is refused here, by its own name or place."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+import sys
+from typing import Any, Iterable, Mapping, Optional, get_args
+
+from ._library import EvenliftError
+from .types import Place, Point, Polygon, PoseFormat, PoseOrigin, Settings
+
+_most_vertices = 1048576
+_most_polygons = 10000
+_frame = re.compile(r"[A-Za-z0-9_.-][A-Za-z0-9_./-]{0,254}")
+
+
+def _bad_setting(name: str, message: str) -> EvenliftError:
+    return EvenliftError(message, "bad_setting", {"setting": name})
+
+
+# --- Texts
+
+
+def _broken_at(text: str) -> Optional[int]:
+    """Where half a surrogate pair stands, which no text in UTF-8 can have."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError as error:
+        return error.start
+    return None
+
+
+def _polygon_text(text: str) -> str:
+    at = _broken_at(text)
+    if at is None:
+        return text
+    place: Place = {"line": text.count("\n", 0, at) + 1, "column": at - text.rfind("\n", 0, at)}
+    raise EvenliftError(f"Line {place['line']}, column {place['column']}: this is half a character", "bad_syntax", place)
+
+
+def _text(name: str, value: str) -> str:
+    if _broken_at(value) is not None:
+        raise _bad_setting(name, f"{name}: there is half a character in the text")
+    return value
+
+
+# --- Polygons
+
+
+class _NotTwoNumbers(Exception):
+    pass
+
+
+def _numbers(point: Any) -> list[float]:
+    """The two numbers of a point, as Python's own."""
+    try:
+        x, y = point
+        return [float(x), float(y)]
+    except OverflowError:  # The core says that it is too large.
+        return [sys.float_info.max, sys.float_info.max]
+    except (TypeError, ValueError):
+        raise _NotTwoNumbers from None
+
+
+def _vertex(point: Any, index: int) -> list[float]:
+    place: Place = {"vertices": [index]}
+    try:
+        numbers = _numbers(point)
+    except _NotTwoNumbers:
+        raise EvenliftError(f"Vertex {index + 1}: a point is two numbers (x, y)", "bad_syntax", place) from None
+    if not all(map(math.isfinite, numbers)):
+        raise EvenliftError(f"Vertex {index + 1}: a coordinate is not a finite number", "bad_coordinate", place)
+    return numbers
+
+
+def shape(polygon: Polygon) -> dict[str, Any]:
+    """The members of a request that say what the polygon is."""
+    if isinstance(polygon, str):
+        return {"text": _polygon_text(polygon)}
+    try:
+        points = list(polygon)
+    except TypeError:
+        raise EvenliftError("A polygon is a sequence of points (x, y), or a text", "bad_syntax") from None
+    if len(points) > _most_vertices:
+        raise EvenliftError(f"The polygon has more than {_most_vertices} vertices", "too_many_vertices")
+    return {"polygon": [_vertex(point, index) for index, point in enumerate(points)]}
+
+
+def _centre(point: Any) -> list[float]:
+    place: Place = {"centre_of_mass": True}
+    try:
+        numbers = _numbers(point)
+    except _NotTwoNumbers:
+        raise EvenliftError("The centre of mass is two numbers (x, y)", "bad_syntax", place) from None
+    if not all(map(math.isfinite, numbers)):
+        raise EvenliftError("A coordinate of the centre of mass is not a finite number", "bad_coordinate", place)
+    return numbers
+
+
+def named_shapes(polygons: Iterable[tuple[Any, Polygon]]) -> list[dict[str, Any]]:
+    """The polygons of an experiment with their names, which errors tell, too."""
+    shapes: list[dict[str, Any]] = []
+    for given_name, polygon in polygons:
+        if len(shapes) == _most_polygons:
+            raise EvenliftError(f"There are more than {_most_polygons} polygons", "unsupported")
+        name = str(given_name)
+        if _broken_at(name) is not None:
+            raise EvenliftError(f"The name of polygon {len(shapes) + 1} has half a character", "bad_syntax")
+        try:
+            shapes.append({"name": name, **shape(polygon)})
+        except EvenliftError as error:
+            message = str(error)
+            raise EvenliftError(f"{name}: {message[0].lower()}{message[1:]}", error.code, error.place) from None
+    return shapes
+
+
+# --- Settings
+
+
+def _number(value: Any) -> Any:
+    """A number as JSON has it: one of Python's own, whatever it was."""
+    if isinstance(value, int):
+        return value
+    return value.item() if hasattr(value, "item") else float(value)
+
+
+def _value(name: str, value: Any) -> Any:
+    """A setting's value. What the core refuses by the setting's name is left to it."""
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, str):
+        return _text(name, value)
+    try:
+        number = _number(value)
+        finite = math.isfinite(number)
+    except OverflowError:
+        raise _bad_setting(name, f"{name}: the number is too large") from None
+    except (TypeError, ValueError):
+        raise _bad_setting(name, f"{name}: expected a number or a text, not {type(value).__name__}") from None
+    if not finite:
+        raise _bad_setting(name, f"{name}: {number} is not a finite number")
+    return number
+
+
+def values(settings: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: _value(name, value) for name, value in settings.items()}
+
+
+def _unknown(name: str, known: list[str]) -> EvenliftError:
+    message = f'There is no setting "{name}"'
+    meant = difflib.get_close_matches(name.lower(), known, n=1)
+    return _bad_setting(name, f'{message}; did you mean "{meant[0]}"?' if meant else message)
+
+
+def request(polygon: Polygon, centre_of_mass: Optional[Point], settings: Mapping[str, Any], also: tuple[str, ...] = ()) -> dict[str, Any]:
+    """A request, without its command. `also` are names that may be meant besides the settings'."""
+    known = [*Settings.__annotations__, "centre_of_mass", *also]
+    for name in settings:
+        # "com" is what the program calls the centre of mass, and the core takes it, too.
+        if name not in Settings.__annotations__ and name != "com":
+            raise _unknown(name, known)
+    made = shape(polygon)
+    if centre_of_mass is not None:
+        made["centre_of_mass"] = _centre(centre_of_mass)
+    made["settings"] = values(settings)
+    return made
+
+
+def pose_options(format: Any, frame: Any, origin: Any) -> dict[str, Any]:
+    if format not in get_args(PoseFormat):
+        raise _bad_setting("format", "The format of poses is csv, json or yaml")
+    if origin not in get_args(PoseOrigin):
+        raise _bad_setting("origin", "The origin of poses is file or com")
+    if not isinstance(frame, str) or not _frame.fullmatch(frame):
+        raise _bad_setting("frame", "The frame is 1 to 255 letters, digits, _, -, . and /, and does not begin with /")
+    return {"format": format, "frame": frame, "origin": origin}

@@ -1,0 +1,396 @@
+"""The types of what evenlift takes and gives, for type checkers and for those who read results from files.
+
+docs/cli.md of the repository says what each member of a result is. In classes whose name begins with an underscore are the members
+that are always there.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Iterable, Literal, Optional, SupportsFloat, TypedDict, Union
+
+if TYPE_CHECKING:
+    from numpy import float64, int_
+    from numpy.typing import NDArray
+    from typing_extensions import TypeAlias
+
+    Array: TypeAlias = NDArray[Any]
+    FloatArray: TypeAlias = NDArray[float64]
+    IntArray: TypeAlias = NDArray[int_]
+else:  # NumPy is asked for no sooner than an array is.
+    Array = FloatArray = IntArray = Any
+
+# --- What is given
+
+Point = Iterable[SupportsFloat]
+"""(x, y): a pair, or a row of a NumPy array."""
+
+Polygon = Union[str, Iterable[Point]]
+"""A text, or points: a list of pairs, or a NumPy array of two columns."""
+
+Metric = Literal["area", "circle", "distance", "distributed", "random", "balanced"]
+Goal = Literal["cover", "hold"]
+Positions = Literal["best", "range"]
+LengthUnit = Literal["m", "cm", "mm", "in"]
+WeightUnit = Literal["kg", "t", "N", "lb"]
+PoseFormat = Literal["csv", "json", "yaml"]
+PoseOrigin = Literal["file", "com"]
+Table = Literal["measurements", "aggregates", "polygons"]
+
+
+class Settings(TypedDict, total=False):
+    """What may be set; docs/cli.md of the repository tells more of each. None means as usual."""
+
+    teams: Union[int, Literal["max"], None]
+    metric: Optional[Metric]
+    min_ratio: Optional[float]
+    weight: Optional[float]
+    seed: Optional[int]
+    robots: Optional[int]
+    goal: Optional[Goal]
+    min_margin: Optional[float]
+    apart: Optional[float]
+    clear: Optional[float]
+    survive: Optional[int]
+    positions: Optional[Positions]
+    robot: Optional[str]
+    robot_radius: Optional[float]
+    robot_reach: Optional[float]
+    robot_depth: Optional[float]
+    robot_width: Optional[float]
+    robot_gap: Optional[float]
+    no_go: Optional[str]
+    com_radius: Optional[float]
+    capacity: Union[float, Literal["none"], None]
+    overlays: Optional[str]
+    step: Union[int, Literal["none"], None]
+    unit: Union[LengthUnit, Literal["none"], None]
+    weight_unit: Optional[WeightUnit]
+
+
+# --- Placements
+
+Position = list[float]
+"""[x, y]"""
+
+Motion = Literal["clockwise", "counterclockwise", "translation"]
+UnusableReason = Literal["no_go", "body", "arm", "corner", "hand", "near_no_go", "narrow"]
+
+
+class Candidate(TypedDict):
+    """A chord on which a team may stand."""
+
+    ends: list[Position]
+    ratio: float
+    kind: Literal["bisecting", "vertex", "midpoint", "range"]
+
+
+class Team(TypedDict):
+    ends: list[Position]
+    ratio: float
+    loads: list[float]
+
+
+class Robot(TypedDict):
+    """`at` is the lifting point, `team` counts from 0, and `heading` is in degrees."""
+
+    at: Position
+    team: int
+    load: float
+    contact: Position
+    stand: Position
+    heading: float
+
+
+class LoadModels(TypedDict):
+    springs: list[float]
+    best: float
+    worst: list[float]
+
+
+class Loads(TypedDict):
+    min: float
+    mean: float
+    max: float
+    spread: float
+    max_share: float
+    models: Optional[LoadModels]
+
+
+class Closure(TypedDict):
+    """`margin` is None without contacts, and `clearance` where no contact is beside a corner."""
+
+    form_closure: bool
+    margin: Optional[float]
+    clearance: Optional[float]
+    tolerance: float
+    second_order: bool
+    free: list[Motion]
+    clockwise: list[Position]
+    counterclockwise: list[Position]
+
+
+class _Robustness(TypedDict):
+    com_margin: float
+    failures_carried: int
+    failures_steady: int
+    failures_clear: int
+    load_per_length: Optional[list[float]]
+
+
+class Robustness(_Robustness, total=False):
+    """These with a com_radius above 0 only."""
+
+    com_radius: float
+    exact_within: Optional[float]
+    plan_ranges: list[list[float]]
+    springs_ranges: list[list[float]]
+
+
+class _Failure(TypedDict):
+    robot: int
+    carried: bool
+    steady: bool
+    com_margin: Optional[float]
+    coverage: Optional[float]
+    form_closure: Optional[bool]
+    margin: Optional[float]
+    plan_max: Optional[float]
+    springs_max: Optional[float]
+    best_max: Optional[float]
+
+
+class Failure(_Failure, total=False):
+    """What is left of the lift if `robot`, counted from 0, fails. All after `steady` is None where the others do not carry the object;
+    the last with a capacity only."""
+
+    over_capacity: Optional[bool]
+
+
+class FailurePlan(TypedDict):
+    """How many robots are needed so that any one of them may fail."""
+
+    robots_needed: Optional[int]
+    greatest_load: Optional[float]
+    robots_tried: int
+
+
+class Capacity(TypedDict):
+    limit: float
+    overloaded: list[int]
+    teams_needed: Optional[int]
+    greatest_load: Optional[float]
+    teams_tried: int
+    robots_needed: Optional[int]
+    com_radius: Optional[float]
+    if_one_fails: Optional[FailurePlan]
+
+
+class RobotSize(TypedDict):
+    radius: float
+    reach: float
+    depth: float
+    width: float
+    gap: float
+
+
+class Overlays(TypedDict):
+    candidates: bool
+    chords: bool
+    hull: bool
+    clockwise: bool
+    counterclockwise: bool
+    tipping: bool
+    halo: bool
+
+
+class _PlacementDict(TypedDict):
+    polygon: list[Position]
+    centre_of_mass: Position
+    metric: Metric
+    min_ratio: float
+    weight: float
+    seed: int
+    requested_teams: int
+    teams: list[Team]
+    hull: list[Position]
+    coverage: float
+    loads: Optional[Loads]
+    closure: Closure
+    goal: Goal
+    goal_reached: bool
+    clear: Optional[float]
+
+
+class PlacementDict(_PlacementDict, total=False):
+    """What `evenlift place --json` prints: a Placement has these members, and json.loads() of its text gives this."""
+
+    unit: LengthUnit
+    weight_unit: WeightUnit
+    candidates: list[Candidate]
+    robots: list[Robot]
+    requested_robots: int
+    min_margin: float
+    apart: Optional[float]
+    survive: int
+    positions: Literal["range"]
+    teams_asked: Union[int, Literal["max"]]
+    overlays: Overlays
+    moved: str
+    robot: RobotSize
+    no_go: str
+    unusable: list[list[Union[float, UnusableReason]]]
+    robustness: Robustness
+    failures: list[Failure]
+    capacity: Capacity
+
+
+class PlacementArrays(TypedDict):
+    """n × 2: `polygon` and `hull`; by robots, m × 2: `at`, `stand` and `contact`, and m: `load`, `heading` and `team`."""
+
+    polygon: FloatArray
+    hull: FloatArray
+    at: FloatArray
+    stand: FloatArray
+    contact: FloatArray
+    load: FloatArray
+    heading: FloatArray
+    team: IntArray
+
+
+class CandidateArrays(TypedDict):
+    """`ends` is n × 2 × 2, and `ratio` n."""
+
+    ends: FloatArray
+    ratio: FloatArray
+
+
+# --- Experiments
+
+
+class MeasurementRow(TypedDict):
+    """A row of measurements.csv, with None where a field is empty."""
+
+    set: str
+    polygon: str
+    method: Metric
+    teams: int
+    robots: int
+    samples: int
+    coverage: float
+    form_closure: float
+    no_area: float
+    held_clear: float
+    load_min: float
+    load_mean: float
+    load_max: float
+    spread: float
+    max_share: float
+    chosen: Optional[int]
+
+
+class AggregateRow(TypedDict):
+    """A row of aggregates.csv."""
+
+    set: str
+    method: Metric
+    teams: int
+    robots: int
+    polygons: int
+    spread_mean: float
+    spread_sd: Optional[float]
+    load_max_mean: float
+    load_max_sd: Optional[float]
+    max_share_mean: float
+    max_share_sd: Optional[float]
+    coverage_mean: float
+    coverage_sd: Optional[float]
+    closed_mean: float
+    closable: int
+    form_closure_mean: Optional[float]
+    no_area_possible: int
+    no_area_mean: Optional[float]
+    held_clear_mean: float
+
+
+class PolygonRow(TypedDict):
+    """A row of polygons.csv: the polygon's numbers, or the problem because of which it was refused."""
+
+    set: str
+    polygon: str
+    vertices: Optional[int]
+    convex: Optional[int]
+    candidates: Optional[int]
+    problem: str
+
+
+class Refused(TypedDict):
+    polygon: str
+    problem: str
+
+
+class FigureSeries(TypedDict):
+    """Each point is [robots, value, polygons]."""
+
+    method: Metric
+    points: list[list[float]]
+
+
+class Figure(TypedDict):
+    set: str
+    id: str
+    title: str
+    unit: str
+    column: str
+    sentence: str
+    series: list[FigureSeries]
+
+
+class Claim(TypedDict):
+    section: str
+    what: str
+    thesis: str
+    ours: list[str]
+
+
+class Claims(TypedDict):
+    sets: list[str]
+    rows: list[Claim]
+
+
+class FewRobotsRow(TypedDict):
+    what: str
+    robots: int
+    cells: list[str]
+
+
+class FewRobots(TypedDict):
+    set: str
+    rows: list[FewRobotsRow]
+
+
+class ExperimentDict(TypedDict):
+    """The members of an Experiment."""
+
+    measurements: list[MeasurementRow]
+    aggregates: list[AggregateRow]
+    polygons: list[PolygonRow]
+    thesis: str
+    refused: list[Refused]
+    figures: list[Figure]
+    claims: Claims
+    few_robots: list[FewRobots]
+
+
+# --- Errors
+
+
+class Place(TypedDict, total=False):
+    """Where something is wrong: the members of one line. Vertices and edges count from 0, all else from 1."""
+
+    line: int
+    column: int
+    vertices: list[int]
+    edges: list[int]
+    centre_of_mass: Literal[True]
+    setting: str
+    character: int
