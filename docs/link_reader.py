@@ -18,7 +18,7 @@ OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "ti
 # What a record's payload is read as, by its tag; the other tags are those of later programs.
 RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int),
            6: ("positions", str), 7: ("com_radius", float), 8: ("capacity", float), 9: ("robot", str), 10: ("no_go", str),
-           11: ("units", str), 18: ("halo", str), 19: ("moved", str)}
+           11: ("units", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float)}
 DOUBLES = 23  # the scale that numbers every double
 
 

@@ -118,6 +118,8 @@ std::string for_people(const Placement& placement, bool with_candidates,
     tables += team_table(placement, shown, limit) + "\n";
     greatest = shown.greatest;
   }
+  if (!placement.search_ended && !placement.teams.empty())
+    sentences += "The outline is so large that the search was cut short: there may be better places.\n";
   if (capacity)
     sentences += capacity_in_words(placement, capacity->limit, &capacity->plan,
                                    overloaded_robots(greatest, capacity->limit), model,

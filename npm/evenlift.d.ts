@@ -205,6 +205,8 @@ export interface Placement {
   goal_reached: boolean;
   /** As used; `null` for the default. */
   clear: number | null;
+  /** Of balanced robots: whether the search has come to its end. */
+  search_ended?: boolean;
   requested_robots?: number;
   /** The same, and with teams of two that are to hold. */
   min_margin?: number;

@@ -68,7 +68,7 @@ def readme_table(folder):
     def cell(robots, method):
         if (robots, method) not in means:
             return "–"
-        coverage, held, spread = (float(means[robots, method][f"{name}_mean"]) for name in ("coverage", "closed", "spread"))
+        coverage, held, spread = (float(means[robots, method][f"{name}_mean"]) for name in ("coverage", "held_clear", "spread"))
         return f"{100 * coverage:.0f} %, {100 * held:.0f} %, {spread:.1f} kg"
 
     shown = {"pairs by area": "area", "distributed": "distributed", "random": "random", "balanced": "balanced"}

@@ -82,8 +82,15 @@ struct BalancedSearch {
   bool changed = false;              // whether the present round has exchanged anything
   bool finished = false;             // a whole round changed nothing, or there were most_rounds
   bool restarted = false;            // a second start was looked for
+  std::uint64_t work = 0;        // what the triples so far took, in units of most_work
+  bool cut_short = false;        // it has finished because that was too much
 };
 inline constexpr std::uint32_t most_rounds = 8;
+
+// The search on an outline with more than 1,000 vertices ends after so much work, which is counted and not
+// timed, so that every platform ends with the same robots: for each completion 1, and 1 more for every 100
+// even candidates about C. A unit takes some 10 microseconds.
+inline constexpr std::uint64_t most_work = 150'000;
 
 // The start: S_i is the better one of S_(i-2) with two more and S_(i-3) with three more, for
 // i = 2 .. m from the empty S_0; for m = 4, and where S_4 would not exist, also a stand with three

@@ -31,6 +31,13 @@ std::shared_ptr<const Stands> room_of(const Polygon& polygon, const Settings& se
   return room ? *std::move(room) : nullptr;
 }
 
+// What a completion takes: on outlines that wind, the coverage of a set is added up along all that winds.
+std::uint64_t work_on(const Polygon& polygon, const EvenChords& chords, const Vec2& centre) {
+  constexpr std::size_t few_vertices = 1000, most_counted = 100'000, for_one = 100;
+  if (polygon.size() <= few_vertices) return 0;
+  return 1 + chords.count_about(centre, most_counted) / for_one;
+}
+
 }  // namespace
 
 void RatedSet::begin(std::uint32_t pairs) {
@@ -55,6 +62,7 @@ Rules::Rules(Polygon polygon, const Vec2& centre, const Settings& settings)
       stands_(outline_.stands(room_.get())),
       triples_(triples_of(settings.robots)),
       chords_(polygon_, room_.get(), outline_.edges()),
+      work_of_completion_(work_on(polygon_, chords_, centre)),
       coarse_cover_(polygon_, centre),
       cover_(polygon_, centre),
       margins_(polygon_, centre, firm_.clear) {

@@ -46,6 +46,8 @@ class Rules {
   const EvenChords& chords() const { return chords_; }
   const Outline& outline() const { return outline_; }
   const std::vector<LiftingPoint>& stands() const { return stands_; }
+  // In units of most_work (balanced.h); 0 for outlines on which the work is not bounded.
+  std::uint64_t work_of_completion() const { return work_of_completion_; }
   const std::vector<Triple>& triples() const { return triples_; }
 
   // Where robots with a size can stand; none if they are points that may stand anywhere.
@@ -114,6 +116,7 @@ class Rules {
   std::vector<LiftingPoint> stands_;
   std::vector<Triple> triples_;
   EvenChords chords_;
+  std::uint64_t work_of_completion_ = 0;
   CoarseCover coarse_cover_;
   Cover cover_;
   Margins margins_;

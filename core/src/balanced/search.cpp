@@ -41,7 +41,10 @@ BalancedSearch restarted(const Rules& rules, BalancedSearch search) {
 }
 
 BalancedSearch ended(const Rules& rules, BalancedSearch search) {
-  if (search.next < rules.triples().size()) return search;
+  search.work += rules.stands().size() * rules.work_of_completion();
+  search.cut_short = rules.work_of_completion() > 0 && search.work >= most_work;
+  search.finished = search.cut_short;
+  if (search.cut_short || search.next < rules.triples().size()) return search;
   ++search.round;
   search.finished = !search.changed || search.round == most_rounds;
   search.next = 0;

@@ -34,7 +34,7 @@ class EvenChords {
   // sample depends on their numbers in the walk alone. An outline that winds much has a hundred thousand even
   // chords about one centre, and some of them serve a search as well. O(log n) for each place where the sample
   // meets its mirror image.
-  static constexpr std::size_t enough_chords = 64;
+  static constexpr std::size_t enough_chords = 32;
   std::vector<Candidate> some_about(const Vec2& centre) const;
 
   // How many of them there are before duplicates are merged, counted to `most` at the most. An

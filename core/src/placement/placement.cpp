@@ -87,7 +87,7 @@ void place_balanced(Placement& placement, Effort effort) {
   if (!search) return;
   if (effort == Effort::whole) search = finish_search(problem, *std::move(search));
   placement.teams = {team_of(placement, search->robots)};
-  placement.search_ended = search->finished;
+  placement.search_ended = search->finished && !search->cut_short;
 }
 
 std::uint32_t requested_teams(const Placement& placement) {

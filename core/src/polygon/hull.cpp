@@ -151,10 +151,16 @@ std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat)
   widened.reserve(n + 1);
   widened.push_back(p);
   for (std::size_t i = first + number; i <= first + n; ++i) widened.push_back(hull[i % n]);
-  const std::size_t m = widened.size();
-  for (const std::size_t i : {m - 1, m, m + 1})
-    if (is_on_side(widened[(i - 1) % m], widened[i % m], widened[(i + 1) % m], flat))
-      return std::nullopt;
+  // One corner on either side may have become one that rounding makes. Whether more of them are one run
+  // together, only the whole hull tells.
+  const auto is_straight = [&](std::size_t i) {
+    const std::size_t m = widened.size();
+    return is_on_side(widened[(i + m - 1) % m], widened[i % m], widened[(i + 1) % m], flat);
+  };
+  if (is_straight(1)) widened.erase(widened.begin() + 1);
+  if (is_straight(widened.size() - 1)) widened.pop_back();
+  for (const std::size_t i : {widened.size() - 1, std::size_t{0}, std::size_t{1}})
+    if (is_straight(i)) return std::nullopt;
   std::rotate(widened.begin(),
               std::min_element(widened.begin(), widened.end(), lexicographically_before),
               widened.end());

@@ -228,6 +228,7 @@ class PlacementDict(_PlacementDict, total=False):
     weight_unit: WeightUnit
     candidates: list[Candidate]
     robots: list[Robot]
+    search_ended: bool
     requested_robots: int
     min_margin: float
     apart: Optional[float]

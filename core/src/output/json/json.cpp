@@ -221,6 +221,8 @@ std::string placement_json(const Placement& placement, bool with_candidates,
   members.push_back({"goal", json::text(name(goal_of(settings)))});
   members.push_back({"goal_reached", json::boolean(placement.goal_reached)});
   if (settings.method == Method::balanced)
+    members.push_back({"search_ended", json::boolean(placement.search_ended)});
+  if (settings.method == Method::balanced)
     add_balanced(members, settings);
   else
     add_beyond(members, settings);
