@@ -72,7 +72,7 @@ const shapeless = (window) => window.evaluate((root) => [...root.querySelectorAl
   .filter((element) => element.checkVisibility()).filter((element) => {
     const { borderTopWidth, borderTopStyle, borderTopColor } = getComputedStyle(element);
     const ground = getComputedStyle(root).backgroundColor;
-    return !(parseFloat(borderTopWidth) >= 1 && borderTopStyle !== "none" && borderTopColor !== ground && !/, 0\)$/.test(borderTopColor));
+    return !(parseFloat(borderTopWidth) >= 1 && borderTopStyle !== "none" && borderTopColor !== ground && !/^rgba\(.*, 0\)$/.test(borderTopColor));
   }).map((element) => element.outerHTML.slice(0, 80)));
 
 for (const colorScheme of ["light", "dark"]) {
