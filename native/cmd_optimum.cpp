@@ -53,8 +53,7 @@ Compared compare(const Placement& greedy, bool holds, double seconds) {
                     {}};
   if (holds)
     compared.firmest = firmest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
-                                      teams, greedy.team_candidates,
-                                      firm_hold(greedy),
+                                      teams, greedy.team_candidates, firm_hold(greedy),
                                       compared.widest, greedy.stands.get());
   return compared;
 }

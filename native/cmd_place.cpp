@@ -119,14 +119,16 @@ std::string for_people(const Placement& placement, bool with_candidates,
     greatest = shown.greatest;
   }
   if (!placement.search_ended && !placement.teams.empty())
-    sentences += "The outline is so large that the search was cut short: there may be better places.\n";
+    sentences +=
+        "The outline is so large that the search was cut short: there may be better places.\n";
   if (capacity)
     sentences += capacity_in_words(placement, capacity->limit, &capacity->plan,
                                    overloaded_robots(greatest, capacity->limit), model,
                                    std::nullopt, &*capacity->if_one_fails) +
                  "\n";
   sentences += robustness_lines(known, limit, placement.settings.units);
-  if (asked.failures && !placement.teams.empty()) tables += failure_table(placement, known, limit) + "\n";
+  if (asked.failures && !placement.teams.empty())
+    tables += failure_table(placement, known, limit) + "\n";
   if (with_candidates && !placement.candidates.empty()) tables += candidate_table(placement) + "\n";
   return sentences + "\n" + tables + facts(placement, known.robustness);
 }

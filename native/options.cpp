@@ -57,9 +57,10 @@ void SettingOptions::declare(CommandLine& line) {
              "best: one place for two edges; range: anywhere in their range");
   line.value(apart, "--apart", "A",
              "robots nearer than this are too near (default 0.12 of the object's radius)");
-  line.value(clear, "--clear", "K",
-             "distances below are not relied on: of contacts from corners, and of the centre of mass "
-             "from the base's edge after a failure (default 0.02 of the object's radius)");
+  line.value(
+      clear, "--clear", "K",
+      "distances below are not relied on: of contacts from corners, and of the centre of mass "
+      "from the base's edge after a failure (default 0.02 of the object's radius)");
   line.value(
       robot, "--robot", "r=R,reach=G,...",
       "the robots' size: r, reach, and depth and width of the hand, and the gap between robots");
@@ -75,8 +76,9 @@ void SettingOptions::apply(Document& document) const {
         std::pair(Setting::weight, &weight), std::pair(Setting::seed, &seed),
         std::pair(Setting::robots, &robots), std::pair(Setting::goal, &goal),
         std::pair(Setting::min_margin, &min_margin), std::pair(Setting::apart, &apart),
-        std::pair(Setting::clear, &clear), std::pair(Setting::survive, &survive), std::pair(Setting::positions, &positions),
-        std::pair(Setting::robot, &robot), std::pair(Setting::no_go, &no_go)})
+        std::pair(Setting::clear, &clear), std::pair(Setting::survive, &survive),
+        std::pair(Setting::positions, &positions), std::pair(Setting::robot, &robot),
+        std::pair(Setting::no_go, &no_go)})
     if (*typed) setting_option(setting, **typed, document);
   check_method(document.settings);
 }

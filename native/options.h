@@ -27,7 +27,8 @@ LoadModel loads_option(const std::string& text);
 // What was typed. An option that was not given is empty: the file's value or the default applies.
 struct SettingOptions {
   std::optional<std::string> teams, metric, min_ratio, com, weight, seed;
-  std::optional<std::string> robots, goal, min_margin, apart, clear, survive, positions, robot, no_go;
+  std::optional<std::string> robots, goal, min_margin, apart, clear, survive, positions, robot,
+      no_go;
 
   void declare(CommandLine& line);
 

@@ -110,8 +110,7 @@ std::string failure_table(const Placement& placement, const RobustnessKnown& kno
   if (capacity) rows[0].push_back("overloaded");
   for (std::size_t robot = 0; robot < known.failures.size(); ++robot) {
     const std::optional<RestOfRobots>& rest = known.failures[robot];
-    rows.push_back(
-        failure_row(robot, find_robot(placement.teams, robot).team, rest, largest));
+    rows.push_back(failure_row(robot, find_robot(placement.teams, robot).team, rest, largest));
     if (capacity)
       rows.back().push_back(rest && rest->greatest_by_springs > *capacity ? "yes" : "-");
   }

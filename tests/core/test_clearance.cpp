@@ -75,8 +75,7 @@ TEST_CASE("a flattened curve has no corners: only a turn of more than 15 degrees
     for (std::size_t v = 0; v < p.size(); ++v) CHECK(p.is_corner(v) == (n < 24));
   }
   const Polygon u = polygon(u_shape);
-  for (std::size_t v = 0; v < u.size(); ++v)
-    CHECK(u.is_corner(v) == (u.turn(v) == Turn::convex));
+  for (std::size_t v = 0; v < u.size(); ++v) CHECK(u.is_corner(v) == (u.turn(v) == Turn::convex));
 }
 
 TEST_CASE("the clearance is the greatest distance from corners with which the rest still holds",

@@ -13,7 +13,8 @@ struct Contact {
   ExactVec
       edge;  // along the edge, counter-clockwise about P: the inward normal is to its left, exactly
   RealVec normal;  // inward, of unit length
-  std::optional<Real> to_corner;  // the distance from the nearest corner of its edge; none without one
+  std::optional<Real>
+      to_corner;  // the distance from the nearest corner of its edge; none without one
 };
 
 Contact contact_on(const ExactShape& shape, const RealVec& at, std::size_t edge) {
@@ -95,8 +96,8 @@ bool is_corner(const ExactShape& shape, std::size_t vertex, Calls& calls, bool& 
 
 /// The distance of a point on an edge from the nearest corner at which the edge ends, going on over straight
 /// vertices.
-std::optional<Real> to_corner(const ExactShape& shape, const RealVec& at, std::size_t edge, Calls& calls,
-                              bool& unsure) {
+std::optional<Real> to_corner(const ExactShape& shape, const RealVec& at, std::size_t edge,
+                              Calls& calls, bool& unsure) {
   const std::size_t n = shape.vertices.size();
   std::size_t begin = edge, end = (edge + 1) % n;
   while (turn_at(shape, begin, calls) == 0) begin = (begin + n - 1) % n;
@@ -433,7 +434,8 @@ void find_clearance(const std::vector<Contact>& contacts, const Real& radius, Cl
     if (!nearest.to_corner) infinite = true;
     if (nearest.to_corner) clearance = std::max(clearance, *nearest.to_corner);
     const Real reach = radius * m;
-    tolerance = std::max(tolerance, nearest.to_corner ? std::min(*nearest.to_corner, reach) : reach);
+    tolerance =
+        std::max(tolerance, nearest.to_corner ? std::min(*nearest.to_corner, reach) : reach);
   }
   result.clearance =
       infinite ? std::numeric_limits<double>::infinity() : static_cast<double>(clearance);

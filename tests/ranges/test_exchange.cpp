@@ -93,7 +93,8 @@ void for_each_exchange(const Placement& placement, Visit visit) {
 
 // What holds of any teams that are to hold.
 void check_result(const Placement& placement) {
-  const HoldKeys keys = keys_by_definition(placement, placement.team_candidates, firm_hold(placement));
+  const HoldKeys keys =
+      keys_by_definition(placement, placement.team_candidates, firm_hold(placement));
   CHECK(keys.coverage == Approx(placement.coverage).margin(1e-9));
   const double clear = 0.02 * farthest_vertex(placement.polygon, placement.centre_of_mass);
   const bool is_clear =
@@ -146,7 +147,8 @@ TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchan
     if (!placement || placement->teams.size() < 2 || placement->candidates.size() > 12) continue;
     INFO("case " << number);
     ++compared;
-    const HoldKeys keys = keys_by_definition(*placement, placement->team_candidates, firm_hold(*placement));
+    const HoldKeys keys =
+        keys_by_definition(*placement, placement->team_candidates, firm_hold(*placement));
     for (std::uint32_t a = 0; a < placement->candidates.size(); ++a)
       for (std::uint32_t b = a + 1; b < placement->candidates.size(); ++b)
         if (clearly_better(keys_by_definition(*placement, {a, b}, firm_hold(*placement)), keys))
@@ -192,8 +194,9 @@ TEST_CASE("the story of the exchanges leads from the start to the result", "[exc
     if (placement.teams.size() < 3) continue;
     const auto start = select_teams(placement.polygon, placement.centre_of_mass,
                                     placement.candidates, Method::area, 3, FirstTeam::longest);
-    const ExchangeHistory history = exchange_teams(placement.polygon, placement.centre_of_mass,
-                                                   placement.candidates, start, firm_hold(placement));
+    const ExchangeHistory history =
+        exchange_teams(placement.polygon, placement.centre_of_mass, placement.candidates, start,
+                       firm_hold(placement));
     CHECK(history.start == start);
     CHECK(history.taken() == placement.team_candidates);
     CHECK(history.settled);

@@ -47,9 +47,9 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
     CHECK(names_in(full["teams"][0]) == Names{"ends", "ratio", "loads"});
     CHECK(names_in(full["candidates"][0]) == Names{"ends", "ratio", "kind"});
     CHECK(names_in(full["loads"]) == Names{"min", "mean", "max", "spread", "max_share", "models"});
-    CHECK(names_in(full["closure"]) ==
-          Names{"form_closure", "margin", "clearance", "tolerance", "second_order", "free", "clockwise",
-                "counterclockwise"});
+    CHECK(names_in(full["closure"]) == Names{"form_closure", "margin", "clearance", "tolerance",
+                                             "second_order", "free", "clockwise",
+                                             "counterclockwise"});
     CHECK(full["metric"] == std::string(name(method)));
   }
 }

@@ -62,9 +62,8 @@ TEST_CASE("the JSON always has the loads of all models and the robustness", "[js
   CHECK(json["loads"]["models"]["springs"] == loads->springs.loads);
   CHECK(json["loads"]["models"]["best"] == loads->best);
   CHECK(json["loads"]["models"]["worst"] == loads->worst);
-  CHECK(names_in(json["robustness"]) ==
-        Names{"com_margin", "failures_carried", "failures_steady", "failures_clear",
-              "load_per_length"});
+  CHECK(names_in(json["robustness"]) == Names{"com_margin", "failures_carried", "failures_steady",
+                                              "failures_clear", "load_per_length"});
   CHECK(json["robustness"]["failures_carried"] == 2);
   CHECK(json["robustness"]["failures_steady"] == 1);
   CHECK(json["robustness"]["load_per_length"] == loads->springs.per_length);

@@ -139,8 +139,9 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   // A hold by a hair is none to rely on.
   placement.settings.clear = 0.1;
   placement.closure.clearance = {0.0912, 4, 0.05};
-  CHECK(plainly(closure_in_words(placement)) ==
-        "It is held only as long as a robot of team 3 stands exactly: it is 0.091 beside a corner.");
+  CHECK(
+      plainly(closure_in_words(placement)) ==
+      "It is held only as long as a robot of team 3 stands exactly: it is 0.091 beside a corner.");
   CHECK_FALSE(is_held(placement));
   placement.settings.clear = 0.09;
   CHECK(is_held(placement));

@@ -109,10 +109,11 @@ struct AppState {
   std::optional<Method> second_method;  // the method shown beside the document's
   std::optional<Placement> second;      // its placement, of the same document
   std::optional<CapacityPlan> plan;     // for the capacity; not renewed during a drag
-  std::optional<FailurePlan> spare;     // for it if any robot may fail; balanced robots have none here,
-                                        // since each number of them takes a search
-  std::optional<double> best_ratio;     // if no chord has the minimum load ratio: the best there is
-  bool plan_due = false;                // the plan may have changed
+  std::optional<FailurePlan>
+      spare;  // for it if any robot may fail; balanced robots have none here,
+              // since each number of them takes a search
+  std::optional<double> best_ratio;  // if no chord has the minimum load ratio: the best there is
+  bool plan_due = false;             // the plan may have changed
   LoadModel load_model = LoadModel::plan;             // whose loads are shown
   Outlook outlook, second_outlook;                    // of the placement and of the second one
   std::vector<std::optional<RestOfRobots>> failures;  // if one robot of the placement fails; empty

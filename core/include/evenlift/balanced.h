@@ -82,8 +82,8 @@ struct BalancedSearch {
   bool changed = false;              // whether the present round has exchanged anything
   bool finished = false;             // a whole round changed nothing, or there were most_rounds
   bool restarted = false;            // a second start was looked for
-  std::uint64_t work = 0;        // what the triples so far took, in units of most_work
-  bool cut_short = false;        // it has finished because that was too much
+  std::uint64_t work = 0;            // what the triples so far took, in units of most_work
+  bool cut_short = false;            // it has finished because that was too much
 };
 inline constexpr std::uint32_t most_rounds = 8;
 

@@ -55,9 +55,9 @@ CapacityPlan plan_capacity(const Placement& placement, double capacity);
 // if all are equally stiff (load_models.h, springs).
 struct FailurePlan {
   bool possible = false;
-  std::uint32_t robots = 0;   // if possible, the least number that was found to be enough
-  double greatest_load = 0;   // if possible, what one robot bears at most, whichever fails
-  std::uint32_t tried = 0;    // the most robots that were tried
+  std::uint32_t robots = 0;  // if possible, the least number that was found to be enough
+  double greatest_load = 0;  // if possible, what one robot bears at most, whichever fails
+  std::uint32_t tried = 0;   // the most robots that were tried
   bool operator==(const FailurePlan&) const = default;
 };
 

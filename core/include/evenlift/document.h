@@ -130,11 +130,12 @@ struct Settings {
   double min_margin = 0.05;           // a hold with this margin is firm, 0 .. 1
   std::optional<double> apart;  // robots should not be nearer to each other, >= 0, in units of
                                 // length; none means 0.12 R
-  std::optional<double> clear;  // distances below are not relied on: those of contacts from corners, and
-                                // that of C from the edge of the base after a failure; >= 0, in
-                                // units of length; none means usual_clear times R
-  std::uint32_t survive = 0;    // failures of balanced robots that should leave the object
-                                // steady; they take at least 2 survive + 3 robots
+  std::optional<double>
+      clear;  // distances below are not relied on: those of contacts from corners, and
+              // that of C from the edge of the base after a failure; >= 0, in
+              // units of length; none means usual_clear times R
+  std::uint32_t survive = 0;  // failures of balanced robots that should leave the object
+                              // steady; they take at least 2 survive + 3 robots
   double com_radius = 0;  // the centre of mass is known only within this distance, 0 .. max_length,
                           // in units of length; it changes no placement
   std::optional<double> capacity;  // what one robot can carry, min_weight .. max_weight, in the

@@ -37,8 +37,9 @@ struct Placement {
   Closure closure;
   bool goal_reached = false;  // robots are placed, and with the goal to hold they hold_clearly()
   Moved moved = {};           // robots that somebody moved from where the method puts them
-  bool search_ended = true;   // false where a search or exchanges may still find better robots, or where a
-                              // search was cut short (balanced.h, most_work)
+  bool search_ended =
+      true;  // false where a search or exchanges may still find better robots, or where a
+             // search was cut short (balanced.h, most_work)
 };
 
 // How far the search for balanced robots goes: to its end, or only to its start if that is quick

@@ -135,8 +135,7 @@ std::vector<LiftingPoint> Outline::interval_stands(std::uint32_t most, const Sta
 std::vector<LiftingPoint> Outline::stands(const Stands* room) const {
   const std::uint32_t number =
       vertices_.size() > many_vertices ? stands_of_many_vertices : usual_stands;
-  std::vector<LiftingPoint> stands =
-      room ? usable_stands(number, *room) : even_stands(number);
+  std::vector<LiftingPoint> stands = room ? usable_stands(number, *room) : even_stands(number);
   const std::vector<LiftingPoint> more =
       room ? interval_stands(number, *room) : reflex_stands(number);
   stands.insert(stands.end(), more.begin(), more.end());

@@ -96,9 +96,8 @@ std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots) const {
 
 int Rules::steady(RatedSet& set) const {
   if (!set.steady)
-    set.steady =
-        std::min(survive_, failures_steady(positions(set.robots), centre_, polygon_.diameter(),
-                                           firm_.clear));
+    set.steady = std::min(survive_, failures_steady(positions(set.robots), centre_,
+                                                    polygon_.diameter(), firm_.clear));
   return *set.steady;
 }
 

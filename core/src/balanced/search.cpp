@@ -90,9 +90,9 @@ bool is_quick_to_finish(const BalancedProblem& problem) {
   constexpr std::size_t usual_rounds = 3;
   // Robots with a size begin once more from several starts.
   const std::size_t searches = rules.room() ? 2 + balanced::most_starts : 1;
-  const std::size_t completions =
-      completions_of_start(rules) +
-      searches * usual_rounds * rules.triples().size() * rules.stands().size();
+  const std::size_t completions = completions_of_start(rules) + searches * usual_rounds *
+                                                                    rules.triples().size() *
+                                                                    rules.stands().size();
   return completions * steps_of_completion(rules) <= 500'000;
 }
 

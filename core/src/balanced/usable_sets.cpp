@@ -118,9 +118,8 @@ class UsableSets {
     for (std::size_t i = intervals_.size(); i-- > 0;) {
       const Reach reach = reach_of(intervals_[i]);
       for (std::size_t u = 0; u < compass.size(); ++u)
-        reach_behind_[i][u] = i + 1 == intervals_.size()
-                                  ? reach[u]
-                                  : std::max(reach[u], reach_behind_[i + 1][u]);
+        reach_behind_[i][u] =
+            i + 1 == intervals_.size() ? reach[u] : std::max(reach[u], reach_behind_[i + 1][u]);
     }
   }
 
@@ -141,9 +140,10 @@ class UsableSets {
     const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
     const double size = length(q - p);
     for (const Stretch& stretch : rules_.room()->usable(edge)) {
-      Interval interval{edge, stretch.from, stretch.to,
-                        rules_.room()->lifting_point({p, edge}).position - rules_.centre(),
-                        (q - p) / size, rules_.robots()};
+      Interval interval{
+          edge,           stretch.from,
+          stretch.to,     rules_.room()->lifting_point({p, edge}).position - rules_.centre(),
+          (q - p) / size, rules_.robots()};
       const double room = (stretch.to - stretch.from + near_) / spacing_;
       if (spacing_ > 0 && room < rules_.robots())
         interval.most = static_cast<std::uint32_t>(room) + 1;

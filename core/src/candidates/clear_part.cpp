@@ -37,7 +37,7 @@ class Part {
     }
     if (part_.first > part_.last || !clear_) return std::nullopt;
     return evenlift::is_one_place(part_, near_distance(polygon.diameter())) ? std::nullopt
-                                                                  : std::optional(part_);
+                                                                            : std::optional(part_);
   }
 
  private:
@@ -45,8 +45,7 @@ class Part {
   void keep_off(const EdgeCorner& corner) {
     const Vec2 at = lifting_point(corner.at, corner.edge);
     const auto is_clear = [&](double x) {
-      const double distance =
-          dot(end_of(centre_, range_, x, corner.on_a) - at, corner.away);
+      const double distance = dot(end_of(centre_, range_, x, corner.on_a) - at, corner.away);
       return distance >= from_.clear - near_distance(from_.polygon.diameter());
     };
     const bool first = is_clear(range_.first), last = is_clear(range_.last);

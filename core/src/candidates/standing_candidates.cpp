@@ -53,7 +53,8 @@ void add_pair(const Wanted& wanted, const EdgePair& pair, Found& found) {
   const auto a = stand_line(polygon, centre, stands, pair.a);
   const auto b = stand_line(polygon, centre, stands, pair.b);
   if (a && b)
-    found.add(standing_range_chords(from_corners, centre, *a, *b, min_ratio, near), found.sources, true);
+    found.add(standing_range_chords(from_corners, centre, *a, *b, min_ratio, near), found.sources,
+              true);
 }
 
 // For hands without depth: the pairs of edges and the opposite vertices of the polygon itself.
@@ -163,8 +164,8 @@ Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2&
                                              Positions positions, double clear) {
   const double near = near_distance(polygon.diameter());
   const Corners corners(polygon);
-  const Wanted wanted{polygon,   centre, min_ratio, stands,
-                      positions, near,   {polygon, corners, clear, &stands}};
+  const Wanted wanted{
+      polygon, centre, min_ratio, stands, positions, near, {polygon, corners, clear, &stands}};
   Found found;
   const bool on_outline = stands.robot().depth == 0;
   if (auto error = on_outline ? find_on_outline(wanted, found) : find_on_moved_edges(wanted, found))

@@ -24,7 +24,8 @@ void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
 }  // namespace
 
 Choices::Choices(const Polygon& polygon, const Vec2& centre,
-                 const std::vector<Candidate>& candidates, const FirmHold& firm, const Stands* stands)
+                 const std::vector<Candidate>& candidates, const FirmHold& firm,
+                 const Stands* stands)
     : polygon_(polygon),
       candidates_(candidates),
       stands_(stands),

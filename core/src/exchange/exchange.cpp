@@ -206,8 +206,8 @@ std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2&
   std::vector<std::uint32_t> taken = select_teams(polygon, centre, candidates, settings.method,
                                                   teams, first_team(settings.positions), stands);
   if (!exchanges_teams(settings)) return taken;
-  return exchange_teams(polygon, centre, candidates, std::move(taken), firm_hold(polygon, centre, settings),
-                        stands)
+  return exchange_teams(polygon, centre, candidates, std::move(taken),
+                        firm_hold(polygon, centre, settings), stands)
       .taken();
 }
 

@@ -41,9 +41,8 @@ class FarthestFirst {
     const auto within = [&](std::size_t number) {
       return std::min(last_of(number).to_corner, by_margin(number));
     };
-    const std::size_t enough = first(fewest, [&](std::size_t number) {
-      return by_margin(number) >= last_of(number).to_corner;
-    });
+    const std::size_t enough = first(
+        fewest, [&](std::size_t number) { return by_margin(number) >= last_of(number).to_corner; });
     double best = 0;
     if (enough <= size()) best = within(enough);
     if (enough > fewest) best = std::max(best, within(enough - 1));

@@ -233,8 +233,7 @@ Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
 
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<Contact>& contacts) {
-  return nothing_is_free(
-      make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts));
+  return nothing_is_free(make_grasp(polygon, centre, farthest_vertex(polygon, centre), contacts));
 }
 
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,

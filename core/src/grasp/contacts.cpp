@@ -72,8 +72,7 @@ std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points
     if (turn == Turn::convex) continue;
     const Vec2& position = polygon_.vertex(*vertex);
     // The notch of a reflex vertex keeps the robot where it is.
-    const double to_corner =
-        turn == Turn::reflex ? infinity : this->to_corner(position, *vertex);
+    const double to_corner = turn == Turn::reflex ? infinity : this->to_corner(position, *vertex);
     contacts.push_back({position, *vertex, i, to_corner});
     if (turn == Turn::reflex)
       contacts.push_back(

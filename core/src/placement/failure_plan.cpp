@@ -80,8 +80,7 @@ std::optional<double> greatest_of_all(const Placement& placement, const std::vec
     const auto springs = spring_loads(others, placement.centre_of_mass,
                                       placement.polygon.diameter(), placement.settings.weight);
     if (!springs) return std::nullopt;
-    greatest = std::max(greatest,
-                        *std::max_element(springs->loads.begin(), springs->loads.end()));
+    greatest = std::max(greatest, *std::max_element(springs->loads.begin(), springs->loads.end()));
   }
   return greatest <= capacity ? std::optional(greatest) : std::nullopt;
 }

@@ -123,7 +123,8 @@ std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
   const std::size_t n = hull.size();
   if (orient(hull[0], hull[1], p) < 0) return 0;
   if (orient(hull[n - 1], hull[0], p) < 0) return n - 1;
-  std::size_t low = 1, high = n - 1;  // p is left of the line to `low`, and not left of that to `high`
+  std::size_t low = 1,
+              high = n - 1;  // p is left of the line to `low`, and not left of that to `high`
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     (orient(hull[0], hull[middle], p) > 0 ? low : high) = middle;

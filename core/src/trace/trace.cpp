@@ -181,10 +181,9 @@ std::optional<InputError> collect_candidates(Trace& trace) {
   const Positions positions = trace.placement.settings.positions;
   const Stands* stands = trace.placement.stands.get();
   const double clear = firm_hold(trace.placement).clear;
-  auto traced =
-      stands
-          ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands, positions, clear)
-          : trace_candidates(trace.polygon, trace.centre, min_ratio, positions, clear);
+  auto traced = stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands,
+                                             positions, clear)
+                       : trace_candidates(trace.polygon, trace.centre, min_ratio, positions, clear);
   if (!traced) return traced.error();
   trace.candidate_of_source = std::move(traced->of_source);
   for (std::uint32_t source = 0; source < traced->ranges_of_source.size(); ++source) {

@@ -57,7 +57,8 @@ struct Measurement {
   double form_closure = 0;    // part of the placements in form closure, 0 .. 1; 0 or 1 of one
   double no_area = 0;         // the same by the thesis's own test: that no region of free rotation
                               // centres has an area
-  double held_clear = 0;      // the same without contacts that are nearer than usual_clear R to a corner
+  double held_clear =
+      0;  // the same without contacts that are nearer than usual_clear R to a corner
   double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, kg
   double spread = 0;                                 // load_max - load_min, kg (figure 5.3)
   double max_share = 0.5;  // greatest share of its team's load that a robot bears (figure 5.5); of

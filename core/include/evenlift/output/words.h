@@ -132,8 +132,8 @@ std::string no_go_in_words(const std::vector<EdgePart>& no_go);
 
 // Which robots carry more than one can, and how many robots are needed if the plan for that is
 // known, and that for any one failing. O(teams).
-std::string capacity_in_words(const Placement& placement, double capacity,
-                              const CapacityPlan* plan, const FailurePlan* if_one_fails = nullptr);
+std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
+                              const FailurePlan* if_one_fails = nullptr);
 
 // The same where other robots are overloaded than by plan: those by this model of the loads, or those of the
 // others while the robot `failed` (from 0) fails. The plan knows neither, and the words say so.

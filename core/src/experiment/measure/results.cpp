@@ -14,10 +14,10 @@ namespace {
 // are then measured again.
 constexpr const char* part_format = "evenlift experiment 4";
 
-const csv::Row measurement_columns = {"set",     "polygon",   "method",    "teams",
-                                      "robots",  "samples",   "coverage",  "form_closure",
-                                      "no_area", "held_clear", "load_min",  "load_mean",
-                                      "load_max", "spread",  "max_share", "chosen"};
+const csv::Row measurement_columns = {"set",      "polygon",    "method",    "teams",
+                                      "robots",   "samples",    "coverage",  "form_closure",
+                                      "no_area",  "held_clear", "load_min",  "load_mean",
+                                      "load_max", "spread",     "max_share", "chosen"};
 
 csv::Row measurement_row(const PolygonResult& of, const Measurement& m) {
   return {of.set,

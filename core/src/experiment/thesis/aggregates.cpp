@@ -95,11 +95,11 @@ std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results) {
 }
 
 std::string aggregates_csv(const std::vector<SetAggregates>& sets) {
-  std::string text = csv::line(
-      {"set", "method", "teams", "robots", "polygons", "spread_mean", "spread_sd", "load_max_mean",
-       "load_max_sd", "max_share_mean", "max_share_sd", "coverage_mean", "coverage_sd",
-       "closed_mean", "closable", "form_closure_mean", "no_area_possible", "no_area_mean",
-       "held_clear_mean"});
+  std::string text =
+      csv::line({"set", "method", "teams", "robots", "polygons", "spread_mean", "spread_sd",
+                 "load_max_mean", "load_max_sd", "max_share_mean", "max_share_sd", "coverage_mean",
+                 "coverage_sd", "closed_mean", "closable", "form_closure_mean", "no_area_possible",
+                 "no_area_mean", "held_clear_mean"});
   for (const SetAggregates& set : sets)
     for (const Aggregate& a : set.aggregates) text += csv::line(aggregate_row(set.set, a));
   return text;

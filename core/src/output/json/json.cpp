@@ -234,7 +234,9 @@ std::string placement_json(const Placement& placement, bool with_candidates,
     members.push_back(
         {"robustness", json::robustness(placement, models, robustness.com_radius, 1)});
   if (robots && robustness.failures)
-    members.push_back({"failures", json::failures(single_failures(placement), capacity ? std::optional(capacity->limit) : std::nullopt, 1)});
+    members.push_back(
+        {"failures", json::failures(single_failures(placement),
+                                    capacity ? std::optional(capacity->limit) : std::nullopt, 1)});
   if (capacity) members.push_back({"capacity", capacity_json(placement, *capacity, models)});
   return json::long_object(members, 0) + "\n";
 }

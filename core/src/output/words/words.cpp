@@ -93,8 +93,7 @@ std::string need_in_words(const CapacityPlan& plan, const Settings& settings, Lo
 std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
   if (plan.possible)
     return "If any one may fail: " + count_of(plan.robots, "robot", "robots") + ", at most " +
-           load_in_words(plan.greatest_load, plan.greatest_load, units) +
-           " each if equally stiff.";
+           load_in_words(plan.greatest_load, plan.greatest_load, units) + " each if equally stiff.";
   return "If any one may fail, up to " + count_of(plan.tried, "robot", "robots") +
          " were not found to be enough.";
 }
