@@ -422,11 +422,21 @@ std::vector<Vec3> wrenches_of(const std::vector<Contact>& contacts, const Real& 
 void find_clearance(const std::vector<Contact>& contacts, const Real& radius, Closure& result) {
   Real clearance = 0, tolerance = 0;
   bool infinite = false;
+  // Contacts that are equally far but for rounding give the same set.
+  std::vector<Real> looked_at;
+  const auto is_new = [&](const Real& distance) {
+    return std::none_of(looked_at.begin(), looked_at.end(), [&](const Real& other) {
+      return abs(distance - other) <= Real("1e-28") * abs(other);
+    });
+  };
   for (const Contact& nearest : contacts) {
+    const Real farther =
+        nearest.to_corner ? Real(*nearest.to_corner * (1 - Real("1e-29"))) : Real(-1);
+    if (!is_new(farther)) continue;
+    looked_at.push_back(farther);
     std::vector<Contact> counted;
     for (const Contact& c : contacts)
-      if (!c.to_corner || (nearest.to_corner && *c.to_corner >= *nearest.to_corner))
-        counted.push_back(c);
+      if (!c.to_corner || (nearest.to_corner && *c.to_corner >= farther)) counted.push_back(c);
     const Real m = margin(wrenches_of(counted, radius));
     // With the core what counts as held is decided within the tolerance.
     if (abs(m) < 100 * tau) result.clearance_is_unsure = true;
