@@ -50,12 +50,6 @@ bool same_settings(Settings a, const Settings& b) {
   return a == b;
 }
 
-std::optional<Settings> settings_before_script(const AppState& state) {
-  const std::optional<Script>& script = state.walkthrough.script;
-  if (!script || !same_settings(script->own, settings(state))) return std::nullopt;
-  return script->before;
-}
-
 bool script_is_true(const AppState& state) {
   const std::optional<Script>& script = state.walkthrough.script;
   return script && script->vertices == state.document.vertices &&

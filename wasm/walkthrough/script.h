@@ -21,9 +21,6 @@ void settle_position(Walkthrough& walk);
 // Whether settings are the same but for what is shown and the step of the walkthrough. O(1).
 bool same_settings(Settings a, const Settings& b);
 
-// The settings that the script found, if those in force are still its own.
-std::optional<Settings> settings_before_script(const AppState& state);
-
 // Whether a script is open, and the polygon and its centre of mass are still those that it was written for.
 bool script_is_true(const AppState& state);
 

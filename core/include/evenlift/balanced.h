@@ -89,7 +89,7 @@ inline constexpr std::uint32_t most_rounds = 8;
 
 // The search on an outline with more than 1,000 vertices ends after so much work, which is counted and not
 // timed, so that every platform ends with the same robots: for each completion 1, and 1 more for every 100
-// even candidates about C. A unit takes some 10 microseconds.
+// even candidates about C.
 inline constexpr std::uint64_t most_work = 150'000;
 
 // The start: S_i is the better one of S_(i-2) with two more and S_(i-3) with three more, for
