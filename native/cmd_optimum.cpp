@@ -7,6 +7,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "options.h"
+#include "progress.h"
 
 namespace evenlift::native {
 namespace {
@@ -129,6 +130,20 @@ std::string as_json(const Compared& compared) {
   return text + "\n}\n";
 }
 
+// What is printed. Throws Failure.
+std::string answer(const Input& input, const SettingOptions& options, double seconds, bool json) {
+  const Waiting waiting("comparing choices of teams");
+  const bool holds = goal_of(input.document.settings) == Goal::hold;
+  const Placement greedy = greedy_placement(input, options);
+  const Compared compared = compare(greedy, holds, seconds);
+  if (holds && !compared.firmest && !greedy.teams.empty())
+    throw Failure{bad_input_status, "--goal",
+                  "choices of at most " + std::to_string(most_exchanged_teams) +
+                      " teams are compared by how they hold, not of " +
+                      std::to_string(greedy.teams.size())};
+  return json ? as_json(compared) : for_people(compared);
+}
+
 }  // namespace
 
 void cmd_optimum(const Arguments& arguments) {
@@ -146,16 +161,7 @@ void cmd_optimum(const Arguments& arguments) {
   line.flag(json, "--json", "one JSON object instead of sentences");
   if (!line.parse(arguments)) return;
   const double seconds = time_limit_option(time_limit);
-  const Input input = options.read();
-  const bool holds = goal_of(input.document.settings) == Goal::hold;
-  const Placement greedy = greedy_placement(input, options.settings);
-  const Compared compared = compare(greedy, holds, seconds);
-  if (holds && !compared.firmest && !greedy.teams.empty())
-    throw Failure{bad_input_status, "--goal",
-                  "choices of at most " + std::to_string(most_exchanged_teams) +
-                      " teams are compared by how they hold, not of " +
-                      std::to_string(greedy.teams.size())};
-  write_output(json ? as_json(compared) : for_people(compared));
+  write_output(answer(options.read(), options.settings, seconds, json));
 }
 
 }  // namespace evenlift::native

@@ -11,6 +11,7 @@
 #include "evenlift/settings_text.h"
 #include "options.h"
 #include "pose_options.h"
+#include "progress.h"
 #include "robustness_text.h"
 #include "table.h"
 
@@ -181,6 +182,30 @@ void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>&
                   "would overwrite " + poses->file + ", to which --svg writes"};
 }
 
+struct Outputs {
+  std::string printed;
+  std::optional<std::string> svg, poses;
+};
+
+// Throws Failure.
+Outputs make_outputs(const Input& input, const PlaceOptions& options,
+                     const std::optional<PosesAsked>& poses, const RobustnessAsked& asked) {
+  const Waiting waiting("placing the robots");
+  const Result<Placement> placement = place(input.document);
+  if (!placement) throw options.input.settings.failure(input.source, placement.error());
+  std::optional<CapacityInJson> capacity;
+  if (const auto& limit = placement->settings.capacity)
+    capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit),
+                              plan_for_failures(*placement, *limit)};
+  Outputs outputs;
+  if (options.svg) outputs.svg = picture(*placement, input.document, options.candidates);
+  if (poses) outputs.poses = poses_text(*placement, poses->format, poses->options);
+  outputs.printed = options.as_json ? placement_json(*placement, options.candidates, capacity,
+                                                     {asked.com_radius, asked.failures})
+                                    : for_people(*placement, options.candidates, capacity, asked);
+  return outputs;
+}
+
 }  // namespace
 
 void cmd_place(const Arguments& arguments) {
@@ -202,19 +227,10 @@ void cmd_place(const Arguments& arguments) {
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   check_outputs(options, pose_file);
   const RobustnessAsked asked(options.robustness, input.document.settings);
-  const Result<Placement> placement = place(input.document);
-  if (!placement) throw options.input.settings.failure(input.source, placement.error());
-  std::optional<CapacityInJson> capacity;
-  if (const auto& limit = placement->settings.capacity)
-    capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit),
-                              plan_for_failures(*placement, *limit)};
-  if (options.svg)
-    write_file(*options.svg, picture(*placement, input.document, options.candidates));
-  if (pose_file)
-    write_file(pose_file->file, poses_text(*placement, pose_file->format, pose_file->options));
-  write_output(options.as_json ? placement_json(*placement, options.candidates, capacity,
-                                                {asked.com_radius, asked.failures})
-                               : for_people(*placement, options.candidates, capacity, asked));
+  const Outputs outputs = make_outputs(input, options, pose_file, asked);
+  if (outputs.svg) write_file(*options.svg, *outputs.svg);
+  if (outputs.poses) write_file(pose_file->file, *outputs.poses);
+  write_output(outputs.printed);
 }
 
 }  // namespace evenlift::native

@@ -137,9 +137,6 @@ void UnitOptions::apply(Document& document) const {
 }
 
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {
-  // No option says where robots were moved to: a link or a saved result does.
-  if (error.place.kind == Place::Kind::option && error.place.option == "moved")
-    return {bad_input_status, source, "robots that were moved by hand: " + error.message};
   if (error.place.kind == Place::Kind::option)
     return {bad_input_status, as_typed(error.place.option), error.message};
   if (error.place.kind == Place::Kind::centre_of_mass && com)

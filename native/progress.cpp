@@ -2,16 +2,19 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace evenlift::native {
 namespace {
 
 constexpr const char* erase_line = "\r\x1b[K";
 
-// Under Node, Emscripten takes every pipe for a terminal: no bar there.
+// Under Node, Emscripten takes every pipe for a terminal: nothing is drawn there.
 bool on_terminal() {
 #ifdef __EMSCRIPTEN__
   return false;
@@ -20,6 +23,20 @@ bool on_terminal() {
   return isatty(STDERR_FILENO) == 1 && !(kind && std::string_view(kind) == "dumb");
 #endif
 }
+
+#ifndef __EMSCRIPTEN__
+void draw_seconds(const std::string& what, const std::future<void>& over) {
+  using namespace std::chrono;
+  const steady_clock::time_point start = steady_clock::now();
+  bool drawn = false;
+  while (over.wait_for(milliseconds(500)) != std::future_status::ready) {
+    const duration<double> seconds = steady_clock::now() - start;
+    std::fprintf(stderr, "%s%s: %.1f s", erase_line, what.c_str(), seconds.count());
+    drawn = true;
+  }
+  if (drawn) std::fputs(erase_line, stderr);
+}
+#endif
 
 }  // namespace
 
@@ -47,5 +64,20 @@ void Progress::draw(const std::string& name) const {
                std::string(width - filled, '.').c_str(), done_, total_, shown.c_str());
   std::fflush(stderr);
 }
+
+#ifdef __EMSCRIPTEN__
+Waiting::Waiting(std::string) {}  // it has no threads
+#else
+Waiting::Waiting(std::string what) {
+  if (!on_terminal()) return;
+  try {
+    drawing_ = std::async(std::launch::async, draw_seconds, std::move(what), over_.get_future());
+  } catch (const std::system_error&) {
+    // Where there can be no more threads the work goes on without a word.
+  }
+}
+#endif
+
+Waiting::~Waiting() { over_.set_value(); }
 
 }  // namespace evenlift::native

@@ -1,7 +1,8 @@
-// A progress bar on a terminal.
+// How far a long computation is, on a terminal.
 #pragma once
 
 #include <cstddef>
+#include <future>
 #include <mutex>
 #include <string>
 
@@ -24,6 +25,21 @@ class Progress {
   bool shown_;
   std::size_t total_, done_ = 0;
   std::mutex mutex_;
+};
+
+// From half a second on says on standard error what takes so long, and for how long, if that is a
+// terminal. A search has no total that it is sure to reach, so there is no share. A thread of its own
+// draws: what is computed need not know of it, and is the same without.
+class Waiting {
+ public:
+  explicit Waiting(std::string what);
+  ~Waiting();  // takes the line away
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+
+ private:
+  std::promise<void> over_;
+  std::future<void> drawing_;  // goes first, and waits for the thread
 };
 
 }  // namespace evenlift::native

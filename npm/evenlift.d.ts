@@ -287,7 +287,7 @@ export class EvenliftError extends Error {
 export function place(polygon: Polygon, options?: PlaceOptions): Placement;
 
 /** Where teams of two may stand, in order of slope. Of the settings those count that have a say in it: `min_ratio`, `centre_of_mass`,
- * `positions`, the robots' size and `no_go`. Throws EvenliftError. */
+ * `positions`, the robots' size and `no_go`, and `clear` with positions `"range"`. Throws EvenliftError. */
 export function candidates(polygon: Polygon, settings?: Settings): Candidate[];
 
 /** The picture, as a text of SVG. Throws EvenliftError. */

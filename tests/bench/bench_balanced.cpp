@@ -1,4 +1,6 @@
 // Balanced robots: the start, which a page shows at once, and the whole search.
+#include <utility>
+
 #include "bench/bench.h"
 #include "bench/coast.h"
 #include "evenlift/balanced.h"
@@ -29,6 +31,12 @@ void balanced(benchmark::State& state, Family family, std::int64_t n, Part part)
 
 void balanced_on_coast(benchmark::State& state, Part part) { run(state, coast(), part); }
 
+void balanced_surviving(benchmark::State& state) {
+  Document document = coast();
+  document.settings.survive = most_survived;
+  run(state, std::move(document), Part::search);
+}
+
 void balanced_on_samples(benchmark::State& state) {
   std::vector<Document> documents = samples();
   for (Document& document : documents) {
@@ -50,6 +58,14 @@ void six_robots(benchmark::internal::Benchmark* b) {
   b->ArgName("robots")->Unit(benchmark::kMillisecond)->Arg(6);
 }
 
+// On outlines of some 20,000 vertices.
+void up_to_most_robots(benchmark::internal::Benchmark* b) {
+  b->ArgName("robots")->Unit(benchmark::kMillisecond)->Arg(4)->Arg(6)->Arg(8)->Arg(most_robots);
+}
+void from_4_to_8(benchmark::internal::Benchmark* b) {
+  b->ArgName("robots")->Unit(benchmark::kMillisecond)->Arg(4)->Arg(6)->Arg(8);
+}
+
 // As far as the experiment goes, and beyond.
 void numbers_of_robots(benchmark::internal::Benchmark* b) {
   b->ArgName("robots")->Unit(benchmark::kMillisecond);
@@ -61,8 +77,17 @@ BENCHMARK_CAPTURE(balanced, random_50_start, Family::random, 50, Part::start)->A
 BENCHMARK_CAPTURE(balanced, random_50, Family::random, 50, Part::search)->Apply(robots);
 BENCHMARK_CAPTURE(balanced, comb_50, Family::comb, 50, Part::search)->Apply(six_robots);
 BENCHMARK_CAPTURE(balanced, star_50, Family::star, 50, Part::search)->Apply(six_robots);
-BENCHMARK_CAPTURE(balanced_on_coast, start, Part::start)->Apply(six_robots);
-BENCHMARK_CAPTURE(balanced_on_coast, search, Part::search)->Apply(six_robots);
+BENCHMARK_CAPTURE(balanced_on_coast, start, Part::start)->Apply(up_to_most_robots);
+BENCHMARK_CAPTURE(balanced_on_coast, search, Part::search)->Apply(up_to_most_robots);
+// These end by most_work.
+BENCHMARK_CAPTURE(balanced, most_work_random, Family::random, 20000, Part::search)
+    ->Apply(from_4_to_8);
+BENCHMARK_CAPTURE(balanced, most_work_star, Family::star, 20000, Part::search)->Apply(from_4_to_8);
+BENCHMARK_CAPTURE(balanced, most_work_comb, Family::comb, 2000, Part::search)->Apply(six_robots);
+BENCHMARK(balanced_surviving)
+    ->ArgName("robots")
+    ->Unit(benchmark::kMillisecond)
+    ->Arg(2 * most_survived + 3);
 
 }  // namespace
 }  // namespace evenlift::bench

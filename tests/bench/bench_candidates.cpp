@@ -18,11 +18,11 @@ void pairs(benchmark::State& state, Family family) {
   count_pairs(state, polygon);
 }
 
-void candidates(benchmark::State& state, Family family) {
+void candidates(benchmark::State& state, Family family, Positions positions = Positions::best) {
   const Polygon polygon = polygon_of(family, state.range(0));
   std::size_t found = 0;
   for (auto _ : state) {
-    const auto list = find_candidates(polygon, polygon.centroid(), Settings{}.min_ratio);
+    const auto list = find_candidates(polygon, polygon.centroid(), Settings{}.min_ratio, positions);
     found = list->size();
     benchmark::DoNotOptimize(found);
   }
@@ -42,6 +42,17 @@ BENCHMARK_CAPTURE(pairs, star, Family::star)->Apply(up_to_256k);
 BENCHMARK_CAPTURE(pairs, comb, Family::comb)->Apply(up_to_4k);
 BENCHMARK_CAPTURE(candidates, star, Family::star)->Apply(up_to_256k);
 BENCHMARK_CAPTURE(candidates, comb, Family::comb)->Apply(up_to_4k);
+
+// As many vertices and edge-pairs as there may be; with positions in ranges a third of the latter.
+template <std::int64_t n>
+void of_n(benchmark::internal::Benchmark* family) {
+  family->ArgName("n")->Unit(benchmark::kMillisecond)->Arg(n);
+}
+BENCHMARK_CAPTURE(validate, max_vertices, Family::convex)->Apply(of_n<max_vertices>);
+BENCHMARK_CAPTURE(candidates, max_vertices, Family::convex)->Apply(of_n<max_vertices>);
+BENCHMARK_CAPTURE(candidates, max_edge_pairs, Family::comb)->Apply(of_n<5792>);
+BENCHMARK_CAPTURE(candidates, max_edge_pairs_in_ranges, Family::comb, Positions::range)
+    ->Apply(of_n<3344>);
 
 }  // namespace
 }  // namespace evenlift::bench

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "bench/bench.h"
+#include "evenlift/exchange.h"
 #include "evenlift/placement.h"
 
 namespace evenlift::bench {
@@ -21,9 +22,23 @@ void hold_on_samples(benchmark::State& state, Positions positions) {
             [](const Document& document) { benchmark::DoNotOptimize(place(document)); });
 }
 
-void hold(benchmark::State& state, Family family, Positions positions) {
-  const Document document = to_hold(document_of(family, state.range(0)), 3, positions);
+void hold(benchmark::State& state, Family family, Positions positions, std::int64_t teams = 3) {
+  const Document document = to_hold(document_of(family, state.range(0)), teams, positions);
   for (auto _ : state) benchmark::DoNotOptimize(place(document));
+}
+
+// So many teams among so many of a comb's candidates in ranges, evenly picked.
+void exchange(benchmark::State& state) {
+  const Polygon polygon = polygon_of(Family::comb, 1000);
+  const Settings settings = to_hold({}, state.range(0), Positions::range).settings;
+  const std::vector<Candidate> all =
+      *find_candidates(polygon, polygon.centroid(), settings.min_ratio, settings.positions);
+  const auto number = static_cast<std::size_t>(state.range(1));
+  std::vector<Candidate> picked;
+  for (std::size_t i = 0; i < number; ++i) picked.push_back(all[i * all.size() / number]);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        choose_candidates(polygon, polygon.centroid(), picked, settings, *settings.teams));
 }
 
 void teams(benchmark::internal::Benchmark* b) {
@@ -37,6 +52,25 @@ BENCHMARK_CAPTURE(hold_on_samples, best, Positions::best)->Apply(teams);
 BENCHMARK_CAPTURE(hold_on_samples, range, Positions::range)->Apply(teams);
 BENCHMARK_CAPTURE(hold, spiral, Family::spiral, Positions::range)->Apply(of_1000);
 BENCHMARK_CAPTURE(hold, comb, Family::comb, Positions::best)->Apply(of_1000);
+
+// At the limits: t^3 K up to which the page exchanges t teams during a drag, and after it; the most
+// candidates among which both of two teams may go elsewhere at once; the most teams; and of
+// most_exchanges in a round as many as max_edge_pairs leaves.
+template <std::int64_t n>
+void of_n(benchmark::internal::Benchmark* b) {
+  b->ArgName("n")->Unit(benchmark::kMillisecond)->Arg(n);
+}
+BENCHMARK(exchange)
+    ->ArgNames({"teams", "K"})
+    ->Unit(benchmark::kMillisecond)
+    ->Args({3, 1851})
+    ->Args({8, 15625});
+BENCHMARK_CAPTURE(hold, most_candidates_for_pairs, Family::convex, Positions::best, 2)
+    ->Apply(of_n<106>);
+BENCHMARK_CAPTURE(hold, most_exchanged_teams, Family::regular, Positions::best,
+                  most_exchanged_teams)
+    ->Apply(of_n<200>);
+BENCHMARK_CAPTURE(hold, most_exchanges, Family::comb, Positions::range, 2)->Apply(of_n<3344>);
 
 }  // namespace
 }  // namespace evenlift::bench

@@ -1,4 +1,5 @@
-// Share links of a polygon with 1,000 vertices, the most common large shape.
+// Share links of a polygon with 1,000 vertices, the most common large shape, and with the most that
+// a link can hold.
 #include "bench/bench.h"
 #include "evenlift/link.h"
 
@@ -27,6 +28,12 @@ BENCHMARK_CAPTURE(encode, random, Family::random)->Apply(of_1000);
 BENCHMARK_CAPTURE(encode, star, Family::star)->Apply(of_1000);
 BENCHMARK_CAPTURE(decode, random, Family::random)->Apply(of_1000);
 BENCHMARK_CAPTURE(decode, star, Family::star)->Apply(of_1000);
+
+void of_most(benchmark::internal::Benchmark* family) {
+  family->Arg(max_link_vertices)->ArgName("n")->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(encode, max_link_vertices, Family::random)->Apply(of_most);
+BENCHMARK_CAPTURE(decode, max_link_vertices, Family::random)->Apply(of_most);
 
 }  // namespace
 }  // namespace evenlift::bench

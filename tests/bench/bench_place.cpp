@@ -1,5 +1,7 @@
 // A whole placement, as the program and the page ask for it: from vertices to loads and closure.
 #include "bench/bench.h"
+#include "bench/coast.h"
+#include "evenlift/angles.h"
 #include "evenlift/capacity.h"
 #include "evenlift/placement.h"
 
@@ -53,13 +55,13 @@ BENCHMARK_CAPTURE(place, star_by_distance, Family::star, Method::distance)->Appl
 
 // A capacity that takes nearly two hundred teams, beside a placement that is there already: what
 // the page does after an edit, once for all frames until the next one.
-void plan(benchmark::State& state, Family family, Method method) {
+void plan(benchmark::State& state, Family family, Method method, double capacity = 0.3) {
   Document document = document_of(family, state.range(0));
   document.settings.method = method;
   const Placement placement = *evenlift::place(document);
   CapacityPlan plan;
   for (auto _ : state) {
-    plan = plan_capacity(placement, 0.3);
+    plan = plan_capacity(placement, capacity);
     benchmark::DoNotOptimize(plan);
   }
   state.counters["teams"] = plan.teams;
@@ -73,6 +75,78 @@ BENCHMARK_CAPTURE(plan, comb_by_circle, Family::comb, Method::circle)->Apply(of_
 BENCHMARK_CAPTURE(plan, comb_by_distance, Family::comb, Method::distance)->Apply(of_1000);
 BENCHMARK_CAPTURE(plan, comb_distributed, Family::comb, Method::distributed)->Apply(of_1000);
 BENCHMARK_CAPTURE(plan, comb_at_random, Family::comb, Method::random)->Apply(of_1000);
+
+// --- At the limits
+
+// As many vertices, and as many teams, as there may be.
+void at_most(benchmark::internal::Benchmark* method) {
+  method->ArgNames({"n", "teams"})->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(place, max_vertices, Family::convex, Method::area)
+    ->Apply(at_most)
+    ->Args({max_vertices, 50});
+BENCHMARK_CAPTURE(place, max_teams_distributed, Family::random, Method::distributed)
+    ->Apply(at_most)
+    ->Args({1000, max_teams});
+
+void read_max_vertices(benchmark::State& state) {
+  const std::string text = write_thesis(document_of(Family::convex, max_vertices));
+  for (auto _ : state) benchmark::DoNotOptimize(read_polygon(text));
+  state.counters["bytes"] = static_cast<double>(text.size());
+}
+BENCHMARK(read_max_vertices)->Unit(benchmark::kMillisecond);
+
+// A tilted square with so many vertices on each side: all contacts of a side are aligned, and
+// rounding parts their normals.
+Document tilted_square(int on_each_side) {
+  const Vec2 right = 1000 * Vec2(cosine(0.3), sine(0.3)), up = left_normal(right);
+  const Vec2 corners[] = {Vec2::Zero(), right, right + up, up};
+  Document document;
+  for (std::size_t side = 0; side < 4; ++side)
+    for (int i = 0; i < on_each_side; ++i)
+      document.vertices.push_back(corners[side] +
+                                  (corners[(side + 1) % 4] - corners[side]) * i / on_each_side);
+  return document;
+}
+
+// A team on every candidate.
+void place_all(benchmark::State& state, Document document) {
+  document.settings.teams.reset();
+  std::size_t teams = 0;
+  for (auto _ : state) {
+    teams = evenlift::place(document)->teams.size();
+    benchmark::DoNotOptimize(teams);
+  }
+  state.counters["teams"] = static_cast<double>(teams);
+}
+BENCHMARK_CAPTURE(place_all, aligned_contacts, tilted_square(4000))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(place_all, corners_of_base, document_of(Family::convex, 16000))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(place_all, star, document_of(Family::star, 20000))->Unit(benchmark::kMillisecond);
+
+// More than any number of teams that is tried can carry.
+BENCHMARK_CAPTURE(plan, most_teams_for_capacity, Family::comb, Method::area, 0.05)->Apply(of_1000);
+
+// A plan for failures that finds no number, or, of balanced robots, one after some searches.
+void plan_failures(benchmark::State& state, Document document, Settings settings, double capacity) {
+  document.settings = settings;
+  const Placement placement = *evenlift::place(document);
+  FailurePlan plan;
+  for (auto _ : state) {
+    plan = plan_for_failures(placement, capacity);
+    benchmark::DoNotOptimize(plan);
+  }
+  state.counters["tried"] = plan.tried;
+}
+BENCHMARK_CAPTURE(plan_failures, most_loads_planned, document_of(Family::comb, 1000),
+                  Settings{.method = Method::distributed}, 0.3)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan_failures, most_exchanged_teams, document_of(Family::random, 200),
+                  (Settings{.goal = Goal::hold, .positions = Positions::range}), 1.7)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan_failures, most_sets_planned, coast(), Settings{.method = Method::balanced},
+                  2)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace evenlift::bench

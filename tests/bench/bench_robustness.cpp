@@ -30,8 +30,15 @@ BENCHMARK(robustness_always)
     ->Unit(benchmark::kMillisecond)
     ->Arg(3)
     ->Arg(50)
-    ->Arg(1000);
-BENCHMARK(robustness_failures)->ArgName("teams")->Unit(benchmark::kMillisecond)->Arg(3)->Arg(50);
+    ->Arg(1000)
+    ->Arg(max_teams);
+// Up to as many robots as the page looks at.
+BENCHMARK(robustness_failures)
+    ->ArgName("teams")
+    ->Unit(benchmark::kMillisecond)
+    ->Arg(3)
+    ->Arg(50)
+    ->Arg(64);
 
 }  // namespace
 }  // namespace evenlift::bench

@@ -1,8 +1,12 @@
 // The lesson: what a trace costs once, and what a step costs when it is looked at.
+#include <string>
+
 #include "bench/bench.h"
+#include "evenlift/lesson.h"
 #include "evenlift/output/trace_words.h"
 #include "evenlift/placement.h"
 #include "evenlift/trace.h"
+#include "evenlift/why_not.h"
 
 namespace evenlift::bench {
 namespace {
@@ -50,6 +54,37 @@ BENCHMARK_CAPTURE(look, random_cut, Family::random, StepKind::cut)->Apply(thousa
 BENCHMARK_CAPTURE(look, comb_slopes, Family::comb, StepKind::slopes)->Apply(thousand);
 BENCHMARK_CAPTURE(look, comb_outcome, Family::comb, StepKind::outcome)->Apply(thousand);
 BENCHMARK_CAPTURE(look, comb_scores, Family::comb, StepKind::scores)->Apply(thousand);
+
+// --- At the limits
+
+// "Why not this one?" about a vertex through which and C a spiral has many chords.
+void why_not_most_chords(benchmark::State& state) {
+  const Trace trace = *make_trace(placement_of(Family::spiral, state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(chord_at(trace, trace.polygon.vertex(0)));
+}
+
+// A lesson of as many bytes and steps as there may be.
+void parse_max_lesson(benchmark::State& state) {
+  std::string text = "title: Long\npolygon: square\n";
+  for (std::size_t step = 1; step <= max_lesson_steps; ++step)
+    text += "\n[step " + std::to_string(step) + "]\n" + std::string(300, 'a') + "\n";
+  text = '#' + std::string(max_lesson_bytes - text.size() - 2, ' ') + '\n' + text;
+  std::size_t steps = 0;
+  for (auto _ : state) {
+    steps = parse_lesson(text)->steps.size();
+    benchmark::DoNotOptimize(steps);
+  }
+  state.counters["steps"] = static_cast<double>(steps);
+}
+
+template <std::int64_t n>
+void of_n(benchmark::internal::Benchmark* shape) {
+  shape->ArgName("n")->Unit(benchmark::kMillisecond)->Arg(n);
+}
+BENCHMARK_CAPTURE(trace, max_trace_steps, Family::comb)->Apply(of_n<1440>);
+BENCHMARK_CAPTURE(look, exact_score_budget, Family::random, StepKind::scores)->Apply(of_n<1200>);
+BENCHMARK(why_not_most_chords)->Apply(thousand);
+BENCHMARK(parse_max_lesson)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace evenlift::bench

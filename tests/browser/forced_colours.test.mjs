@@ -78,7 +78,7 @@ const shapeless = (window) => window.evaluate((root) => [...root.querySelectorAl
 for (const colorScheme of ["light", "dark"]) {
   test(`buttons and fields of windows have an edge, and what is set is told from what is not, on a ${colorScheme} system`, async () => {
     const page = await forced({ colorScheme });
-    for (const name of ["samples", "open", "save", "table", "lessons", "keys", "about"]) {
+    for (const name of ["samples", "open", "save", "table", "lessons", "experiment", "keys", "about"]) {
       const window = await openWindow(page, name);
       assert.ok(await window.locator("button").count() > 0);
       assert.deepEqual(await shapeless(window), [], name);
@@ -91,6 +91,36 @@ for (const colorScheme of ["light", "dark"]) {
       await page.evaluate(() => document.querySelector("dialog")?.close());
       await idle(page);
     }
+    await page.done();
+  });
+}
+
+for (const colorScheme of ["light", "dark"]) {
+  test(`charts have the system's colours, and their lines are told apart without any, on a ${colorScheme} system`, async () => {
+    const page = await forced({ colorScheme });
+    await load(page, asset("square"));
+    const window = await openWindow(page, "experiment");
+    await window.getByLabel("Most teams").fill("2");
+    await window.getByLabel("Most balanced robots").fill("3");
+    await window.getByRole("button", { name: "Compare", exact: true }).click();
+    await window.getByText("Done.").waitFor();
+    const drawn = await window.evaluate((root) => {
+      const system = (colour) => {
+        root.style.outlineColor = colour;
+        return getComputedStyle(root).outlineColor;
+      };
+      const strokes = (marks) => [...new Set([...root.querySelectorAll(marks)].map((mark) => getComputedStyle(mark).stroke))];
+      const keys = [...root.querySelector(".legend").querySelectorAll(".key")].map((key) => [...key.querySelectorAll("path, circle")]
+        .map((mark) => `${mark.localName} ${mark.getAttribute("d") ?? ""} ${getComputedStyle(mark).strokeDasharray}`).join());
+      return {
+        text: [system("CanvasText")], quiet: [system("GrayText")], keys,
+        lines: strokes("[class^=line-] path"), signs: strokes("[class^=dots-] > *"), legend: strokes(".key path, .key circle"), grid: strokes("[aria-label=y-grid] line"),
+      };
+    });
+    const { text, quiet, keys } = drawn;
+    assert.deepEqual([drawn.lines, drawn.signs, drawn.legend, drawn.grid], [text, text, text, quiet]);
+    assert.equal(keys.length, 6);
+    assert.equal(new Set(keys).size, 6, keys.join("\n"));
     await page.done();
   });
 }

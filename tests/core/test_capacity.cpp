@@ -88,6 +88,9 @@ TEST_CASE("a plan does not depend on how many teams are placed", "[capacity]") {
     CHECK(same_plan(one, nine));
     document.settings.weight = 99;
     CHECK_FALSE(same_plan(one, placed(document)));
+    document.settings = one.settings;
+    document.settings.apart = 30;
+    CHECK_FALSE(same_plan(one, placed(document)));
   }
 }
 

@@ -121,7 +121,9 @@ TEST_CASE("without form closure both are 0, and without corners the clearance is
   REQUIRE(placement.closure.form_closure);
   CHECK(placement.closure.clearance.distance == infinity);
   CHECK_FALSE(placement.closure.clearance.point);
+  // A robot that passes a vertex touches another side, however little the outline turns there.
   CHECK(placement.closure.clearance.tolerance > 0);
+  CHECK(placement.closure.clearance.tolerance < 0.2);
   CHECK(hold_clearly(placement));
 }
 
@@ -138,17 +140,27 @@ TEST_CASE("a hold by a hair is form closure, but none that reaches its goal",
 
 namespace {
 
-// Moves a robot along its edge, not beyond its ends: a robot that comes to a notch stays in front of it.
-LiftingPoint moved_along(const Polygon& p, const LiftingPoint& robot, double way) {
-  const Vec2 &from = p.edge_start(robot.edge), &to = p.edge_end(robot.edge);
-  const double size = length(to - from), inside = std::min(1e-7 * p.diameter(), size / 4);
-  const double now = length(robot.position - from);
-  const double t = std::clamp(now + way, inside, size - inside);
-  return {from + (t / size) * (to - from), robot.edge};
+// Moves a robot along the outline, over the ends of its edge; one that comes to a notch stays in front of it.
+LiftingPoint moved_along(const Polygon& p, LiftingPoint robot, double way) {
+  const double inside = 1e-7 * p.diameter();
+  while (true) {
+    const bool ahead = way > 0;
+    const std::size_t end = ahead ? p.next(robot.edge) : robot.edge;
+    const Vec2 &at = robot.position, &to = p.vertex(end);
+    const double left = length(to - at), wanted = std::fabs(way);
+    const bool notch = p.turn(end) == Turn::reflex;
+    if (wanted <= left - (notch ? inside : 0) || notch) {
+      const double step = std::min(wanted, std::max(0.0, left - (notch ? inside : 0)));
+      return {step > 0 ? Vec2(at + (step / left) * (to - at)) : at, robot.edge};
+    }
+    way = ahead ? wanted - left : left - wanted;
+    robot.position = to;
+    robot.edge = static_cast<std::uint32_t>(ahead ? p.next(robot.edge) : p.previous(robot.edge));
+  }
 }
 
-// Robots that are all off by less than the tolerance, in some way. A robot that is nearer to a corner than
-// that may be gone altogether, and one in a notch stays there.
+// Robots that are all off by less than the tolerance, in some way. A robot that is nearer to a convex vertex
+// than that may go round it, and one in a notch stays there.
 std::vector<LiftingPoint> disturbed(const Placement& placement, std::mt19937_64& rng, bool worst) {
   // Less by what closure itself is decided within.
   const double tolerance = (1 - 1e-3) * placement.closure.clearance.tolerance -
@@ -160,7 +172,6 @@ std::vector<LiftingPoint> disturbed(const Placement& placement, std::mt19937_64&
       robots.push_back(robot);
       continue;
     }
-    if (touching[0].to_corner <= tolerance) continue;
     const double part = static_cast<double>(rng() % 2001) / 1000 - 1;
     robots.push_back(moved_along(placement.polygon, {touching[0].position, touching[0].edge},
                                  tolerance * (worst ? (part < 0 ? -1 : 1) : part)));

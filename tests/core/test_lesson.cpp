@@ -147,7 +147,9 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
   refused("title: T\npolygon: ../square\n", 2, "small letters");
   refused(
       "title: T\npolygn: square\n", 2,
-      "unknown setting; there are title, polygon, link, predict and the program's settings, such as teams or min-ratio");
+      "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, "
+      "seed, robots, goal, min-margin, apart, clear, survive, unit, weight-unit, positions, robot, "
+      "no-go, overlays and predict");
   refused("title: T\nHello\n", 2, "expected a setting");
   refused("teams: 0\n", 1, "teams");
   refused("teams: 1048577\n", 1, "teams");

@@ -58,12 +58,12 @@ inline std::string name_of(ErrorCode code) {
   return "another error";
 }
 
-// A sentence that people can read: one line of printable text without a full stop at its end.
+// A sentence that people can read: one line of printable text without a full stop at its end, and not a paragraph.
 inline bool is_one_sentence(const std::string& message) {
   for (const char c : message) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') return false;
   }
-  return message.size() > 8 && message.size() < 200 && message.back() != '.';
+  return message.size() > 8 && message.size() < 250 && message.back() != '.';
 }
 
 }  // namespace evenlift::testing

@@ -13,14 +13,15 @@ struct Contact {
   ExactVec
       edge;  // along the edge, counter-clockwise about P: the inward normal is to its left, exactly
   RealVec normal;  // inward, of unit length
-  std::optional<Real>
-      to_corner;  // the distance from the nearest corner of its edge; none without one
+  // The distances from the nearest corner of its side, and from the nearest convex vertex at which its side
+  // ends; none without one.
+  std::optional<Real> to_corner, to_end;
 };
 
 Contact contact_on(const ExactShape& shape, const RealVec& at, std::size_t edge) {
   const ExactVec along = shape.vertices[(edge + 1) % shape.vertices.size()] - shape.vertices[edge];
   const RealVec left{Real(-along.y), Real(along.x)};
-  return {at, along, left * (1 / length(left)), {}};
+  return {at, along, left * (1 / length(left)), {}, {}};
 }
 
 std::optional<std::size_t> vertex_at(const ExactShape& shape, const RealVec& p, Calls& calls) {
@@ -94,21 +95,22 @@ bool is_corner(const ExactShape& shape, std::size_t vertex, Calls& calls, bool& 
   return cosine < of_15_degrees - tau;
 }
 
-/// The distance of a point on an edge from the nearest corner at which the edge ends, going on over straight
-/// vertices.
-std::optional<Real> to_corner(const ExactShape& shape, const RealVec& at, std::size_t edge,
-                              Calls& calls, bool& unsure) {
+/// Sets the distances of a contact on an edge from the corners and the convex vertices at which the edge ends, going
+/// on over straight vertices.
+void set_distances(const ExactShape& shape, std::size_t edge, Calls& calls, bool& unsure,
+                   Contact& contact) {
   const std::size_t n = shape.vertices.size();
   std::size_t begin = edge, end = (edge + 1) % n;
   while (turn_at(shape, begin, calls) == 0) begin = (begin + n - 1) % n;
   while (turn_at(shape, end, calls) == 0) end = (end + 1) % n;
-  std::optional<Real> least;
-  for (const std::size_t vertex : {begin, end}) {
-    if (!is_corner(shape, vertex, calls, unsure)) continue;
-    const Real distance = length(at - shape.real_vertices[vertex]);
+  const auto lower = [](std::optional<Real>& least, const Real& distance) {
     if (!least || distance < *least) least = distance;
+  };
+  for (const std::size_t vertex : {begin, end}) {
+    const Real distance = length(contact.at - shape.real_vertices[vertex]);
+    if (turn_at(shape, vertex, calls) > 0) lower(contact.to_end, distance);
+    if (is_corner(shape, vertex, calls, unsure)) lower(contact.to_corner, distance);
   }
-  return least;
 }
 
 std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<RealVec>& points,
@@ -124,7 +126,7 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
   // Of a robot that is not kept in a reflex vertex.
   const auto add_free = [&](const RealVec& at, std::size_t edge) {
     Contact contact = contact_on(shape, at, edge);
-    contact.to_corner = to_corner(shape, at, edge, calls, corners_are_unsure);
+    set_distances(shape, edge, calls, corners_are_unsure, contact);
     add(contact);
   };
   for (const RealVec& p : points) {
@@ -417,38 +419,49 @@ std::vector<Vec3> wrenches_of(const std::vector<Contact>& contacts, const Real& 
   return wrenches;
 }
 
-/// Clearance and tolerance by their definition: with the contacts that are at least as far from corners as
-/// each one is, one after another.
-void find_clearance(const std::vector<Contact>& contacts, const Real& radius, Closure& result) {
-  Real clearance = 0, tolerance = 0;
-  bool infinite = false;
+/// Calls look(distance, margin) for the contacts that are at least as far away as each one is, one after another, where
+/// they are in form closure; a contact without an end is infinitely far.
+template <class Look>
+void for_each_hold(const std::vector<Contact>& contacts, std::optional<Real> Contact::*distance,
+                   const Real& radius, Closure& result, const Look& look) {
   // Contacts that are equally far but for rounding give the same set.
   std::vector<Real> looked_at;
-  const auto is_new = [&](const Real& distance) {
+  const auto is_new = [&](const Real& far) {
     return std::none_of(looked_at.begin(), looked_at.end(), [&](const Real& other) {
-      return abs(distance - other) <= Real("1e-28") * abs(other);
+      return abs(far - other) <= Real("1e-28") * abs(other);
     });
   };
   for (const Contact& nearest : contacts) {
-    const Real farther =
-        nearest.to_corner ? Real(*nearest.to_corner * (1 - Real("1e-29"))) : Real(-1);
-    if (!is_new(farther)) continue;
-    looked_at.push_back(farther);
+    const std::optional<Real>& far = nearest.*distance;
+    const Real least = far ? Real(*far * (1 - Real("1e-29"))) : Real(-1);
+    if (!is_new(least)) continue;
+    looked_at.push_back(least);
     std::vector<Contact> counted;
     for (const Contact& c : contacts)
-      if (!c.to_corner || (nearest.to_corner && *c.to_corner >= farther)) counted.push_back(c);
+      if (!(c.*distance) || (far && *(c.*distance) >= least)) counted.push_back(c);
     const Real m = margin(wrenches_of(counted, radius));
     // With the core what counts as held is decided within the tolerance.
     if (abs(m) < 100 * tau) result.clearance_is_unsure = true;
-    if (m <= 0) continue;
-    if (!nearest.to_corner) infinite = true;
-    if (nearest.to_corner) clearance = std::max(clearance, *nearest.to_corner);
-    const Real reach = radius * m;
-    tolerance =
-        std::max(tolerance, nearest.to_corner ? std::min(*nearest.to_corner, reach) : reach);
+    if (m > 0) look(far, m);
   }
+}
+
+/// Clearance and tolerance by their definition.
+void find_clearance(const std::vector<Contact>& contacts, const Real& radius, Closure& result) {
+  std::optional<Real> clearance = Real(0);
+  for_each_hold(contacts, &Contact::to_corner, radius, result, [&](const auto& far, const Real&) {
+    if (!far || !clearance)
+      clearance.reset();
+    else
+      clearance = std::max(*clearance, *far);
+  });
+  Real tolerance = 0;
+  for_each_hold(contacts, &Contact::to_end, radius, result, [&](const auto& far, const Real& m) {
+    const Real reach = radius * m;
+    tolerance = std::max(tolerance, far ? std::min(*far, reach) : reach);
+  });
   result.clearance =
-      infinite ? std::numeric_limits<double>::infinity() : static_cast<double>(clearance);
+      clearance ? static_cast<double>(*clearance) : std::numeric_limits<double>::infinity();
   result.tolerance = static_cast<double>(tolerance);
 }
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, program as placed, published, reload, root, set, sharedBrowser, state, summary, thrown, toScreen } from "./browser.mjs";
+import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, program as placed, published, reload, root, sample, set, sharedBrowser, state, summary, thrown, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -28,6 +28,93 @@ test("without workers the search goes on between pictures, to the same answer", 
   await set(page, { metric: "balanced", robots: 6 });
   await idle(page);
   assert.deepEqual(await state(page), program("grand-piano", "--robots", "6"));
+  await set(page, { capacity: 20 });
+  await idle(page);
+  assert.equal((await state(page)).capacity.if_one_fails, null, "a count would hold up the page");
+  await page.done();
+});
+
+test("how many it takes if any one may fail is counted beside the page, to the program's answer", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", capacity: 20 });
+  await idle(page);
+  assert.deepEqual(await state(page), program("grand-piano", "--capacity", "20"));
+  const words = evenlift("place", sample("grand-piano"), "--metric", "balanced", "--capacity", "20").split("\n")[1];
+  assert.match(words, /If any one may fail: 9 robots/);
+  assert.ok((await summary(page)).includes(words));
+  const [kept, unknown] = await page.evaluate(() => {
+    const counted = () => evenlift.state().capacity.if_one_fails;
+    evenlift.set({ robots: 8 });
+    const kept = counted();
+    evenlift.set({ capacity: 25 });
+    return [kept, counted()];
+  });
+  assert.equal(kept.robots_needed, 9, "it does not depend on how many there are");
+  assert.equal(unknown, null);
+  await idle(page);
+  assert.deepEqual(await state(page), program("grand-piano", "--robots", "8", "--capacity", "25"));
+  // The lesson makes the search itself, and the count is made all the same.
+  await set(page, { robots: 5, weight: 90 });
+  await page.keyboard.press("b");
+  await idle(page);
+  const { capacity } = program("grand-piano", "--robots", "5", "--weight", "90", "--capacity", "25");
+  assert.deepEqual((await state(page)).capacity, capacity);
+  await page.done();
+});
+
+test("a count for another capacity or another document is dropped", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { metric: "balanced", capacity: 20 });
+  await idle(page);
+  await page.evaluate(() => {
+    for (const capacity of [15, 30, 18]) evenlift.set({ capacity });
+  });
+  await idle(page);
+  assert.deepEqual(await state(page), program("grand-piano", "--capacity", "18"));
+  await page.evaluate((guitar) => {
+    evenlift.set({ capacity: 22 });
+    evenlift.load(guitar);
+    evenlift.set({ metric: "balanced", capacity: 22 });
+  }, asset("guitar"));
+  await idle(page);
+  assert.deepEqual(await state(page), program("guitar", "--capacity", "22"));
+  await page.evaluate(() => {
+    evenlift.set({ capacity: 15 });
+    evenlift.set({ capacity: null });
+  });
+  await idle(page);
+  assert.equal((await state(page)).capacity, undefined);
+  assert.doesNotMatch(await summary(page), /may fail/);
+  await page.done();
+});
+
+test("during a drag nothing is counted, and after it once", async () => {
+  const page = await browser.open({ script: () => {
+    globalThis.counts = 0;
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message) {
+      if (/^capacity=/m.test(message.problem?.settings)) ++globalThis.counts;
+      postMessage.call(this, message);
+    };
+  } });
+  const counts = () => page.evaluate(() => globalThis.counts);
+  await load(page, asset("thesis-sample"));
+  await set(page, { metric: "balanced", robots: 5, capacity: 25 });
+  await idle(page);
+  assert.equal(await counts(), 1);
+  const from = await toScreen(page, [539, 220]);
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(from[0] + 24, from[1] - 12, { steps: 6 });
+  await idle(page);
+  assert.notDeepEqual((await state(page)).polygon[0], [539, 220]);
+  assert.equal(await counts(), 1);
+  await page.mouse.up();
+  await idle(page);
+  assert.equal(await counts(), 2);
+  assert.ok((await state(page)).capacity.if_one_fails);
   await page.done();
 });
 

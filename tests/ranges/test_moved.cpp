@@ -41,8 +41,11 @@ std::string why_not(const Document& document, const std::string& moved) {
   const Result<Placement> placement = place(wrong);
   REQUIRE_FALSE(placement.ok());
   CHECK(placement.error().code == ErrorCode::bad_setting);
-  CHECK(placement.error().place.option == "moved");
-  return placement.error().message;
+  CHECK(placement.error().place.kind == Place::Kind::nowhere);  // no setting says it
+  const std::string of_whom = "robots that were moved by hand: ",
+                    message = placement.error().message;
+  CHECK(message.starts_with(of_whom));
+  return message.substr(of_whom.size());
 }
 
 double distance_to_edge(const Placement& placement, const LiftingPoint& point) {

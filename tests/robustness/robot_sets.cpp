@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "evenlift/angles.h"
 #include "evenlift/hull.h"
@@ -63,7 +64,10 @@ Vec2 on_the_grid(Rng& rng, int half) {
 RobotSet with_size(RobotSet set) {
   Points all = set.robots;
   all.push_back(set.centre);
-  set.diagonal = std::max(evenlift::bounding_box(all).diagonal(), 1e-3);
+  all = evenlift::convex_hull(std::move(all));
+  set.diameter = 1e-3;
+  for (const Vec2& a : all)
+    for (const Vec2& b : all) set.diameter = std::max(set.diameter, evenlift::length(a - b));
   return set;
 }
 
@@ -129,7 +133,7 @@ RobotSet turned(RobotSet set, Rng& rng) {
 RobotSet scaled_and_shifted(RobotSet set, double scale, const Vec2& shift) {
   for (Vec2& robot : set.robots) robot = scale * robot + shift;
   set.centre = scale * set.centre + shift;
-  set.diagonal *= scale;
+  set.diameter *= scale;
   return set;
 }
 
@@ -178,12 +182,12 @@ RobotSet make_near_edge(std::uint64_t number, std::size_t most) {
   Rng rng = generator(number);
   const Kind kinds[] = {Kind::anywhere, Kind::on_a_square, Kind::grid, Kind::thin};
   RobotSet set = basic_set(kinds[number % 4], rng, 3 + rng.below(most));
-  const Points hull = evenlift::convex_hull(set.robots, 1e-9 * set.diagonal);
+  const Points hull = evenlift::convex_hull(set.robots, 1e-9 * set.diameter);
   if (hull.size() < 3) return make_near_edge(number + 1000003, most);
   const std::size_t edge = rng.below(hull.size());
   const Vec2 &a = hull[edge], along = hull[(edge + 1) % hull.size()] - a;
   const double place = rng.uniform();
-  double distance = set.diagonal;
+  double distance = set.diameter;
   for (std::uint64_t powers = 1 + rng.below(9); powers > 0; --powers) distance /= 10;
   const Vec2 inward = evenlift::left_normal(along) / evenlift::length(along);
   set.centre = a + place * along + distance * inward;
@@ -195,7 +199,7 @@ RobotSet moved(const RobotSet& set, std::uint64_t number) {
   const RobotSet at_rest = turned(set, rng);
   const double scale = between(rng, 0.1, 10);
   const double x = between(rng, -3, 3);
-  return scaled_and_shifted(at_rest, scale, set.diagonal * Vec2(x, between(rng, -3, 3)));
+  return scaled_and_shifted(at_rest, scale, set.diameter * Vec2(x, between(rng, -3, 3)));
 }
 
 }  // namespace robot_sets

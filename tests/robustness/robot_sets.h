@@ -13,7 +13,7 @@ struct RobotSet {
   std::string kind;
   evenlift::Points robots;
   evenlift::Vec2 centre = evenlift::Vec2::Zero();
-  double diagonal = 0;  // L: of the box around the robots and C, which here stand for the object
+  double diameter = 0;  // L: of the robots and C, which here stand for the object
 };
 
 // The set of that number, with 1 to `most` robots; the kinds take turns. The same on every platform.

@@ -25,7 +25,7 @@ using Mask = std::uint32_t;
 class Subsets {
  public:
   explicit Subsets(const RobotSet& set)
-      : near_square_(square(Exact(oracle::tau) * Exact(set.diagonal))) {
+      : near_square_(square(Exact(oracle::tau) * Exact(set.diameter))) {
     for (const Vec2& p : set.robots)
       robots_.push_back(
           {Exact(p.x()) - Exact(set.centre.x()), Exact(p.y()) - Exact(set.centre.y())});
@@ -121,8 +121,8 @@ class Subsets {
   std::vector<Side> sides_;
 };
 
-int carried(const RobotSet& set) { return failures_carried(set.robots, set.centre, set.diagonal); }
-int steady(const RobotSet& set) { return failures_steady(set.robots, set.centre, set.diagonal); }
+int carried(const RobotSet& set) { return failures_carried(set.robots, set.centre, set.diameter); }
+int steady(const RobotSet& set) { return failures_steady(set.robots, set.centre, set.diameter); }
 
 RobotSet about_origin(Points robots) { return {"by hand", std::move(robots), Vec2::Zero(), 10}; }
 
@@ -163,7 +163,7 @@ TEST_CASE("teams are carried however far from the origin they are", "[robustness
     set.centre += shift;
     INFO(number);
     CHECK(carried(set) >= static_cast<int>(teams) - 1);
-    CHECK(spring_loads(set.robots, set.centre, set.diagonal, 1).has_value());
+    CHECK(spring_loads(set.robots, set.centre, set.diameter, 1).has_value());
   }
 }
 
@@ -176,7 +176,7 @@ TEST_CASE("the teams of every sample carry any failures but one for each team",
       document.settings.teams = 4;
       const Result<Placement> placement = place(document);
       REQUIRE(placement.ok());
-      RobotSet set{name, {}, placement->centre_of_mass, bounding_box(document.vertices).diagonal()};
+      RobotSet set{name, {}, placement->centre_of_mass, placement->polygon.diameter()};
       for (const LiftingPoint& point : lifting_points(placement->teams))
         set.robots.push_back(point.position);
       INFO(name << " by " << evenlift::name(method));

@@ -14,11 +14,11 @@ using robot_sets::RobotSet;
 namespace {
 
 double tipping(const RobotSet& set) {
-  return tipping_distance(convex_hull(set.robots, 1e-9 * set.diagonal), set.centre, set.diagonal);
+  return tipping_distance(convex_hull(set.robots, 1e-9 * set.diameter), set.centre, set.diameter);
 }
 
 std::optional<SpringLoads> springs(const RobotSet& set) {
-  return spring_loads(set.robots, set.centre, set.diagonal, 1);
+  return spring_loads(set.robots, set.centre, set.diameter, 1);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ TEST_CASE("the object tips if C is off by the distance of the nearest edge",
 TEST_CASE("robots carry until C is off by so much, and not beyond", "[robustness][doubt]") {
   for (std::uint64_t number = 0; number < 500; ++number) {
     const RobotSet set = robot_sets::make_steady_set(number, 12);
-    const Points hull = convex_hull(set.robots, 1e-9 * set.diagonal);
+    const Points hull = convex_hull(set.robots, 1e-9 * set.diameter);
     const double distance = tipping(set);
     INFO(number << ", " << set.kind);
     REQUIRE(distance > 0);

@@ -22,13 +22,13 @@ using robot_sets::RobotSet;
 namespace {
 
 std::optional<SpringLoads> springs(const RobotSet& set, double weight = 1) {
-  return spring_loads(set.robots, set.centre, set.diagonal, weight);
+  return spring_loads(set.robots, set.centre, set.diameter, weight);
 }
 std::optional<double> best(const RobotSet& set, double weight = 1) {
-  return best_load(set.robots, set.centre, set.diagonal, weight);
+  return best_load(set.robots, set.centre, set.diameter, weight);
 }
 std::optional<std::vector<double>> worst(const RobotSet& set, double weight = 1) {
-  return worst_loads(set.robots, set.centre, set.diagonal, weight);
+  return worst_loads(set.robots, set.centre, set.diameter, weight);
 }
 
 RobotSet by_hand(Points robots, const Vec2& centre) {
@@ -154,7 +154,7 @@ std::optional<std::vector<double>> exact_springs(const RobotSet& set) {
 double moment(const RobotSet& set, const std::vector<double>& loads) {
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < loads.size(); ++i)
-    sum += loads[i] * (set.robots[i] - set.centre) / set.diagonal;
+    sum += loads[i] * (set.robots[i] - set.centre) / set.diameter;
   return length(sum);
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("the loads of springs balance the weight, whatever the robots", "[robu
     const RobotSet set = robot_sets::make_set(number, 30);
     const auto result = springs(set, 48);
     INFO(number << ", " << set.kind << ", " << set.robots.size() << " robots");
-    CHECK(result.has_value() == (failures_carried(set.robots, set.centre, set.diagonal) >= 0));
+    CHECK(result.has_value() == (failures_carried(set.robots, set.centre, set.diameter) >= 0));
     if (!result) continue;
     ++carried;
     double sum = 0;
@@ -376,7 +376,7 @@ TEST_CASE("loads change at most as said for each length that the centre of mass 
     const auto at_rest = springs(set);
     REQUIRE(at_rest);
     const double distance = 0.99 * at_rest->same_within;
-    if (distance < 1e-4 * set.diagonal) continue;
+    if (distance < 1e-4 * set.diameter) continue;
     ++moved;
     INFO(number << ", " << set.kind << ", " << set.robots.size() << " robots");
     std::vector<double> most(set.robots.size(), 0);

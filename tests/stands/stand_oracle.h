@@ -27,10 +27,13 @@ class StandOracle {
     Verdict verdict = Verdict::stands;
     const auto keep = [&](double room) { this->keep(verdict, room); };
     for (const EdgePart& no : no_go_)
-      if (no.edge == edge) keep(std::max(no.from - part, part - no.to) * size - robot_.width / 2);
+      if (no.edge == edge)
+        keep(std::max(no.from - part, part - no.to) * size - robot_.width / 2);
+      else if (robot_.width > 0)
+        keep(room_beside(no, c, along, out));
     check_body(edge, c + (robot_.radius + robot_.reach) * out, keep);
     check_arm(edge, c, out, keep);
-    check_hand(edge, part * size, size, c, along, out, keep);
+    check_hand(edge, c, along, out, keep);
     return verdict;
   }
 
@@ -66,6 +69,29 @@ class StandOracle {
   }
 
  private:
+  // How far the hand is from what is marked of another edge within the strip beneath its own, w/10 deep; 0 where that
+  // depends on the strip's bounds.
+  double room_beside(const EdgePart& no, const Vec2& c, const Vec2& along, const Vec2& out) const {
+    const Vec2 p = polygon_.edge_start(no.edge), way = polygon_.edge_end(no.edge) - p;
+    const auto room = [&](double slack) {
+      const double low = -robot_.width / 10 - slack, high = slack;
+      double from = no.from, to = no.to;
+      const double y = dot(p - c, out), rise = dot(way, out);
+      for (const double sign :
+           {1.0, -1.0}) {  // keeps the part of the segment above low and below high
+        const double start = sign * y - (sign > 0 ? low : -high), climb = sign * rise;
+        if (climb == 0 && start < 0) to = -1;
+        if (climb > 0) from = std::max(from, -start / climb);
+        if (climb < 0) to = std::min(to, -start / climb);
+      }
+      if (from > to) return 1e9;
+      const double a = dot(p + from * way - c, along), b = dot(p + to * way - c, along);
+      return std::max(std::min(a, b), -std::max(a, b)) - robot_.width / 2;
+    };
+    const double widest = room(slack_), narrowest = room(-slack_);
+    return widest > 0 ? widest : std::min(narrowest, 0.0);
+  }
+
   Vec2 outward(std::size_t edge) const {
     const Vec2 p = polygon_.edge_start(edge), q = polygon_.edge_end(edge);
     const Vec2 along = (q - p) / length(q - p);
@@ -135,27 +161,50 @@ class StandOracle {
     for (int k = 1; k <= samples; ++k) keep(-depth(c + k * way / samples * out));
   }
 
+  // By how many degrees the outline turns at a vertex, above 0 where it is convex.
+  double turn_in_degrees(std::size_t vertex) const {
+    const Vec2 in = polygon_.vertex(vertex) - polygon_.vertex(polygon_.previous(vertex)),
+               out = polygon_.vertex(polygon_.next(vertex)) - polygon_.vertex(vertex);
+    const double turn = std::atan2(cross(in, out), dot(in, out)) * 180 / std::acos(-1.0);
+    return polygon_.counter_clockwise() ? turn : -turn;
+  }
+
+  // A vertex more on a straight side changes nothing.
   template <class Keep>
-  void check_hand(std::size_t edge, double t, double size, const Vec2& c, const Vec2& along,
-                  const Vec2& out, Keep keep) const {
-    const double half = robot_.width / 2;
-    if (polygon_.turn(edge) == Turn::convex) keep(t - half);
-    if (polygon_.turn(polygon_.next(edge)) == Turn::convex) keep(size - half - t);
-    if (robot_.depth <= 0 && robot_.width <= 0) return;
-    // What is thinner than the samples below are apart.
-    for (std::size_t f = 0; f < polygon_.size(); ++f) {
-      const auto seen = [&](const Vec2& p) { return Vec2(dot(p - c, along), -dot(p - c, out)); };
-      // A slanting edge is met a little farther on where it is looked for deeper.
-      const double room = std::max(half - 20 * slack_, 0.0);
-      if (f != edge && is_met(seen(polygon_.edge_start(f)), seen(polygon_.edge_end(f)), room,
-                              slack_, std::max(robot_.depth - slack_, slack_)))
-        keep(-1);
+  void check_corners(std::size_t edge, const Vec2& c, Keep keep) const {
+    for (const bool at_end : {false, true}) {
+      std::size_t vertex = at_end ? polygon_.next(edge) : edge;
+      while (polygon_.turn(vertex) == Turn::straight)
+        vertex = at_end ? polygon_.next(vertex) : polygon_.previous(vertex);
+      const double room = length(polygon_.vertex(vertex) - c) - robot_.width / 2;
+      const double beyond = turn_in_degrees(vertex) - 15;
+      if (beyond > -1e-6) keep(beyond < 1e-6 ? std::max(room, 0.0) : room);
     }
-    const int across = robot_.width > 0 ? samples : 0, down = robot_.depth > 0 ? samples : 0;
+  }
+
+  template <class Keep>
+  void check_hand(std::size_t edge, const Vec2& c, const Vec2& along, const Vec2& out,
+                  Keep keep) const {
+    check_corners(edge, c, keep);
+    const double half = robot_.width / 2, from = robot_.width / 10, to = robot_.depth;
+    if (from >= to) return;
+    // What is thinner than the samples below are apart. A slanting edge is met a little farther on
+    // where it is looked for deeper.
+    const double aside = 20 * slack_;
+    for (std::size_t f = 0; f < polygon_.size(); ++f) {
+      if (f == edge) continue;
+      const auto seen = [&](const Vec2& p) { return Vec2(dot(p - c, along), -dot(p - c, out)); };
+      const Vec2 p = seen(polygon_.edge_start(f)), q = seen(polygon_.edge_end(f));
+      if (is_met(p, q, std::max(half - aside, 0.0), from + slack_, to - slack_))
+        keep(-1);
+      else if (meets(p, q, half + aside, std::max(from - slack_, slack_), to + slack_))
+        keep(0);
+    }
+    const int across = robot_.width > 0 ? samples : 0;
     for (int i = 0; i <= across; ++i)
-      for (int j = 0; j <= down; ++j) {
+      for (int j = 0; j <= samples; ++j) {
         const double x = across > 0 ? (2.0 * i / across - 1) * half : 0;
-        const double y = down > 0 ? double(j) / down * robot_.depth : 0;
+        const double y = from + double(j) / samples * (to - from);
         keep(depth(c + x * along - y * out) + 2 * slack_);
       }
   }

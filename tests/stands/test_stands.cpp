@@ -28,6 +28,32 @@ Polygon square() { return made({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
 // An L with a reflex corner at (1, 1).
 Polygon corner() { return made({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}); }
 
+// About the origin, with a corner at (radius, 0).
+Polygon regular(int corners, double radius) {
+  Points vertices;
+  for (int k = 0; k < corners; ++k) {
+    const double turn = 2 * std::acos(-1.0) * k / corners;
+    vertices.emplace_back(radius * std::cos(turn), radius * std::sin(turn));
+  }
+  return made(vertices);
+}
+
+// A bean: curves that bulge and one that is hollow, in sides of equal turns.
+Polygon bean(int sides) {
+  Points vertices;
+  const auto add_arc = [&](const Vec2& middle, double radius, double from, double to) {
+    for (int k = 0; k < sides; ++k) {
+      const double turn = std::acos(-1.0) * (from + (to - from) * (k + 0.5) / sides);
+      vertices.emplace_back(middle + radius * Vec2(std::cos(turn), std::sin(turn)));
+    }
+  };
+  add_arc({0, 0}, 3, 1, 2);
+  add_arc({2, 0}, 1, 0, 1);
+  add_arc({0, 0}, 1, 2, 1);
+  add_arc({-2, 0}, 1, 0, 1);
+  return made(vertices);
+}
+
 RobotSize sized(double radius, double reach = 0, double depth = 0, double width = 0,
                 double gap = 0) {
   return {radius, reach, depth, width, gap};
@@ -117,7 +143,7 @@ TEST_CASE("with an arm, the other side of a notch is in the way of the body alon
   CHECK(Stands(polygon, sized(0.01, 1.5), {}).why_not(3, 1.5) == WhyUnusable::arm);
 }
 
-TEST_CASE("a hand needs depth beneath it and its width from convex corners", "[stands]") {
+TEST_CASE("a hand needs depth beneath it and half its width from corners", "[stands]") {
   const Stands stands(corner(), sized(0, 0, 0.5, 0.4), {});
   REQUIRE(stretches(stands, 0).size() == 1);
   CHECK(stretches(stands, 0)[0].from == Approx(0.2));
@@ -129,6 +155,78 @@ TEST_CASE("a hand needs depth beneath it and its width from convex corners", "[s
   const Stands deep(corner(), sized(0, 0, 1.5, 0.4), {});
   CHECK(deep.why_not(0, 2) == WhyUnusable::hand);
   CHECK_FALSE(deep.why_not(0, 0.5));
+}
+
+TEST_CASE("a hand may be wider than the sides of a flattened curve, which has no corners",
+          "[stands]") {
+  const Polygon circle = regular(64, 1);
+  const double side = length(circle.edge_end(0) - circle.edge_start(0));
+  for (const double depth : {0.0, 0.01, 0.1, 0.8}) {
+    INFO(depth);
+    const Stands stands(circle, sized(0.05, 0.05, depth, 0.3), {});
+    for (std::uint32_t edge = 0; edge < circle.size(); ++edge) {
+      REQUIRE(stretches(stands, edge).size() == 1);
+      CHECK(stretches(stands, edge)[0].from < 1e-8);
+      CHECK(stretches(stands, edge)[0].to > side - 1e-8);
+    }
+  }
+  // The sagitta of a chord as long as the hand, here 0.134, is at most a tenth of it if the hand fits.
+  CHECK(Stands(circle, sized(0, 0, 0.2, 1), {}).why_not(0, side / 2) == WhyUnusable::hand);
+  CHECK(Stands(circle, sized(0, 0, 1.97, 0.6), {}).why_not(0, side / 2) == WhyUnusable::hand);
+  // A hexagon turns by 60 degrees.
+  const Stands stands(regular(6, 1), sized(0, 0, 0.1, 0.3), {});
+  for (std::uint32_t edge = 0; edge < 6; ++edge) {
+    REQUIRE(stretches(stands, edge).size() == 1);
+    CHECK(stretches(stands, edge)[0].from == Approx(0.15));
+    CHECK(stretches(stands, edge)[0].to == Approx(0.85));
+  }
+}
+
+TEST_CASE("next to the edge a hand may stick out by a tenth of its width", "[stands]") {
+  // Edge 0 ends with a turn of 14 degrees; edge 1 is 0.2 inside of its line at x = 2.8.
+  const Polygon polygon = made({{0, 0}, {2, 0}, {3, 0.25}, {3, 3}, {0, 3}});
+  const Stands stands(polygon, sized(0, 0, 1, 2), {});
+  REQUIRE(stretches(stands, 0).size() == 1);
+  CHECK(stretches(stands, 0)[0].from == Approx(1));
+  CHECK(stretches(stands, 0)[0].to == Approx(1.8));
+  CHECK(stands.why_not(0, 0.9) == WhyUnusable::corner);
+  CHECK(stands.why_not(0, 1.9) == WhyUnusable::hand);
+  // A hand that is less deep keeps off corners alone.
+  const Stands flat(polygon, sized(0, 0, 0.15, 2), {});
+  REQUIRE(stretches(flat, 0).size() == 1);
+  CHECK(stretches(flat, 0)[0].from == Approx(1));
+  CHECK(stretches(flat, 0)[0].to == Approx(2));
+  CHECK(stretches(flat, 1)[0].from < 1e-7);
+}
+
+TEST_CASE("a hand that meets no edge is still not beneath an object that is too thin for it",
+          "[stands]") {
+  // A tenth of the hand's width is 0.2.
+  const RobotSize robot = sized(0, 0, 1, 2);
+  const Polygon plate = made({{0, 0}, {10, 0}, {10, 0.1}, {0, 0.1}});
+  CHECK(Stands(plate, robot, {}).why_not(0, 5) == WhyUnusable::hand);
+  CHECK(Stands(plate, robot, {}).why_not(2, 5) == WhyUnusable::hand);
+  const Polygon wedge = made({{0, 0}, {10, -0.25}, {10, 0.25}});
+  CHECK(Stands(wedge, robot, {}).why_not(0, 1.5) == WhyUnusable::hand);
+  // Beyond a slit the object goes on.
+  const Polygon slit =
+      made({{0, 0}, {10, 0}, {10, 0.05}, {2, 0.05}, {2, 0.1}, {10, 0.1}, {10, 5}, {0, 5}});
+  CHECK_FALSE(Stands(slit, robot, {}).why_not(0, 5));
+  CHECK(Stands(slit, sized(0, 0, 1, 0.6), {}).why_not(0, 5) == WhyUnusable::hand);
+}
+
+TEST_CASE("a vertex more on a straight side leaves a hand as far from the corner", "[stands]") {
+  const Polygon polygon = made({{0, 0}, {0.05, 0}, {0.95, 0}, {1, 0}, {1, 1}, {0, 1}});
+  for (const double depth : {0.0, 0.01, 0.5}) {
+    INFO(depth);
+    const Stands stands(polygon, sized(0, 0, depth, 0.2), {});
+    CHECK(stretches(stands, 0).empty());
+    REQUIRE(stretches(stands, 1).size() == 1);
+    CHECK(stretches(stands, 1)[0].from == Approx(0.05));
+    CHECK(stretches(stands, 1)[0].to == Approx(0.85));
+    CHECK(stands.why_not(1, 0.02) == WhyUnusable::corner);
+    CHECK(stretches(stands, 2).empty());
+  }
 }
 
 TEST_CASE("marked parts of edges are left out, and so is a vertex that one of them touches",
@@ -170,6 +268,17 @@ TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {
   CHECK(stretches(Stands(square(), sized(0, 0, 0, 0.2), {{0, 0, 0.4}, {0, 0.55, 1}}), 0).empty());
   CHECK(stretches(Stands(square(), sized(0.01, 0, 0, 0), {{0, 0, 0.4}, {0, 0.55, 1}}), 0).size() ==
         1);
+}
+
+TEST_CASE("a hand on a curve keeps off what is marked beside its own edge", "[stands]") {
+  const Polygon curve = regular(64, 1);
+  const double side = length(curve.edge_end(0) - curve.edge_start(0));
+  const RobotSize robot = sized(0, 0, 0.3, 2 * side);
+  const Stands stands(curve, robot, {{10, 0, 1}});
+  CHECK(stands.why_not(9, side / 2) == WhyUnusable::near_no_go);
+  CHECK(stands.why_not(11, side / 2) == WhyUnusable::near_no_go);
+  CHECK_FALSE(stands.why_not(7, side / 2));
+  CHECK_FALSE(stands.why_not(13, side / 2));
 }
 
 TEST_CASE("every place is as the four conditions say", "[stands]") {
@@ -215,6 +324,23 @@ TEST_CASE("every place of the samples is as the four conditions say", "[stands]"
     sure += compare(polygon, sized(0.02 * size, 0.03 * size, 0.02 * size, 0.01 * size), {}, 100);
   }
   CHECK(sure > 100000);
+}
+
+TEST_CASE("every place of flattened curves is as the four conditions say", "[stands]") {
+  Rng rng(23);
+  int sure = 0;
+  for (int number = 0; number < 60; ++number) {
+    const int sides = 3 + static_cast<int>(rng.below(30));
+    const Polygon polygon = number % 2 ? bean(sides) : regular(2 * sides + 1, 3);
+    // From hands that are narrower than the sides to such as no curve has room for.
+    RobotSize robot;
+    robot.width = std::pow(0.9, static_cast<double>(rng.below(60))) * 4;
+    robot.depth = robot.width * std::pow(0.8, static_cast<double>(rng.below(20))) * 2;
+    if (number % 3 == 0) robot.radius = 0.2 * rng.uniform();
+    INFO("shape " << number << " of " << polygon.size() << ", " << robot_text(robot));
+    sure += compare(polygon, robot, {}, 1000 / sides);
+  }
+  CHECK(sure > 50000);
 }
 
 TEST_CASE("the same stretches whichever way round the vertices are listed", "[stands]") {
@@ -355,10 +481,8 @@ TEST_CASE("errors of stands name the setting and say why", "[stands][errors]") {
   CHECK(make_stands(square(), settings).error().message ==
         "no edge has room for a robot of radius 0.1, with a hand of depth 2 and width 0.1");
   settings.robot = sized(0.1, 0, 0, 3);
-  CHECK(
-      make_stands(square(), settings).error().message ==
-      "no edge has room for a robot of radius 0.1, with a hand of depth 0 and width 3, which is wider than the "
-      "longest edge");
+  CHECK(make_stands(square(), settings).error().message ==
+        "no edge has room for a robot of radius 0.1, with a hand of depth 0 and width 3");
   settings.robot = sized(0.1, 5, 2, 0);
   CHECK(
       make_stands(square(), settings).error().message ==

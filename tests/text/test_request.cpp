@@ -9,6 +9,7 @@
 #include "evenlift/output/json.h"
 #include "evenlift/output/poses.h"
 #include "evenlift/output/svg.h"
+#include "evenlift/settings_text.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
@@ -80,6 +81,34 @@ TEST_CASE("a polygon may come as text or as a link, whose settings count", "[req
         placement_json(placed(document), false));
 }
 
+TEST_CASE("robots that a link moved go back when the request says where C is", "[request]") {
+  Document document;
+  document.vertices = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  document.settings.method = Method::balanced;
+  document.settings.robots = 4;
+  document.moved = *read_moved("1:0.5,2:0.5,3:0.5,4:0.5");
+  const std::string text = "{\"text\": \"" + *encode_link(document) + "\"";
+  CHECK(answer(text + "}") == placement_json(placed(document), false));
+  document.moved = {};
+  CHECK(answer(text + ", \"centre_of_mass\": null}") == placement_json(placed(document), false));
+  document.centre_of_mass = Vec2(1, 2);
+  CHECK(answer(text + ", \"centre_of_mass\": [1, 2]}") == placement_json(placed(document), false));
+}
+
+TEST_CASE("robots that a link moved to where they cannot stand are the fault of no setting",
+          "[request][errors]") {
+  Document document;
+  document.vertices = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  document.settings.method = Method::balanced;
+  document.settings.robots = 4;
+  document.moved = *read_moved("1:0.5,2:0.5,3:0.5,4:0.75");
+  const json error = refusal("{\"text\": \"" + *encode_link(document) + "\"}");
+  CHECK(error["code"] == "bad_setting");
+  CHECK(error["message"] ==
+        "Robots that were moved by hand: the centroid of the robots is not the centre of mass");
+  CHECK(error["place"].is_null());
+}
+
 TEST_CASE("candidates, pictures and poses are the core's own", "[request]") {
   const Document document = l_document();
   const Placement placement = placed(document);
@@ -92,6 +121,11 @@ TEST_CASE("candidates, pictures and poses are the core's own", "[request]") {
   sized.settings.robot.radius = 0.1;
   CHECK(answer(with(
             R"("command": "candidates", "settings": {"positions": "range", "robot": "r=0.1"})")) ==
+        candidates_json(placed(sized).candidates));
+  sized.settings.no_go = {{0, 0, 0.25}};
+  sized.settings.clear = 0.25;
+  CHECK(answer(with(R"("command": "candidates", "settings": {"positions": "range", "robot": "r=0.1",
+                       "no_go": "1:0-0.25", "clear": 0.25})")) ==
         candidates_json(placed(sized).candidates));
   CHECK(answer_json(with(R"("command": "svg")"))["svg"] ==
         placement_svg(placement, *encode_link(document)));

@@ -143,6 +143,55 @@ TEST_CASE("what changes no placement leaves the search alone", "[view][balanced]
   CHECK(state.search.under_way);
 }
 
+TEST_CASE("how many balanced robots it takes if any one may fail is taken over when it is counted",
+          "[view][balanced][capacity]") {
+  AppState state = balanced_state();
+  give(state, SetCapacity{20.0});
+  begin_count(state);
+  CHECK_FALSE(state.search.counting);  // they have not settled
+  take_robots(state, state.search.number, last_robots(state), true);
+  begin_count(state);
+  REQUIRE(state.search.counting);
+  CHECK_FALSE(verdict(state).searching);
+  const std::uint64_t number = state.search.number;
+  const FailurePlan plan = plan_for_failures(*state.placement, 20);
+  SECTION("texts that are no count change nothing") {
+    for (const char* bad : {"", " ", "x", "9 ", "9 x", "9 nan", "65", "9 20 9", "-9 20", "09 20"})
+      CHECK_FALSE(take_robots(state, number, bad, true));
+    CHECK(state.search.counting);
+    CHECK_FALSE(state.spare);
+    stop_search(state, number);  // nobody asks again, and no notice speaks of a search
+    begin_count(state);
+    CHECK(state.search.number == number);
+    CHECK(state.notice.text.empty());
+  }
+  SECTION("it is shown, and kept while it can have stayed the same") {
+    REQUIRE(take_robots(state, number, plan_text(plan), true));
+    CHECK(state.spare == plan);
+    CHECK(need_in_words(state).find("If any one may fail: ") != std::string::npos);
+    Settings fewer = settings(state);
+    fewer.robots = 5;
+    give(state, SetSettings{fewer});
+    take_robots(state, state.search.number, last_robots(state), true);
+    begin_count(state);
+    CHECK(state.spare == plan);
+    CHECK_FALSE(state.search.counting);
+  }
+  SECTION("another capacity and a drag drop it") {
+    give(state, SetCapacity{25.0});
+    CHECK_FALSE(take_robots(state, number, plan_text(plan), true));
+    begin_count(state);
+    REQUIRE(state.search.number == number + 1);
+    give(state, MoveVertex{0, state.document.vertices[0] + Vec2(1, 1)});
+    begin_count(state);
+    CHECK_FALSE(state.search.counting);
+    CHECK_FALSE(take_robots(state, number + 1, plan_text(plan), true));
+    CHECK_FALSE(state.spare);
+  }
+  for (const FailurePlan& each : {plan, FailurePlan{false, 0, 0, 17}})
+    CHECK(read_plan(plan_text(each)) == each);
+}
+
 TEST_CASE("the second method is searched for, too", "[view][balanced]") {
   AppState state;
   start_with(state, placed(document(piano)), std::nullopt);

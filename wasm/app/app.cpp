@@ -4,6 +4,7 @@
 
 #include "app/update.h"
 #include "canvas/canvas.h"
+#include "edits/search.h"
 #include "edits/sight.h"
 #include "panels/panels.h"
 #include "state/browser.h"
@@ -55,6 +56,7 @@ void draw_frame(App& app, bool picture) {
 bool settle(App& app) {
   const bool changed = apply(app.state, app.commands);
   if (changed) frame_view(app.state);
+  begin_count(app.state);
   return changed;
 }
 

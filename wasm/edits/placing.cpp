@@ -73,7 +73,7 @@ void renew_second(AppState& state) {
 void renew_plan(AppState& state) {
   if (state.refusal || state.edit_open || !state.plan_due) return;
   state.plan.reset();
-  state.spare.reset();
+  drop_count(state);
   const std::optional<double>& capacity = settings(state).capacity;
   if (capacity) state.plan = plan_capacity(*state.placement, *capacity);
   if (capacity && state.placement->settings.method != Method::balanced)

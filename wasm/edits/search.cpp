@@ -28,11 +28,12 @@ std::optional<Placement>* balanced(AppState& state) {
   return nullptr;
 }
 
+std::string line(Setting setting, const std::string& value) {
+  return std::string(name(setting)) + '=' + value + '\n';
+}
+
 // The settings that the search depends on, as lines for read_setting().
 std::string settings_text(const Settings& settings) {
-  const auto line = [](Setting setting, const std::string& value) {
-    return std::string(name(setting)) + '=' + value + '\n';
-  };
   std::string text = line(Setting::robots, std::to_string(settings.robots)) +
                      line(Setting::goal, std::string(name(goal_of(settings)))) +
                      line(Setting::min_margin, shortest(settings.min_margin)) +
@@ -44,12 +45,20 @@ std::string settings_text(const Settings& settings) {
   return text;
 }
 
+bool take_plan(AppState& state, std::string_view text) {
+  state.spare = read_plan(text);
+  if (!state.spare) return false;
+  state.search.counting = false;
+  browser::summary_changed();
+  return true;
+}
+
 }  // namespace
 
 void drop_search(AppState& state) {
-  if (state.search.under_way) browser::end_search();
-  state.search.under_way = false;
-  state.search.due = true;
+  Search& search = state.search;
+  if (search.under_way || search.counting) browser::end_search();
+  search = {search.number, true};
 }
 
 void begin_search(AppState& state) {
@@ -63,7 +72,28 @@ void begin_search(AppState& state) {
                         settings_text(start.settings), robots_text(lifting_points(start.teams)));
 }
 
+void begin_count(AppState& state) {
+  Search& search = state.search;
+  const bool moving = state.edit_open || search.under_way;
+  if (!state.placement || state.refusal || moving || search.counting || state.spare) return;
+  const Settings& now = state.placement->settings;
+  const bool settled = now.method == Method::balanced && state.placement->search_ended;
+  if (!settled || !now.capacity) return;
+  search = {search.number + 1, false, false, true};
+  browser::begin_search(search.number, write_thesis(state.placed),
+                        settings_text(now) + line(Setting::weight, shortest(now.weight)) +
+                            line(Setting::capacity, shortest(*now.capacity)),
+                        {});
+}
+
+void drop_count(AppState& state) {
+  if (state.search.counting) browser::end_search();
+  state.search.counting = false;
+  state.spare.reset();
+}
+
 bool take_robots(AppState& state, std::uint64_t number, std::string_view robots, bool ended) {
+  if (state.search.counting && number == state.search.number) return take_plan(state, robots);
   std::optional<Placement>* shown = balanced(state);
   if (!state.search.under_way || number != state.search.number || !shown) return false;
   Placement& placement = **shown;

@@ -143,7 +143,7 @@ std::string result_in_words(const Placement& placement, std::size_t further) {
   const LoadSummary& loads = *placement.loads;
   std::string words = load_in_words(loads.min, loads.max, loads.max, placement.settings.units);
   if (further > 0) words += " · " + percentage(placement.coverage) + " covered";
-  if (further > 1) words += is_held(placement) ? " · cannot move" : " · can move";
+  if (further > 1) words += is_held(placement) ? " · held" : " · not held";
   return words;
 }
 

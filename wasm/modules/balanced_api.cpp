@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "evenlift/balanced.h"
+#include "evenlift/capacity.h"
 #include "evenlift/formats.h"
+#include "evenlift/placement.h"
 #include "evenlift/settings_text.h"
 #include "page/hand_over.h"
 #include "state/robots_text.h"
@@ -24,6 +26,8 @@ struct Task {
   std::optional<BalancedSearch>
       search;  // nothing before the start, and if there is no set of robots
   bool started = false;
+  std::optional<Placement> counted = {};  // with a capacity; then nothing is searched for
+  std::optional<FailurePlan> plan = {};   // the count, once it is made
 };
 std::optional<Task>& task() {
   static std::optional<Task> the_task;
@@ -53,6 +57,12 @@ std::optional<Task> read_task(std::string_view text, std::string_view settings,
   const Result<Vec2> centre = check_centre_of_mass(*polygon, document->centre_of_mass);
   if (!centre) return std::nullopt;
   BalancedProblem problem(*polygon, *centre, document->settings);
+  if (document->settings.capacity) {
+    Placement counted(*polygon);
+    counted.centre_of_mass = *centre;
+    counted.settings = document->settings;
+    return Task{std::move(problem), std::nullopt, false, std::move(counted)};
+  }
   if (robots.empty()) return Task{std::move(problem), std::nullopt};
   auto start = view::read_robots(robots, document->settings.robots, *polygon);
   if (!start) return std::nullopt;
@@ -74,19 +84,23 @@ bool has_ended(const Task& task) { return task.started && (!task.search || task.
 extern "C" {
 
 // Begins the search for a polygon in the thesis's format, with settings as lines `name=value`, from
-// these robots (state/robots_text.h), or from its start if there are none. Returns 0 if one of the
-// texts is wrong.
+// these robots (state/robots_text.h), or from its start if there are none; with a capacity among them the
+// count of those that it takes if any one may fail. Returns 0 if one of the texts is wrong.
 EMSCRIPTEN_KEEPALIVE int balanced_begin(const char* polygon, const char* settings,
                                         const char* robots) {
   evenlift::task() = evenlift::read_task(polygon, settings, robots);
   return evenlift::task() ? 1 : 0;
 }
 
-// Goes on for so many milliseconds, or until the search ends; the start may take longer. Returns
-// whether it has ended.
+// Goes on for so many milliseconds, or until the search ends; the start may take longer, and a count is
+// made at one go. Returns whether it has ended.
 EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   if (!evenlift::task()) return 1;
   evenlift::Task& task = *evenlift::task();
+  if (task.counted) {
+    task.plan = plan_for_failures(*task.counted, *task.counted->settings.capacity);
+    return 1;
+  }
   const double end = emscripten_get_now() + milliseconds;
   if (!task.started) evenlift::start(task);
   while (!evenlift::has_ended(task) && emscripten_get_now() < end)
@@ -94,9 +108,10 @@ EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   return evenlift::has_ended(task) ? 1 : 0;
 }
 
-// The robots by now; nothing if there are none.
+// The robots by now, or how many were counted; nothing if there are none.
 EMSCRIPTEN_KEEPALIVE const char* balanced_robots() {
   const std::optional<evenlift::Task>& task = evenlift::task();
+  if (task && task->plan) return evenlift::hand_over(evenlift::view::plan_text(*task->plan));
   return evenlift::hand_over(
       task && task->search ? evenlift::view::robots_text(task->search->robots) : "");
 }

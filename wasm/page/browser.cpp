@@ -5,6 +5,7 @@
 #include <emscripten/emscripten.h>
 
 #include <cstddef>
+#include <iterator>
 #include <string>
 
 EM_JS(void, evenlift_document_changed, (), { Module["bindings"]["documentChanged"](); })
@@ -48,12 +49,14 @@ void copy_address(std::string_view link) { evenlift_copy_address(std::string(lin
 void open_dialog(Dialog dialog) {
   constexpr const char* names[] = {"samples", "open", "save",  "table",    "lessons", "experiment",
                                    "curves",  "keys", "about", "glossary", "welcome", "optimum"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Dialog::end_of_dialogs));
   evenlift_open_dialog(names[static_cast<std::size_t>(dialog)]);
 }
 void show_cursor(Cursor cursor) {
   // As style sheets name them.
   constexpr const char* names[] = {"default",  "pointer", "crosshair",   "copy",       "grab",
                                    "grabbing", "move",    "nesw-resize", "nwse-resize"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Cursor::end_of_cursors));
   evenlift_show_cursor(names[static_cast<std::size_t>(cursor)]);
 }
 void type_value(std::string_view control) { evenlift_type_value(std::string(control).c_str()); }

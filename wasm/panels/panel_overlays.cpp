@@ -20,7 +20,7 @@ struct Overlay {
 };
 constexpr Overlay overlays[] = {
     {&Overlays::lifting_base, Swatch::hull, "Base",
-     "Lifting base H, the hull of all robots: a push down there does not tip the object (H)"},
+     "Lifting base H, the hull of all robots: no push down there tips it, if robots push back and none is overloaded (H)"},
     {&Overlays::chords, Swatch::chord, "Chords",
      "The two robots of a team and the line between them (C)"},
     {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were compared (A)"},

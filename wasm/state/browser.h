@@ -36,7 +36,8 @@ enum class Dialog : std::uint8_t {
   about,
   glossary,
   welcome,
-  optimum
+  optimum,
+  end_of_dialogs  // no dialog: it stays the last and counts them, so that each needs its name
 };
 void open_dialog(Dialog dialog);
 
@@ -50,7 +51,8 @@ enum class Cursor : std::uint8_t {
   grabbing,
   move,
   resize_rising,
-  resize_falling
+  resize_falling,
+  end_of_cursors  // no cursor, likewise
 };
 void show_cursor(Cursor cursor);
 
@@ -78,7 +80,8 @@ void measure_screen();
 
 // Goes on with the search of this number for balanced robots, beside the page, and ends what was
 // under way; or only ends that. The problem is a polygon in the thesis's format, settings as lines
-// `name=value`, and the robots at the start (robots_text.h). page_take_robots() gets what is found.
+// `name=value`, and the robots at the start (robots_text.h). page_take_robots() gets what is found. With a
+// capacity among the settings it is only counted how many robots it takes if any one may fail.
 void begin_search(std::uint64_t number, std::string_view polygon, std::string_view settings,
                   std::string_view robots);
 void end_search();

@@ -46,4 +46,20 @@ std::optional<std::vector<LiftingPoint>> read_robots(std::string_view text, std:
   return robots;
 }
 
+std::string plan_text(const FailurePlan& plan) {
+  if (!plan.possible) return std::to_string(plan.tried);
+  return std::to_string(plan.robots) + ' ' + shortest(plan.greatest_load);
+}
+
+std::optional<FailurePlan> read_plan(std::string_view text) {
+  const std::string_view given = text;
+  const std::optional<std::uint64_t> number = read_whole(next_word(text));
+  if (!number || *number > most_robots) return std::nullopt;
+  const auto robots = static_cast<std::uint32_t>(*number);
+  const std::optional<double> greatest = read_number(text);
+  const FailurePlan plan =
+      greatest ? FailurePlan{true, robots, *greatest, robots} : FailurePlan{false, 0, 0, robots};
+  return plan_text(plan) == given ? std::optional(plan) : std::nullopt;
+}
+
 }  // namespace evenlift::view

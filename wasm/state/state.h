@@ -72,11 +72,13 @@ struct Snap {
   bool operator==(const Snap&) const = default;
 };
 
-// The search that betters the balanced robots on the screen, and goes on beside the page.
+// The search that betters the balanced robots on the screen, and goes on beside the page; and after it the
+// count of those that it takes if any one may fail.
 struct Search {
   std::uint64_t number = 0;  // of the last one; what an earlier one finds is dropped
   bool due = false;          // the robots on the screen are the start of one
   bool under_way = false;
+  bool counting = false;
 };
 
 // What the robots' size, the edges that must not be touched and the goal were before a method that has no use for them.
@@ -110,8 +112,8 @@ struct AppState {
   std::optional<Placement> second;      // its placement, of the same document
   std::optional<CapacityPlan> plan;     // for the capacity; not renewed during a drag
   std::optional<FailurePlan>
-      spare;  // for it if any robot may fail; balanced robots have none here,
-              // since each number of them takes a search
+      spare;  // for it if any robot may fail; that of balanced robots comes later,
+              // since each number of them takes a search (edits/search.h)
   std::optional<double> best_ratio;  // if no chord has the minimum load ratio: the best there is
   bool plan_due = false;             // the plan may have changed
   LoadModel load_model = LoadModel::plan;             // whose loads are shown

@@ -32,8 +32,7 @@ struct Script {
   std::optional<Vec2> centre_of_mass;  // given with it
   std::size_t depth = 0;  // edits in the history when it was opened; undoing more leaves it
   Settings own;           // that it was written for
-  std::optional<Settings> before;  // the settings that it found
-  bool preview = false;            // it is being written
+  bool preview = false;   // it is being written
 };
 
 // A question to the learner about a choice that the next step will show.

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "evenlift/numbers.h"
@@ -111,6 +112,7 @@ const std::vector<Control>& controls() { return listed.of_pass; }
 
 std::string controls_text(double zoom) {
   constexpr std::string_view kinds[] = {"button", "toggle", "number", "slider", "choice", "text"};
+  static_assert(std::size(kinds) == static_cast<std::size_t>(ControlKind::end_of_kinds));
   std::string text;
   for (const Control& c : listed.of_pass) {
     text += kinds[static_cast<std::size_t>(c.kind)];

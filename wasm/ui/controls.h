@@ -12,8 +12,17 @@
 
 namespace evenlift::view {
 
-// A text is nothing to press: a number of the result, for those who cannot see it.
-enum class ControlKind : std::uint8_t { button, toggle, number, slider, choice, text };
+// A text is nothing to press: a number of the result, for those who cannot see it. The last is no kind: it counts them,
+// so that each needs its word.
+enum class ControlKind : std::uint8_t {
+  button,
+  toggle,
+  number,
+  slider,
+  choice,
+  text,
+  end_of_kinds
+};
 
 struct Control {
   ControlKind kind = ControlKind::button;

@@ -87,11 +87,12 @@ struct FaceSpec {
   bool semibold;
   float letters;
 };
-constexpr FaceSpec faces[face_count] = {{true, 11}, {false, 13}, {true, 13}, {false, 15},
-                                        {true, 15}, {true, 20},  {false, 20}};
+constexpr FaceSpec faces[] = {{true, 11}, {false, 13}, {true, 13}, {false, 15},
+                              {true, 15}, {true, 20},  {false, 20}};
+static_assert(std::size(faces) == static_cast<std::size_t>(Face::end_of_faces));
 constexpr float line_of_inter = 1.21f, line_of_text = 1.4f;
 
-ImFont* loaded[face_count];
+ImFont* loaded[std::size(faces)];
 
 const FaceSpec& spec(Face face) { return faces[static_cast<int>(face)]; }
 
@@ -130,7 +131,7 @@ void load_fonts(double ratio) {
 #endif
   atlas.Clear();
   const ImWchar* ranges = letter_ranges();
-  for (int i = 0; i < face_count; ++i) {
+  for (std::size_t i = 0; i < std::size(faces); ++i) {
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = density > 1.5f ? 1 : 2;

@@ -1,5 +1,6 @@
 // The search for balanced robots, which goes on beside the page: in a worker, or where there is none in slices between
-// pictures. The page has shown the start, if that is quick, and takes over what is found.
+// pictures. The page has shown the start, if that is quick, and takes over what is found. With a capacity among the settings
+// it is counted in place of that how many robots it takes if any one may fail: at one go, so only in a worker.
 import { Program } from "./program.js";
 import { search } from "./search_loop.js";
 import { begin, end } from "./work.js";
@@ -39,6 +40,7 @@ export function createSearch(call) {
   }
 
   async function inSlices(number) {
+    if (/^capacity=/m.test(problem.settings)) return over();
     const goesOn = () => wanted === number;
     try {
       const { default: createModule } = await import("./balanced_core.js");

@@ -27,7 +27,7 @@ export async function show(page) {
     name: "about",
     title: "About evenlift",
     body: [el("div", { class: "scroll" },
-      el("p", {}, "evenlift finds where teams of robots should stand round a flat object so that they lift it together, each with nearly the same load. Robots work in pairs, one on each side of the centre of mass; pairs are chosen so that the loads are even and the lifting base is wide. It also says whether the robots' contact alone keeps the object from moving."),
+      el("p", {}, "evenlift finds where teams of robots should stand round a flat object so that they lift it together, each with nearly the same load. Robots work in pairs, one on each side of the centre of mass; pairs are chosen so that the loads are even and the lifting base is wide. It also says whether the robots' contact alone keeps the object from sliding and turning."),
       el("p", {}, "It implements the thesis ", el("cite", {}, "A Weight-Distributing Placement Algorithm for Large Teams of Lifting Robots"), ". All of it is computed here in the browser: nothing that you draw is sent anywhere."),
       el("h3", {}, "To read"),
       el("ul", { class: "plain" }, ...docs.map(([file, title]) => el("li", {}, link(file, title)))),

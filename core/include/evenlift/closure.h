@@ -33,6 +33,9 @@ struct Contact {
   // straight vertices join are one edge. Infinite without such a corner, and in a reflex vertex, whose
   // notch keeps the robot where it is.
   double to_corner = std::numeric_limits<double>::infinity();
+  // The distance from the nearest convex vertex at which its straight side ends, however little it turns
+  // there: a robot that passes it touches another side. Infinite without one, and in a reflex vertex.
+  double to_end = std::numeric_limits<double>::infinity();
 };
 
 // The direction in which a contact with this edge pushes, of unit length; and the same for an edge
@@ -68,7 +71,8 @@ FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
                          const std::vector<Contact>& contacts);
 
 // How exactly robots must stand so that they hold, in units of length. Let m(k) be the margin of the
-// contacts that are at least k from corners.
+// contacts that are at least k from corners, and s(k) that of the contacts that are at least k from the
+// ends of their straight sides.
 struct Clearance {
   // The supremum of the k with m(k) > 0: infinite if the hold needs no contact beside a corner, and 0
   // without form closure.
@@ -76,9 +80,10 @@ struct Clearance {
   // The lifting point whose contact is at that distance; without it and all that are nearer to corners the
   // object is not held. None if the distance is 0 or infinite.
   std::optional<std::uint32_t> point;
-  // The supremum of min(k, R m(k)) over all k. If each robot is off by less than that along its edge, all
-  // at once in any way, the object is still held: no contact is lost that counts, and a wrench moves by at
-  // most the way divided by R, so that the ball shrinks by no more. 0 without form closure.
+  // The supremum of min(k, R s(k)) over all k. If each robot is off by less than that along its side, all
+  // at once in any way, and those in reflex vertices stay there, it is still form closure: no contact that
+  // counts leaves its side, and a wrench moves by at most the way divided by R, so that the ball shrinks by
+  // no more. 0 without form closure.
   double tolerance = 0;
 };
 

@@ -23,7 +23,7 @@ enum class WhyUnusable : std::uint8_t {
   no_go,       // the user says so
   body,        // the body would meet another part of the boundary
   arm,         // the arm would cross the object
-  corner,      // the hand would stick out beyond a convex corner
+  corner,      // the hand would stick out beyond a corner (Polygon::is_corner)
   hand,        // the object is not deep enough for the hand, or not wide enough
   near_no_go,  // the hand would reach sideways onto a part that the user marked
   narrow,  // what is left between two other parts is shorter than the tolerance; it stays the last
@@ -55,7 +55,9 @@ struct EdgeFrame {
 //   1. every other edge is at least r - tau L away from the middle of its body,
 //   2. the segment from the body's middle to the contact meets the object at the contact only (if the
 //      reach is above 0),
-//   3. the hand's rectangle lies within the object, to tau L, and half its width from convex corners,
+//   3. [t - w / 2, t + w / 2] x [w / 10, d], the hand's rectangle without the tenth of its width that
+//      is next to the edge, lies within the object, to tau L; and the corners (Polygon::is_corner) at
+//      which the edge ends, where edges that straight vertices join are one, are w / 2 away,
 //   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a part of the edge that must
 //      not be touched.
 // A robot of which only the gap is above 0 may stand at a vertex, unless an edge there must not be

@@ -512,7 +512,8 @@ enum class QuestionKind : std::uint8_t {
   leaving_team,      // which team goes elsewhere? its number from 0
   coming_candidate,  // to which candidate? an index of placement.candidates
 };
-inline constexpr std::size_t question_kind_count = 5;
+inline constexpr std::size_t question_kind_count =
+    static_cast<std::size_t>(QuestionKind::coming_candidate) + 1;
 
 struct Question {
   QuestionKind kind = QuestionKind::nearer_end;

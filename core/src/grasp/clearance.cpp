@@ -9,14 +9,18 @@
 namespace evenlift {
 namespace {
 
-// The contacts from the farthest from a corner to the nearest. What holds of the first k of them, form
-// closure and a large margin, holds of more of them, too: so it is found by bisection.
+// The contacts from the farthest from a corner, or from an end of its side, to the nearest. What holds of the
+// first k of them, form closure and a large margin, holds of more of them, too: so it is found by bisection.
 class FarthestFirst {
  public:
-  FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts)
-      : polygon_(polygon), centre_(centre), radius_(farthest_vertex(polygon, centre)) {
+  FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts,
+                double Contact::*distance)
+      : polygon_(polygon),
+        centre_(centre),
+        radius_(farthest_vertex(polygon, centre)),
+        distance_(distance) {
     for (const std::uint32_t i : sorted_indices(contacts.size(), [&](auto a, auto b) {
-           return contacts[a].to_corner > contacts[b].to_corner;
+           return contacts[a].*distance > contacts[b].*distance;
          }))
       contacts_.push_back(contacts[i]);
   }
@@ -31,21 +35,21 @@ class FarthestFirst {
   const Contact& last_of(std::size_t number) const { return contacts_[number - 1]; }
   std::size_t size() const { return contacts_.size(); }
 
-  // The supremum of min(k, R m(k)) over the sets of at least so many contacts. The distance falls with
+  // The supremum of min(k, R m(k)) over the sets of contacts that are at least k away. The distance falls with
   // their number and the margin grows, so the best set is one of two neighbours.
-  double tolerance(std::size_t fewest) const {
+  double tolerance() const {
     const auto by_margin = [&](std::size_t number) {
       const auto margin = analyse_hold(polygon_, centre_, first_contacts(number)).margin;
       return radius_ * std::max(0.0, margin.value_or(0));
     };
     const auto within = [&](std::size_t number) {
-      return std::min(last_of(number).to_corner, by_margin(number));
+      return std::min(last_of(number).*distance_, by_margin(number));
     };
     const std::size_t enough = first(
-        fewest, [&](std::size_t number) { return by_margin(number) >= last_of(number).to_corner; });
+        1, [&](std::size_t number) { return by_margin(number) >= last_of(number).*distance_; });
     double best = 0;
     if (enough <= size()) best = within(enough);
-    if (enough > fewest) best = std::max(best, within(enough - 1));
+    if (enough > 1) best = std::max(best, within(enough - 1));
     return best;
   }
 
@@ -71,6 +75,7 @@ class FarthestFirst {
   const Polygon& polygon_;
   Vec2 centre_;
   double radius_;
+  double Contact::*distance_;
   std::vector<Contact> contacts_;
 };
 
@@ -88,14 +93,14 @@ std::vector<Contact> clear_contacts(const Polygon& polygon, const std::vector<Co
 
 Clearance analyse_clearance(const Polygon& polygon, const Vec2& centre,
                             const std::vector<Contact>& contacts) {
-  const FarthestFirst farthest(polygon, centre, contacts);
+  const FarthestFirst farthest(polygon, centre, contacts, &Contact::to_corner);
   const std::size_t fewest = farthest.fewest_that_hold();
   Clearance clearance;
   if (fewest > farthest.size()) return clearance;
   const Contact& nearest = farthest.last_of(fewest);
   clearance.distance = nearest.to_corner;
   if (std::isfinite(nearest.to_corner)) clearance.point = nearest.point;
-  clearance.tolerance = farthest.tolerance(fewest);
+  clearance.tolerance = FarthestFirst(polygon, centre, contacts, &Contact::to_end).tolerance();
   return clearance;
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "evenlift/closure.h"
 #include "evenlift/tolerance.h"
@@ -8,12 +7,6 @@
 #include "grasp/contact_finder.h"
 
 namespace evenlift {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 ContactFinder::ContactFinder(const Polygon& polygon)
     : polygon_(polygon), near_(near_distance(polygon.diameter())), corners_(polygon) {
   cells_.reserve(polygon.size());
@@ -52,11 +45,16 @@ std::optional<std::uint32_t> ContactFinder::vertex_at(const Vec2& p) const {
   return nearest;
 }
 
-double ContactFinder::to_corner(const Vec2& p, std::uint32_t edge) const {
-  double least = infinity;
-  for (const auto& corner : {corners_.before(edge), corners_.after(edge)})
-    if (corner) least = std::min(least, length(polygon_.vertex(*corner) - p));
-  return least;
+Contact ContactFinder::contact_inside(const Vec2& p, std::uint32_t edge,
+                                      std::uint32_t point) const {
+  Contact contact{p, edge, point};
+  for (const auto& end : {corners_.before(edge), corners_.after(edge)}) {
+    if (!end) continue;
+    const double distance = length(polygon_.vertex(*end) - p);
+    contact.to_end = std::min(contact.to_end, distance);
+    if (corners_.is_corner(*end)) contact.to_corner = std::min(contact.to_corner, distance);
+  }
+  return contact;
 }
 
 std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points) const {
@@ -64,19 +62,16 @@ std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const auto vertex = vertex_at(points[i].position);
     if (!vertex) {
-      const auto [position, edge] = points[i];
-      contacts.push_back({position, edge, i, to_corner(position, edge)});
+      contacts.push_back(contact_inside(points[i].position, points[i].edge, i));
       continue;
     }
     const Turn turn = polygon_.turn(*vertex);
-    if (turn == Turn::convex) continue;
     const Vec2& position = polygon_.vertex(*vertex);
+    if (turn == Turn::straight) contacts.push_back(contact_inside(position, *vertex, i));
     // The notch of a reflex vertex keeps the robot where it is.
-    const double to_corner = turn == Turn::reflex ? infinity : this->to_corner(position, *vertex);
-    contacts.push_back({position, *vertex, i, to_corner});
     if (turn == Turn::reflex)
-      contacts.push_back(
-          {position, static_cast<std::uint32_t>(polygon_.previous(*vertex)), i, to_corner});
+      for (const std::size_t edge : {std::size_t{*vertex}, polygon_.previous(*vertex)})
+        contacts.push_back({position, static_cast<std::uint32_t>(edge), i});
   }
   return contacts;
 }

@@ -92,10 +92,7 @@ class Reader {
     const Key* known = nullptr;
     for (const Key& each : keys)
       if (each.name == key) known = &each;
-    if (!known)
-      return refuse(
-          "unknown setting; there are title, polygon, link, predict and the program's "
-          "settings, such as teams or min-ratio");
+    if (!known) return refuse("unknown setting; there are " + names_of_settings());
     bool& seen = seen_[static_cast<std::size_t>(known - keys)];
     if (seen) return refuse("the setting is there twice");
     seen = true;
@@ -157,6 +154,16 @@ class Reader {
       {"overlays", &Reader::take_setting, Setting::overlays},
       {"predict", &Reader::take_predict, {}},
   };
+
+  // All of them, such as "title, polygon and predict".
+  static std::string names_of_settings() {
+    std::string text;
+    for (std::size_t i = 0; i < std::size(keys); ++i) {
+      if (i > 0) text += i + 1 < std::size(keys) ? ", " : " and ";
+      text += keys[i].name;
+    }
+    return text;
+  }
 
   // What the words to come belong to, and the refusals if they are too many or none.
   struct Part {

@@ -151,8 +151,8 @@ bool same_plan(const Placement& a, const Placement& b) {
   return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
          s.seed == t.seed && s.survive == t.survive && s.positions == t.positions &&
          goal_of(s) == goal_of(t) && s.min_margin == t.min_margin && s.clear == t.clear &&
-         s.robot == t.robot && s.no_go == t.no_go && a.centre_of_mass == b.centre_of_mass &&
-         a.vertices() == b.vertices();
+         s.apart == t.apart && s.robot == t.robot && s.no_go == t.no_go &&
+         a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices();
 }
 
 std::uint32_t most_teams_tried(const Settings& settings) {

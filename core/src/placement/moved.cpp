@@ -18,7 +18,10 @@
 namespace evenlift {
 namespace {
 
-InputError refused(std::string why) { return bad_setting("moved", std::move(why)); }
+// It has no place: a link or a saved result says where robots were moved to, and no setting does.
+InputError refused(const std::string& why) {
+  return {ErrorCode::bad_setting, "robots that were moved by hand: " + why, {}};
+}
 
 std::string numbered(const char* word, std::size_t index) {
   return word + (" " + std::to_string(index + 1));

@@ -4,7 +4,7 @@ namespace evenlift {
 
 // Goes round once, beginning behind a vertex that turns, which every polygon has.
 Corners::Corners(const Polygon& polygon)
-    : before_(polygon.size(), none), after_(polygon.size(), none) {
+    : before_(polygon.size(), none), after_(polygon.size(), none), is_corner_(polygon.size()) {
   std::size_t first = 0;
   while (polygon.turn(first) == Turn::straight) ++first;
   std::vector<std::size_t> run;
@@ -16,9 +16,10 @@ Corners::Corners(const Polygon& polygon)
       run.push_back(end);
       end = polygon.next(end);
     } while (polygon.turn(end) == Turn::straight);
+    is_corner_[end] = polygon.is_corner(end);
     for (const std::size_t edge : run) {
-      if (polygon.is_corner(begin)) before_[edge] = static_cast<std::uint32_t>(begin);
-      if (polygon.is_corner(end)) after_[edge] = static_cast<std::uint32_t>(end);
+      if (polygon.turn(begin) == Turn::convex) before_[edge] = static_cast<std::uint32_t>(begin);
+      if (polygon.turn(end) == Turn::convex) after_[edge] = static_cast<std::uint32_t>(end);
     }
     begin = end;
   } while (begin != first);

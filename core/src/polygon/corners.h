@@ -1,4 +1,4 @@
-// The corners at which the straight runs of an outline end. Vertices that do not turn join edges to one run,
+// The convex vertices at which the straight runs of an outline end. Vertices that do not turn join edges to one run,
 // so that a vertex more on a side changes nothing.
 #pragma once
 
@@ -15,18 +15,22 @@ class Corners {
   // O(n).
   explicit Corners(const Polygon& polygon);
 
-  // The corner (Polygon::is_corner) at which the run of an edge begins or ends, in the order of the
-  // vertices; none if a reflex vertex or a slight turn is there. O(1).
+  // The convex vertex at which the run of an edge begins or ends, in the order of the vertices; none if a
+  // reflex vertex is there. O(1).
   std::optional<std::uint32_t> before(std::uint32_t edge) const { return some(before_[edge]); }
   std::optional<std::uint32_t> after(std::uint32_t edge) const { return some(after_[edge]); }
 
+  // Whether such a vertex is a corner (Polygon::is_corner). O(1).
+  bool is_corner(std::uint32_t vertex) const { return is_corner_[vertex]; }
+
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
-  static std::optional<std::uint32_t> some(std::uint32_t corner) {
-    return corner == none ? std::nullopt : std::optional(corner);
+  static std::optional<std::uint32_t> some(std::uint32_t vertex) {
+    return vertex == none ? std::nullopt : std::optional(vertex);
   }
 
   std::vector<std::uint32_t> before_, after_;  // by edge
+  std::vector<bool> is_corner_;                // by vertex
 };
 
 }  // namespace evenlift

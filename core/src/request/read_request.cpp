@@ -155,6 +155,7 @@ Result<Document> Reader::document(Index object) const {
     document = std::move(read).value();
   }
   if (const auto centre = tree_.member(object, "centre_of_mass")) {
+    document.moved = {};  // as a setting that says where robots stand does
     if (tree_.kind(*centre) == Kind::null) {
       document.centre_of_mass.reset();
       return document;

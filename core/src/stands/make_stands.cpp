@@ -1,5 +1,4 @@
 // The stands that settings ask for.
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -11,15 +10,8 @@
 namespace evenlift {
 namespace {
 
-double longest_edge(const Points& vertices) {
-  double longest = 0;
-  for (std::size_t i = 0, j = vertices.size() - 1; i < vertices.size(); j = i++)
-    longest = std::max(longest, (vertices[i] - vertices[j]).norm());
-  return longest;
-}
-
 // All of its size is named, since it need not be the radius that is in the way.
-InputError no_room(const Polygon& polygon, const Settings& settings) {
+InputError no_room(const Settings& settings) {
   const RobotSize& robot = settings.robot;
   const bool hand = robot.depth > 0 || robot.width > 0;
   if (robot.radius == 0 && robot.reach == 0 && !hand)
@@ -31,9 +23,6 @@ InputError no_room(const Polygon& polygon, const Settings& settings) {
             (hand ? ", with a " : "");
   if (hand)
     text += "hand of depth " + shortest(robot.depth) + " and width " + shortest(robot.width);
-  // Whoever opened a drawing with curves may not know of how many edges they are made.
-  if (robot.width > longest_edge(polygon.vertices()))
-    text += ", which is wider than the longest edge";
   return setting_error(Setting::robot, text);
 }
 
@@ -52,7 +41,7 @@ Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon,
                                                "; the polygon has " +
                                                std::to_string(polygon.size()));
   auto stands = std::make_shared<const Stands>(polygon, settings.robot, settings.no_go);
-  if (!stands->any()) return no_room(polygon, settings);
+  if (!stands->any()) return no_room(settings);
   return std::shared_ptr<const Stands>(std::move(stands));
 }
 

@@ -46,6 +46,15 @@ Extent crossing(const Vec2& p, const Vec2& q, double y) {
 
 Vec2 upside_down(const Vec2& v) { return {v.x(), -v.y()}; }
 
+// The depths at which the hand must be beneath the object, to tau L. There are none if it is less deep
+// than a tenth of its width.
+struct HandDepths {
+  double from, to;
+  HandDepths(const RobotSize& robot, double near)
+      : from(robot.width / 10 + near), to(robot.depth - near) {}
+  bool empty() const { return from > to; }
+};
+
 }  // namespace
 
 // The line on which the body's middle moves, against the capsule of the body's radius about the other
@@ -85,20 +94,33 @@ std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& r
   return within(p, q, 0, robot.radius + robot.reach).stretch();
 }
 
-// The rectangle of the hand, narrower by tau L on each side, must not meet the other edge. Beyond a convex
-// corner all is outside, so the loss goes on there without end.
+// The hand's rectangle at these depths, narrower by tau L on each side, must not meet the other edge.
 std::optional<Stretch> lost_to_hand(const SeenObstacle& other, const RobotSize& robot,
                                     double near) {
-  if (robot.depth <= 0 && robot.width <= 0) return std::nullopt;
-  const Vec2 p = upside_down(other.p), q = upside_down(other.q);
-  const bool corner = other.convex_at_end || other.convex_at_begin;
-  const double top = corner ? 0 : near, bottom = std::max(robot.depth - near, near);
-  if (std::max(p.y(), q.y()) <= near) return std::nullopt;
-  const Extent met = bottom > top ? within(p, q, top, bottom) : crossing(p, q, bottom);
+  const HandDepths depths(robot, near);
+  if (depths.empty()) return std::nullopt;
+  const Extent met = within(upside_down(other.p), upside_down(other.q), depths.from, depths.to);
   if (met.empty()) return std::nullopt;
   const double half = std::max(robot.width / 2 - near, 0.0);
-  return Stretch{other.convex_at_begin ? -infinity : met.low - half,
-                 other.convex_at_end ? infinity : met.high + half};
+  return Stretch{met.low - half, met.high + half};
+}
+
+std::optional<Stretch> lost_to_mark(const SeenObstacle& other, const EdgePart& part,
+                                    const RobotSize& robot, double near) {
+  const double half = robot.width / 2;
+  if (half <= 0) return std::nullopt;
+  const Vec2 way = other.q - other.p;
+  const Extent marked =
+      within(other.p + part.from * way, other.p + part.to * way, -(robot.width / 10 + near), near);
+  if (marked.empty()) return std::nullopt;
+  return Stretch{marked.low - half, marked.high + half};
+}
+
+std::optional<Stretch> parted_from_hand(const SeenObstacle& other, const RobotSize& robot,
+                                        double near) {
+  const HandDepths depths(robot, near);
+  if (depths.empty()) return std::nullopt;
+  return within(upside_down(other.p), upside_down(other.q), 0, depths.from).stretch();
 }
 
 }  // namespace evenlift

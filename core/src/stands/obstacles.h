@@ -13,13 +13,18 @@ namespace evenlift {
 // vertex, y away from the object.
 struct SeenObstacle {
   Vec2 p, q;
-  // Whether p is the end of the edge, or q its beginning, and the corner there is convex.
-  bool convex_at_end = false, convex_at_begin = false;
 };
 
 // The stretch that the body, the arm and the hand lose; `near` is tau L. O(1).
 std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& robot, double near);
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot);
 std::optional<Stretch> lost_to_hand(const SeenObstacle& other, const RobotSize& robot, double near);
+// Where the hand would reach onto a marked part of the other edge: the part is beside the contact's edge, no
+// farther beneath it than a tenth of the hand's width. O(1).
+std::optional<Stretch> lost_to_mark(const SeenObstacle& other, const EdgePart& part,
+                                    const RobotSize& robot, double near);
+// Where the other edge parts the contact from the hand. O(1).
+std::optional<Stretch> parted_from_hand(const SeenObstacle& other, const RobotSize& robot,
+                                        double near);
 
 }  // namespace evenlift

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "evenlift/tolerance.h"
 
@@ -27,6 +28,7 @@ Surveyor::Surveyor(const Polygon& polygon, const RobotSize& robot,
       robot_(robot),
       near_(near_distance(polygon.diameter())),
       edges_(polygon),
+      corners_(polygon),
       no_go_(no_go) {
   std::sort(no_go_.begin(), no_go_.end(), [](const EdgePart& a, const EdgePart& b) {
     return std::array{double(a.edge), a.from, a.to} < std::array{double(b.edge), b.from, b.to};
@@ -37,28 +39,40 @@ Losses Surveyor::survey(std::uint32_t edge, const EdgeFrame& frame) const {
   Losses losses;
   add_no_go(edge, frame.length, losses);
   if (robot_.has_body()) add_obstacles(edge, frame, losses);
-  if (robot_.width > 0) add_corners(edge, frame.length, losses);
+  if (robot_.width > 0) add_corners(edge, frame, losses);
   return losses;
 }
 
+std::span<const EdgePart> Surveyor::marked_on(std::uint32_t edge) const {
+  struct Before {
+    bool operator()(const EdgePart& part, std::uint32_t e) const { return part.edge < e; }
+    bool operator()(std::uint32_t e, const EdgePart& part) const { return e < part.edge; }
+  };
+  const auto [first, last] = std::equal_range(no_go_.begin(), no_go_.end(), edge, Before());
+  return std::span(no_go_).subspan(static_cast<std::size_t>(first - no_go_.begin()),
+                                   static_cast<std::size_t>(last - first));
+}
+
 void Surveyor::add_no_go(std::uint32_t edge, double size, Losses& losses) const {
-  const auto first =
-      std::lower_bound(no_go_.begin(), no_go_.end(), edge,
-                       [](const EdgePart& part, std::uint32_t e) { return part.edge < e; });
   const double half = robot_.width / 2;
-  for (auto part = first; part != no_go_.end() && part->edge == edge; ++part) {
-    const Stretch marked{part->from == 0 ? -infinity : part->from * size,
-                         part->to == 1 ? infinity : part->to * size};
+  for (const EdgePart& part : marked_on(edge)) {
+    const Stretch marked{part.from == 0 ? -infinity : part.from * size,
+                         part.to == 1 ? infinity : part.to * size};
     losses.add(WhyUnusable::no_go, marked);
     if (half > 0) losses.add(WhyUnusable::near_no_go, {marked.from - half, marked.to + half});
   }
 }
 
-void Surveyor::add_corners(std::uint32_t edge, double size, Losses& losses) const {
-  if (polygon_.turn(edge) == Turn::convex)
-    losses.add(WhyUnusable::corner, {-infinity, robot_.width / 2});
-  if (polygon_.turn(polygon_.next(edge)) == Turn::convex)
-    losses.add(WhyUnusable::corner, {size - robot_.width / 2, infinity});
+void Surveyor::add_corners(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const {
+  const double half = robot_.width / 2;
+  const auto way = [&](const Vec2& from, std::uint32_t corner) {
+    return dot(polygon_.vertex(corner) - from, frame.along);
+  };
+  if (const auto corner = corners_.before(edge); corner && corners_.is_corner(*corner))
+    losses.add(WhyUnusable::corner, {-infinity, way(polygon_.edge_start(edge), *corner) + half});
+  if (const auto corner = corners_.after(edge); corner && corners_.is_corner(*corner))
+    losses.add(WhyUnusable::corner,
+               {frame.length + way(polygon_.edge_end(edge), *corner) - half, infinity});
 }
 
 void Surveyor::add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const {
@@ -68,11 +82,24 @@ void Surveyor::add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses&
                            .outward = frame.outward,
                            .x_low = -aside,
                            .x_high = frame.length + aside,
-                           .y_low = -(robot_.depth + 2 * near_),
+                           .y_low = -(std::max(robot_.depth, robot_.width / 10) + 2 * near_),
                            .y_high = 2 * robot_.radius + robot_.reach + 2 * near_};
+  std::vector<double> parted;
   edges_.for_each(around, [&](std::uint32_t other) {
-    if (other != edge) add_obstacle(seen_from(edge, frame, other), losses);
+    if (other == edge) return;
+    const SeenObstacle obstacle = seen_from(edge, frame, other);
+    add_obstacle(obstacle, losses);
+    // On a curve the hand may reach beneath the edges beside its own.
+    for (const EdgePart& part : marked_on(other))
+      if (const auto lost = lost_to_mark(obstacle, part, robot_, near_))
+        losses.add(WhyUnusable::near_no_go, *lost);
+    if (const auto stretch = parted_from_hand(obstacle, robot_, near_))
+      parted.insert(parted.end(), {stretch->from, stretch->to});
   });
+  // A hand that meets no edge is outside the object if an odd number of them parts the contact from it.
+  std::sort(parted.begin(), parted.end());
+  for (std::size_t i = 0; i < parted.size(); i += 2)
+    losses.add(WhyUnusable::hand, {parted[i], parted[i + 1]});
 }
 
 SeenObstacle Surveyor::seen_from(std::uint32_t edge, const EdgeFrame& frame,
@@ -83,14 +110,8 @@ SeenObstacle Surveyor::seen_from(std::uint32_t edge, const EdgeFrame& frame,
   };
   SeenObstacle obstacle{seen(polygon_.edge_start(other)), seen(polygon_.edge_end(other))};
   // Set the shared vertex exactly; its projection would be rounded.
-  if (other == polygon_.next(edge)) {
-    obstacle.p = {frame.length, 0};
-    obstacle.convex_at_end = polygon_.turn(other) == Turn::convex;
-  }
-  if (other == polygon_.previous(edge)) {
-    obstacle.q = {0, 0};
-    obstacle.convex_at_begin = polygon_.turn(edge) == Turn::convex;
-  }
+  if (other == polygon_.next(edge)) obstacle.p = {frame.length, 0};
+  if (other == polygon_.previous(edge)) obstacle.q = {0, 0};
   return obstacle;
 }
 

@@ -1,11 +1,13 @@
-// What each edge loses: to parts that must not be touched, to convex corners, and to other edges.
+// What each edge loses: to parts that must not be touched, to corners, and to other edges.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "evenlift/document.h"
 #include "evenlift/polygon.h"
+#include "polygon/corners.h"
 #include "stands/losses.h"
 #include "stands/near_edges.h"
 #include "stands/obstacles.h"
@@ -23,8 +25,9 @@ class Surveyor {
   Losses survey(std::uint32_t edge, const EdgeFrame& frame) const;
 
  private:
+  std::span<const EdgePart> marked_on(std::uint32_t edge) const;
   void add_no_go(std::uint32_t edge, double size, Losses& losses) const;
-  void add_corners(std::uint32_t edge, double size, Losses& losses) const;
+  void add_corners(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const;
   void add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const;
   SeenObstacle seen_from(std::uint32_t edge, const EdgeFrame& frame, std::uint32_t other) const;
   void add_obstacle(const SeenObstacle& obstacle, Losses& losses) const;
@@ -33,6 +36,7 @@ class Surveyor {
   RobotSize robot_;
   double near_;
   NearEdges edges_;
+  Corners corners_;
   std::vector<EdgePart> no_go_;  // in order
 };
 

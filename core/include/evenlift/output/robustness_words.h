@@ -16,7 +16,7 @@ namespace evenlift {
 // loads_in_words speaks. Robots count from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
-// "It can tip: the centre of mass may be off by 200 mm, and from 177 mm on the object tips." Empty if it cannot. O(1).
+// "It can tip: the centre of mass may be off by 200 mm, and 177 mm in one direction is enough." Empty if it cannot. O(1).
 std::string tipping_in_words(const Robustness& robustness, double com_radius, const Units& units);
 
 // How the loads change while C is anywhere within the radius, from where on the object tips, and

@@ -221,7 +221,9 @@ std::string StepCaptions::failure() const {
   return fails +
          fill(
              " C is still within their hull, which covers # of the object. They # keep it from sliding and turning.",
-             {percent(rest->coverage), rest->form_closure ? "still" : "no longer"});
+             {percent(rest->coverage), rest->form_closure                ? "still"
+                                       : placement_.closure.form_closure ? "no longer"
+                                                                         : "do not"});
 }
 
 std::string StepCaptions::failures() const {

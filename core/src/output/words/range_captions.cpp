@@ -91,7 +91,7 @@ std::string StepCaptions::held() const {
   return settled +
          (placement_.closure.form_closure
               ? " The robots hold the object. One team more would never lose that, though all teams might be others."
-              : " The robots do not hold the object: no choice that was tried does.");
+              : " The robots do not bring it into form closure: no choice that was tried does.");
 }
 
 }  // namespace evenlift

@@ -65,8 +65,8 @@ std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units
 std::string tipping_in_words(const Robustness& robustness, double com_radius, const Units& units) {
   if (!(com_radius > 0) || com_radius < robustness.tipping_distance) return {};
   return "It can tip: the centre of mass may be off by " +
-         with_length_unit(plain(com_radius), units) + ", and from " +
-         length_in_words(robustness.tipping_distance, units) + " on the object tips.";
+         with_length_unit(plain(com_radius), units) + ", and " +
+         length_in_words(robustness.tipping_distance, units) + " in one direction is enough.";
 }
 
 std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness, double com_radius,

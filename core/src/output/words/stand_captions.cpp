@@ -31,9 +31,7 @@ std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot,
       return fill("at # a hand of width # would stick out beyond a corner",
                   {lost, size(robot.width)});
     case WhyUnusable::hand:
-      return robot.depth > 0
-                 ? fill("at # a hand of depth # would stick out", {lost, size(robot.depth)})
-                 : fill("at # a hand of width # would stick out", {lost, size(robot.width)});
+      return fill("at # a hand of depth # would stick out", {lost, size(robot.depth)});
     case WhyUnusable::near_no_go:
       return fill("at # a hand of width # would reach onto what is marked",
                   {lost, size(robot.width)});

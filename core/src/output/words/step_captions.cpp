@@ -414,8 +414,9 @@ std::string StepCaptions::share() const {
 
 std::string StepCaptions::loads() const {
   const LoadSummary& loads = *placement_.loads;
-  if (trace_.balanced()) return loads_in_words(placement_);
-  return loads_in_words(placement_) +
+  const std::string planned = "As planned, " + loads_in_words(placement_);
+  if (trace_.balanced()) return planned;
+  return planned +
          (written(load(loads.min)) == written(load(loads.max))
               ? " All bear the same."
               : fill(" The uneven arms make a difference of # at most between two robots.",
@@ -433,7 +434,7 @@ std::string StepCaptions::coverage() const {
 std::string StepCaptions::contacts() const {
   const std::size_t number = trace_.contacts.size();
   return fill(
-      "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at an inward corner two; at an outward one it is not counted, the safe side: # for #. Before the first, the object turns about any point, either way.",
+      "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at an inward corner two; at an outward one it is not counted, the safe side: # for #. Before the first, the object can turn about any point, either way.",
       {counted(number, "contact"), counted(count_robots(placement_.teams), "robot")});
 }
 
@@ -474,9 +475,8 @@ std::string StepCaptions::closure() const {
         "No centre to turn about, no way to slide: first-order form closure, with a margin of #, as long as no robot gives way.",
         {margin});
   return fill("No form closure: the object can begin to #.", {free_motions_in_words(closure)}) +
-         (closure.margin
-              ? fill(" The margin is #; only above 0 do the contacts hold the object.", {margin})
-              : "");
+         (closure.margin ? fill(" The margin is #; form closure needs more than 0.", {margin})
+                         : "");
 }
 
 std::string StepCaptions::second_order() const {

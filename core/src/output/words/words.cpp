@@ -93,7 +93,8 @@ std::string need_in_words(const CapacityPlan& plan, const Settings& settings, Lo
 std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
   if (plan.possible)
     return "If any one may fail: " + count_of(plan.robots, "robot", "robots") + ", at most " +
-           load_in_words(plan.greatest_load, plan.greatest_load, units) + " each if equally stiff.";
+           load_in_words(plan.greatest_load, plan.greatest_load, units) +
+           " each at rest if equally stiff.";
   return "If any one may fail, up to " + count_of(plan.tried, "robot", "robots") +
          " were not found to be enough.";
 }
@@ -178,8 +179,7 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Uni
       return robot.width > 0 ? "a hand of width " + size(robot.width) + " would stick out here"
                              : "no robot stands at a corner";
     case WhyUnusable::hand:
-      return robot.depth > 0 ? "a hand of depth " + size(robot.depth) + " would stick out here"
-                             : "a hand of width " + size(robot.width) + " would stick out here";
+      return "a hand of depth " + size(robot.depth) + " would stick out here";
     case WhyUnusable::near_no_go:
       return "a hand of width " + size(robot.width) + " would reach onto what is marked";
     case WhyUnusable::narrow:
@@ -236,10 +236,13 @@ std::string closure_in_words(const Placement& placement) {
   if (closure.form_closure && !hold_clearly(placement)) return near_corner_in_words(placement);
   if (closure.form_closure)
     return "The robots' contact alone stops it from sliding or turning. Robots may be off by " +
-           promised_length(closure.clearance.tolerance, placement.settings.units) + ".";
+           promised_length(closure.clearance.tolerance, placement.settings.units) +
+           " along their edges.";
   if (closure.second_order)
     return "It is held, but only by the curvature of the contact (second order).";
-  if (!closure.margin) return "Nothing keeps it from sliding or turning.";
+  if (!closure.margin)
+    return "All robots stand on corners, where they are not counted: nothing else keeps it from "
+           "sliding or turning.";
   return "It can still " + free_motions_in_words(closure) + ".";
 }
 
@@ -316,9 +319,11 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
       {"How firmly held", hold_in_words(closure),
        "The margin of form closure, to compare placements of one object with each other"});
   if (closure.form_closure)
-    facts.push_back({"Robots may be off by",
-                     promised_length(closure.clearance.tolerance, placement.settings.units),
-                     "Each along its edge, all at once in any way: the object is still held"});
+    facts.push_back(
+        {"Robots may be off by",
+         promised_length(closure.clearance.tolerance, placement.settings.units),
+         "Each along its side, all at once in any way, those in inward corners not at all: it is "
+         "still in form closure"});
   return facts;
 }
 
