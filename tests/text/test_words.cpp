@@ -134,7 +134,8 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   placement.closure.second_order = false;
   placement.closure.clearance = {100, 4, 12.9};
   CHECK(plainly(closure_in_words(placement)) ==
-        "The robots' contact alone stops it from sliding or turning. Robots may be off by 12.");
+        "The robots' contact alone stops it from sliding or turning. Robots may be off by 12 along "
+        "their edges.");
   CHECK(is_held(placement));
   // A hold by a hair is none to rely on.
   placement.settings.clear = 0.1;
@@ -147,7 +148,9 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   CHECK(is_held(placement));
   placement.closure = {};
   placement.closure.margin.reset();
-  CHECK(closure_in_words(placement) == "Nothing keeps it from sliding or turning.");
+  CHECK(closure_in_words(placement) ==
+        "All robots stand on corners, where they are not counted: nothing else keeps it from "
+        "sliding or turning.");
 }
 
 TEST_CASE("a capacity names the teams that are overloaded and the robots that are needed",
