@@ -29,7 +29,7 @@ double exchange_cost(const Placement& placement) {
   const auto teams = static_cast<double>(placement.teams.size());
   return teams * teams * teams * static_cast<double>(placement.candidates.size());
 }
-constexpr double most_in_a_drag = 50e3, most_at_rest = 8e6;
+constexpr double most_in_a_drag = 50e3, most_at_rest = 1e6;
 
 // The teams that are to hold, as the metric selects them.
 Placement not_exchanged(Placement selected, const Settings& settings) {
