@@ -9,20 +9,23 @@ A room is a folder of sources. Its README.md says what comes in and what goes ou
     May load later: windows.               those of which it loads a file with import(), in rooms of web that do so
 
 The rooms are in core/src, wasm and web, and docs/architecture.md has the plan of them: each stands below, or to the right
-of, all that it uses. What is loaded later may stand anywhere. The folders of tests must be without circles, too.
+of, all that it uses. What is loaded later may stand anywhere. The folders of tests must be without circles, too, and so
+must the files: no headers include each other in a circle, and no scripts import each other so.
 
 What the view knows (state_sources in wasm/CMakeLists.txt) is built without Dear ImGui, so none of its files may use one
 that belongs to the view.
 """
 
 import pathlib
+import posixpath
 import re
 import sys
+import tempfile
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 most_files = 24
 include = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
-imported = re.compile(r'\bfrom "(\.\.?/[^"]+)"')
+imported = re.compile(r'(?:\bfrom|^import) "(\.\.?/[^"]+)"', re.MULTILINE)
 loaded_later = re.compile(r'\bimport\("(\./[^"]+)"\)')
 problems = []
 
@@ -42,12 +45,16 @@ def line_of(readme, heading):
     return found[1].split(", ") if found and found[1] != "no other room" else []
 
 
+def paths_in(file):
+    text = file.read_text(encoding="utf-8")
+    return include.findall(text) + imported.findall(text)
+
+
 def uses_of(files, name, target_of):
     """The other rooms that these files use."""
     used = set()
     for file in files:
-        text = file.read_text()
-        for path in include.findall(text) + imported.findall(text):
+        for path in paths_in(file):
             target = target_of(file, path)
             if target is not None and target != name:
                 used.add(target)
@@ -82,13 +89,42 @@ def check_plan(tree, graph):
             problems.append(f"{tree}/{room} uses {used}, which comes after it in the plan of docs/architecture.md")
 
 
-def check_circles(tree, graph):
-    left = {room: set(used) for room, used in graph.items()}
-    while free := [room for room, used in left.items() if not used & left.keys()]:
-        for room in free:
-            del left[room]
-    for room, used in left.items():
-        problems.append(f"{tree}/{room} is part of a circle: it uses {', '.join(sorted(used & left.keys()))}")
+def circles(graph):
+    """Circles of names of which each uses the next, and the last the first. Each name is in one of them at most."""
+    left = {name: set(used) for name, used in graph.items()}
+    while left:
+        gone = [name for name, used in left.items() if not used & left.keys()]
+        if not gone:
+            walk = [min(left)]
+            while (following := min(left[walk[-1]] & left.keys())) not in walk:
+                walk.append(following)
+            gone = walk[walk.index(following) :]
+            yield gone
+        for name in gone:
+            del left[name]
+
+
+def check_circles(tree, graph, kind):
+    for circle in circles(graph):
+        first, *others = circle
+        problems.append(f"{kind} of {tree} make a circle: {first} uses {', which uses '.join([*others, first])}")
+
+
+def uses_of_files(tree):
+    """What the headers and scripts of a tree use of each other, by their paths within the tree."""
+    files = {f.relative_to(tree).as_posix(): f for folder in [tree, *rooms_of(tree).values()] for f in sources(folder)}
+
+    def target_of(name, path):
+        folders = [posixpath.dirname(name), "", "src", "include"]  # in the compiler's order
+        places = [posixpath.normpath(posixpath.join(folder, path)) for folder in folders]
+        return next((place for place in places if place in files), None)
+
+    return {name: {target_of(name, path) for path in paths_in(f)} for name, f in files.items() if f.suffix != ".cpp"}
+
+
+def check_files():
+    for tree in ["core", "c", "wasm", "native", "npm", "web", "tests"]:
+        check_circles(tree, uses_of_files(root / tree), "files")
 
 
 def check_readme(tree, name, folder, used, loaded=frozenset()):
@@ -138,7 +174,7 @@ def check_core():
         graph[name] = uses_of(sources(folder) + own, name, target_of)
         check_readme("core/src", name, folder, graph[name])
         check_size("core/src", name, folder)
-    check_circles("core/src", graph)
+    check_circles("core/src", graph, "rooms")
     check_plan("core/src", graph)
 
 
@@ -158,7 +194,7 @@ def check_tree(tree, with_readmes):
         check_size(tree, name, folder)
         if with_readmes:
             check_readme(tree, name, folder, graph[name], loads_of(folder, name, rooms))
-    check_circles(tree, graph)
+    check_circles(tree, graph, "rooms")
     if with_readmes:
         check_plan(tree, graph)
 
@@ -180,8 +216,33 @@ def check_state():
                 problems.append(f"wasm/{name} is built without Dear ImGui, but uses {used}, whose source is not")
 
 
+def check_itself():
+    texts = {
+        "a.h": '#include <map>\n#include "room/b.h"',
+        "a.cpp": '#include "a.h"',
+        "include/tree/a.h": '#include "b.h"',
+        "include/tree/b.h": "",
+        "room/b.h": '#include "c.h"',
+        "room/c.h": '#include "room/d.h"\n#include "tree/a.h"',
+        "room/d.h": '#include "room/b.h"',
+        "page/a.js": 'import {\n  b,\n} from "./b.mjs";\nconst later = () => import("./d.js");',
+        "page/b.mjs": 'import "../parts/c.js";',
+        "page/d.js": 'import { a } from "./a.js";',
+        "parts/c.js": 'export { a } from "../page/a.js";',
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in texts.items():
+            file = pathlib.Path(folder, name)
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+        found = list(circles(uses_of_files(pathlib.Path(folder))))
+    assert found == [["room/b.h", "room/c.h", "room/d.h"], ["page/a.js", "page/b.mjs", "parts/c.js"]], found
+
+
+check_itself()
 check_core()
 check_state()
+check_files()
 check_tree("wasm", with_readmes=True)
 check_tree("web", with_readmes=True)
 check_tree("tests", with_readmes=False)

@@ -1,5 +1,5 @@
-// Charts of an experiment's figures, as SVG, by Observable Plot. They are drawn alike in the program's report and in the
-// page; colours and text sizes are charts.css's.
+// Charts of an experiment's figures, as SVG, by Observable Plot. They are drawn alike in the
+// program's report and in the page; colours and text sizes are charts.css's.
 import { axisX, axisY, dot, gridY, line, plot, pointer, ruleY, tip } from "@observablehq/plot";
 import { methods } from "./methods.js";
 import { inDigits, inUnit } from "./numbers.js";
@@ -12,7 +12,8 @@ export function inWords(figure, method, [robots, value, polygons]) {
   return `${words}, ${polygons === 1 ? "1 polygon" : `${polygons} polygons`}`;
 }
 
-// The chart of a figure {id, title, unit, series: [{method, points: [[robots, value, polygons], …]}]}, `width` pixels wide.
+// The chart of a figure, `width` pixels wide. A figure is
+// {id, title, unit, series: [{method, points: [[robots, value, polygons], …]}]}.
 export function drawChart(figure, width) {
   const rows = figure.series.flatMap(({ method, points }) => points.map((point) => ({
     method, robots: point[0], value: inUnit(figure, point[1]), label: inWords(figure, method, point),

@@ -1,5 +1,5 @@
-// The polygons on which the methods can be compared: the open one, the sets of the project, and files. Each source returns
-// tasks for the workers (worker_pool.js).
+// The polygons on which the methods can be compared: the open one, the sets of the project, and
+// files. Each source returns tasks for the workers (worker_pool.js).
 import { methods } from "../charts/methods.js";
 import { fetchJson } from "../kit/fetched.js";
 
@@ -20,8 +20,8 @@ const cannotBeFetched = (what) => (error) => {
   throw new Error(`${what} cannot be fetched: ${error.message}`);
 };
 
-// The open polygon, as one task for each method, so that the progress can be seen. Balanced robots, which take longest, are
-// the last.
+// The open polygon, as one task for each method, so that the progress can be seen. Balanced robots,
+// which take longest, are the last.
 export function thisPolygon({ text }) {
   return Object.keys(methods).map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
 }

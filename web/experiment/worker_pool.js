@@ -57,11 +57,12 @@ async function askOne(task, given, signal) {
 // One processor is left to the page. Each worker has memory of its own, so there are at most four.
 const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
 
-// Carries out all tasks and returns the results (evenlift/experiment/outputs.h). A task is {set, name, title, read, method}:
-// a polygon, whose text `read()` returns or fails to return, to be measured with one method, or with all if none is named.
-// With `onePolygon` the results describe a single polygon, and one worker is enough; `partly(results)` is then called with
-// those of the other tasks before the last one, which may take long. `progress(done, title)` is called after each finished
-// task. If `signal` aborts, the call fails with the signal's reason.
+// Carries out all tasks and returns the results (evenlift/experiment/outputs.h). A task is
+// {set, name, title, read, method}: a polygon, whose text `read()` returns or fails to return, to
+// be measured with one method, or with all if none is named. With `onePolygon` the results describe
+// a single polygon, and one worker is enough; `partly(results)` is then called with those of the
+// other tasks before the last one, which may take long. `progress(done, title)` is called after
+// each finished task. If `signal` aborts, the call fails with the signal's reason.
 export function runExperiment(tasks, options) {
   return underWay(run(tasks, options));
 }

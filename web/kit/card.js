@@ -1,5 +1,6 @@
-// Cards of HTML over the canvas, at the foot of the drawing: not modal, so that one can go on. The program says where one
-// may stand without covering a control, and gives the polygon the room that is left.
+// Cards of HTML over the canvas, at the foot of the drawing: not modal, so that one can go on. The
+// program says where one may stand without covering a control, and gives the polygon the room that
+// is left.
 import { ensureStyles } from "./dialogs.js";
 import { button, el } from "./elements.js";
 
@@ -21,10 +22,12 @@ export function closingButton(name, attributes, act) {
   } });
 }
 
-// Shows a card of these elements, in place of one that is open. `title` is its name for those who do not see it; `attributes`
-// are further ones, as for el(). It has a cross that closes it, unless a button of its own does (`cross`). `closed(byPerson)` is called when it goes.
-// Returns { root, close, seat }; seat() is for a card that has become higher or lower. Where the program moves the seat, as when
-// a panel is folded or the page is shown before a room, the card follows by itself, and before a room it is larger.
+// Shows a card of these elements, in place of one that is open. `title` is its name for those who
+// do not see it; `attributes` are further ones, as for el(). It has a cross that closes it, unless
+// a button of its own does (`cross`). `closed(byPerson)` is called when it goes.
+// Returns { root, close, seat }; seat() is for a card that has become higher or lower. Where the
+// program moves the seat, as when a panel is folded or the page is shown before a room, the card
+// follows by itself, and before a room it is larger.
 export async function openCard(page, { name, title, body, closed, focus = false, cross = true, attributes = {} }) {
   await ensureStyles();
   open?.close();

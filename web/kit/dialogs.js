@@ -1,5 +1,5 @@
-// The frame of the page's own windows. They are HTML, so that text can be typed and lists are read out. Each window is a
-// module of its own.
+// The frame of the page's own windows. They are HTML, so that text can be typed and lists are
+// read out. Each window is a module of its own.
 import { button, el } from "./elements.js";
 
 const styles = new Map();
@@ -14,16 +14,18 @@ export function ensureStyles(name = "dialogs.css") {
   return styles.get(name);
 }
 
-// Resolves once every window that was closed is gone: the browser tells of a closing a little later, and by then the next
-// window may be asked for, whose name or focus the old one must not have.
+// Resolves once every window that was closed is gone: the browser tells of a closing a little
+// later, and by then the next window may be asked for, whose name or focus the old one must
+// not have.
 async function windowsGone() {
   const leaving = [...document.querySelectorAll("dialog.window:not([open])")];
   await Promise.all(leaving.map((root) => new Promise((gone) => root.addEventListener("close", gone, { once: true }))));
 }
 
-// Opens a window: modal, or beside the canvas. When it is closed, its element is removed, and the focus goes back to the
-// canvas or, where there is none or a window is below, to what had it before. `tools` go into its header, and `focus` gets the focus. Returns the element; or nothing if
-// the window is open already, or a modal window that it may not be `over`.
+// Opens a window: modal, or beside the canvas. When it is closed, its element is removed, and the
+// focus goes back to the canvas or, where there is none or a window is below, to what had it
+// before. `tools` go into its header, and `focus` gets the focus. Returns the element; or nothing
+// if the window is open already, or a modal window that it may not be `over`.
 export async function openWindow({ name, title, modal = true, over = false, tools = [], body, focus, closed }) {
   await ensureStyles();
   await windowsGone();
@@ -47,7 +49,8 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   return root;
 }
 
-// Fades what scrolls in this element out at its foot, as long as there is more below: a line that is cut there looks like a fault.
+// Fades what scrolls in this element out at its foot, as long as there is more below: a
+// line that is cut there looks like a fault.
 export function fadeFoot(scroller) {
   const shade = el("div", { class: "foot-shade", "aria-hidden": "true" });
   scroller.append(shade);
@@ -69,8 +72,8 @@ export function buttonTo(name, page, show) {
   } });
 }
 
-// How much of the screen a window covers at the left, at the right and at the foot. A window that covers all of it hides the
-// drawing, which need not make room then.
+// How much of the screen a window covers at the left, at the right and at the foot. A window that
+// covers all of it hides the drawing, which need not make room then.
 function covered(root) {
   const { left, right, top, height, width } = root.getBoundingClientRect();
   if (width >= innerWidth) return [0, 0, height >= innerHeight ? 0 : innerHeight - top];

@@ -1,10 +1,12 @@
-// The controls of the panels once more, as HTML over the canvas: each in the place of its picture, and invisible until it has
-// the focus. So keyboards and screen readers reach every control, and a number is typed in a field of the browser's own.
+// The controls of the panels once more, as HTML over the canvas: each in the place of its picture,
+// and invisible until it has the focus. So keyboards and screen readers reach every control, and a
+// number is typed in a field of the browser's own.
 import { createElement, showControl } from "./elements.js";
 import { readControls } from "./controls.js";
 import { settingValue, typedProblem, unitOf } from "./typed.js";
 
-// Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for those who cannot see it.
+// Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for
+// those who cannot see it.
 const cards = new Map([
   ["toolbar", "Toolbar"], ["bar", "Toolbar"], ["tool bar", "Tool"], ["panel", "Panel"], ["rail", "Panel"], ["sheet", "Panel"],
   ["player", "Player"], ["why here", "Why here?"], ["tools", "View"], ["way back", "View"], ["notice", "Notice"],
@@ -25,8 +27,8 @@ function createGroup(name) {
 // Calls of the program: what is asked of a control (wasm/page/main.cpp).
 const press = 0, choose = 1, move = 2, reveal = 3, enter = 4, withdraw = 5;
 
-// `field.awaited` names a field that a key asked for, or is empty. It may not be laid out yet. `field.begun` is what was
-// typed for it already.
+// `field.awaited` names a field that a key asked for, or is empty. It may not be laid out yet.
+// `field.begun` is what was typed for it already.
 export function createMirror(program, field, notice) {
   const canvas = document.getElementById("canvas");
   const root = document.createElement("div");

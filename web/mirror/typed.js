@@ -1,4 +1,4 @@
-// Numbers as people type them, and as the program reads them (core/include/evenlift/settings_text.h).
+// Numbers as people type them, and as the program reads them (core/include/evenlift/settings.h).
 
 // What a control shows, ready to be typed over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
 export function plainValue(shown) {
@@ -29,13 +29,15 @@ export function unitOf(shown) {
   return new RegExp(`\\d\\s(${unit})$`).exec(shown)?.[1] ?? "";
 }
 
-// A number that was typed with a unit, in the unit of its field; undefined if the field has none, or one of another kind.
+// A number that was typed with a unit, in the unit of its field; undefined if the field has none,
+// or one of another kind.
 function converted(typed, from, to) {
   if (from === to) return point(typed);
   const { units } = kindOf(from);
   if (!Object.hasOwn(units, to)) return undefined;
   const [times, by] = units[from], [per, of] = units[to];
-  // As exact as what was typed, and nine digits at least: 200 N are 20.3943243 kg, and 20 in decimals is not 20.000000000000004.
+  // As exact as what was typed, and nine digits at least: 200 N are 20.3943243 kg, and 20 in
+  // decimals is not 20.000000000000004.
   const digits = point(typed).replace(/e.*$/i, "").replace(/\D/g, "").replace(/^0+/, "").length;
   return String(Number((Number(point(typed)) * times * of / (by * per)).toPrecision(Math.min(12, Math.max(9, digits)))));
 }
@@ -45,9 +47,9 @@ const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ")
 const grouped = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?:\s*[a-z]+)?$/i;
 const strange = new RegExp(`^${number}\\s*([A-Za-zµ"'′″]+)$`);
 
-// Why a number cannot be set because of how it was typed: the unit after it, or a comma that may part thousands. A sentence
-// without its full stop; "" if that is not the reason. `setting` and `own` are as below; `isLength` says that the number is
-// a length, even if it has no unit.
+// Why a number cannot be set because of how it was typed: the unit after it, or a comma that may
+// part thousands. A sentence without its full stop; "" if that is not the reason. `setting` and
+// `own` are as below; `isLength` says that the number is a length, even if it has no unit.
 export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
   if (setting === "no_go") return "";
@@ -67,9 +69,9 @@ export function typedProblem(typed, setting, own, isLength) {
   return `“${text}” is a ${kindOf(from).name}, but this number is a ${kindOf(own).name} in ${own}`;
 }
 
-// A number may have a unit and a decimal comma; two are parted by a comma, a semicolon or a space. `own` is the unit of the
-// field, "" if it has none. What is neither the program refuses with a sentence, and so a unit that the field cannot have:
-// without it the number would be another one.
+// A number may have a unit and a decimal comma; two are parted by a comma, a semicolon or a space.
+// `own` is the unit of the field, "" if it has none. What is neither the program refuses with a
+// sentence, and so a unit that the field cannot have: without it the number would be another one.
 export function settingValue(typed, setting = "", own = "") {
   const text = tidied(typed);
   if (setting === "no_go") {  // edges: "3,5" is no number

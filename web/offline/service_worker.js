@@ -1,9 +1,11 @@
-// Keeps the whole page in the browser, so that it opens without a network after one visit. The build writes `build` before this
-// text (assets/offline_files.py): { id, files: { NAME: SHA-256 } }, all that is in the page's folder.
+// Keeps the whole page in the browser, so that it opens without a network after one visit. The
+// build writes `build` before this text (assets/offline_files.py):
+// { id, files: { NAME: SHA-256 } }, all that is in the page's folder.
 //
-// - What is kept is found by its hash: two versions share the files that they have in common, and nothing is fetched twice.
-// - A page keeps the version with which it was opened, as long as it is open, also when another tab has taken a newer one:
-//   windows and workers that it loads later fit the program that it runs.
+// - What is kept is found by its hash: two versions share the files that they have in common, and
+//   nothing is fetched twice.
+// - A page keeps the version with which it was opened, as long as it is open, also when another tab
+//   has taken a newer one: windows and workers that it loads later fit the program that it runs.
 // - A new version is fetched whole, and checked, before any of it is used.
 const scope = new URL(self.registration.scope);
 const address = (text) => new URL(text, scope).href;
@@ -14,14 +16,15 @@ const asJson = (value) => new Response(JSON.stringify(value));
 const shelf = `evenlift ${scope.pathname}`;
 const open = () => caches.open(shelf);
 
-// --- A new version -------------------------------------------------------------------------------------------------------
+// --- A new version -------------------------------------------------------------------------------
 
 async function hashOf(bytes) {
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
   return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-// The server's answer as it is kept: with its headers, of which the content security policy is one, but without how it came.
+// The server's answer as it is kept: with its headers, of which the content security policy is one,
+// but without how it came.
 async function fetchChecked(name, hash) {
   const answer = await fetch(address(name), { cache: "no-cache" });
   if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
@@ -41,10 +44,10 @@ async function keepAll() {
   await cache.put(list(build.id), asJson(build.files));
 }
 
-// --- Who began with which version --------------------------------------------------------------------------------------
+// --- Who began with which version ----------------------------------------------------------------
 
-// What is known of it: { current, began: { CLIENT: BUILD } }. The browser ends this worker when it has nothing to do, so it
-// is kept, and read once.
+// What is known of it: { current, began: { CLIENT: BUILD } }. The browser ends this worker when it
+// has nothing to do, so it is kept, and read once.
 let known;
 async function readNotes() {
   const kept = await (await open()).match(notes);
@@ -56,7 +59,8 @@ async function write(next) {
   await (await open()).put(notes, asJson(next));
 }
 
-// This version is the one that pages open from now on. Those that are open keep theirs; what nobody needs any more goes.
+// This version is the one that pages open from now on. Those that are open keep theirs; what nobody
+// needs any more goes.
 async function takeOver() {
   const { current, began } = await readNotes();
   const ids = (await self.clients.matchAll({ type: "all" })).map(({ id }) => id);
@@ -91,7 +95,8 @@ async function removeOld(builds) {
   await Promise.all((await cache.keys()).filter(({ url }) => !needed.has(url)).map((key) => cache.delete(key)));
 }
 
-// A host that has this page no more, or another one at this address, says so when it is asked; what is kept would hide it for ever.
+// A host that has this page no more, or another one at this address, says so when it is asked; what
+// is kept would hide it for ever.
 async function leaveIfGone() {
   const { status } = await fetch(address("service_worker.js"), { method: "HEAD", cache: "no-store" });
   if (status !== 404 && status !== 410) return;
@@ -99,7 +104,7 @@ async function leaveIfGone() {
   await caches.delete(shelf);
 }
 
-// --- Answers ----------------------------------------------------------------------------------------------------------
+// --- Answers -------------------------------------------------------------------------------------
 
 // The name in the page's folder, if it could be one of its files.
 function nameOf({ method, url }) {

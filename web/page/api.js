@@ -3,7 +3,7 @@ import { idle } from "./work.js";
 
 // window.evenlift, the page's scripting interface (docs/page.md).
 
-// Writes the changes for set() as text for the program, which checks them (settings_text.h). A value that is neither a
+// Writes the changes for set() as text for the program, which checks them (settings.h). A value that is neither a
 // number nor a word is written as JSON, which no setting accepts.
 const lists = ["com", "overlays"];
 const texts = ["robot", "no_go"];  // what the program itself reads: "r=30,reach=5", "3,5:0.25-0.75"

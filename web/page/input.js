@@ -1,9 +1,9 @@
 // Keys, and those habits of browsers that the program's own event handling does not cover.
 const root = document.documentElement;
 
-// A figure in an article is a guest there until the reader takes hold of it by a click, a tap or Tab, which give it the focus; and
-// again once the reader lets go by Esc or by going elsewhere. As long as it is a guest, wheel, fingers and keys are the article's.
-// page.css knows this class.
+// A figure in an article is a guest there until the reader takes hold of it by a click, a tap or
+// Tab, which give it the focus; and again once the reader lets go by Esc or by going elsewhere. As
+// long as it is a guest, wheel, fingers and keys are the article's. page.css knows this class.
 const isGuest = () => root.classList.contains("guest");
 
 function takeHold(canvas) {
@@ -59,8 +59,8 @@ function connectGuest(canvas) {
   connectTaps(canvas);
 }
 
-// SDL would keep every touch from the browser. So a guest's touches do not reach it, but for a tap, which takes hold of the figure
-// and then is passed on to it.
+// SDL would keep every touch from the browser. So a guest's touches do not reach it, but for a tap,
+// which takes hold of the figure and then is passed on to it.
 const mostOfTap = 10;  // CSS pixels that a finger may move
 
 function connectTaps(canvas) {
@@ -108,7 +108,8 @@ function connectPresses(program) {
 }
 
 function connectKeys(program, canvas, field, { embed }) {
-  // The field that the program named has the focus at once, so that it gets the next key, too. A digit is the first of its number.
+  // The field that the program named has the focus at once, so that it gets the next key,
+  // too. A digit is the first of its number.
   const beginField = (key) => {
     if (/^[\d.,]$/.test(key)) field.begun = key;
     field.show();

@@ -1,6 +1,8 @@
-// Undo survives a reload: the newest steps are kept in the browser, as a line for each (wasm/page/page_api.cpp), `<` before
-// those to be undone, `>` before those to be redone, the nearest first; and before them `=`, the method that the document is
-// compared with, and its link. They are kept beside the work to which they belong (publisher.js). Loaded after the first picture.
+// Undo survives a reload: the newest steps are kept in the browser, as a line for each
+// (wasm/page/page_api.cpp), `<` before those to be undone, `>` before those to be redone, the
+// nearest first; and before them `=`, the method that the document is compared with, and its link.
+// They are kept beside the work to which they belong (publisher.js). Loaded after the first
+// picture.
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 
 const mostSteps = 500;

@@ -34,8 +34,8 @@ function showProblem(reason, [heading, advice] = cannotRun) {
   cover.classList.remove("done", "see-through");
 }
 
-// What the page opens. A challenge begins at its beginning: the step of a link would show its answer, and list it among what
-// was looked at.
+// What the page opens. A challenge begins at its beginning: the step of a link would show its
+// answer, and list it among what was looked at.
 const toOpen = (program, text) => (readAddress().challenge && text ? program.text("page_without_step", text) : text);
 
 // `say` is given a sentence about a link that is refused; after any other, `opened` is called.
@@ -68,7 +68,8 @@ async function load(bindings) {
   return program;
 }
 
-// The controls in HTML come after the first picture, which does not need them. Returns what is to be called after each picture.
+// The controls in HTML come after the first picture, which does not need them. Returns what is to
+// be called after each picture.
 async function loadMirror(program, field, publisher) {
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet", href: "mirror.css" });
   const styled = new Promise((done, fail) => Object.assign(style, { onload: done, onerror: fail }));
@@ -83,13 +84,14 @@ let started;  // the result of beginStart()
 function loadTheRest(program, bindings, { begins }) {
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
   if (embed) return;
-  underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));  // undo begins here then
+  // If this cannot be loaded, undo begins here.
+  underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));
   underWay(import("./offline.js")).then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion"))).catch(() => {});
   if (begins && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
 }
 
-// Without WebGL 2 the polygon of the link is a picture that stands still. What is kept of other visits stays as it is. Returns
-// what is to be called after each change.
+// Without WebGL 2 the polygon of the link is a picture that stands still. What is kept of other
+// visits stays as it is. Returns what is to be called after each change.
 async function startStill(program, publisher, bindings) {
   // The picture would give away the answer of a challenge.
   const still = !challenge && await import("./still.js").catch(() => undefined);
@@ -121,7 +123,8 @@ async function start() {
   const firstPicture = new Promise((done) => {
     pictureIsThere = done;
   });
-  // The name of a field that a key asked for, until the mirror has it, and the digit that was that key. `show` brings the mirror up to date.
+  // The name of a field that a key asked for, until the mirror has it, and the digit that was that
+  // key. `show` brings the mirror up to date.
   const field = { awaited: "", begun: "", show: () => {} };
   const bindings = new Bindings(publisher, field, () => {
     pictureIsThere();
@@ -182,8 +185,8 @@ async function start() {
   loadTheRest(program, bindings, { begins: !fragment && !kept.work });
 }
 
-// The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded again with the document that
-// was drawn last.
+// The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded
+// again with the document that was drawn last.
 function startAnew(error, { opening, work }) {
   console.error(error);
   if (!embed && prepareRestart({ opening, work })) location.reload();

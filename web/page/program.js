@@ -15,8 +15,9 @@ export class Program {
     this.#module = module;
   }
 
-  // Calls a function with texts, numbers and bytes, which become an address and a number, and returns its result. Before that the program handles all earlier clicks and
-  // keys, so that everything takes effect in the order in which it was done.
+  // Calls a function with texts, numbers and bytes, which become an address and a number, and
+  // returns its result. Before that the program handles all earlier clicks and keys, so that
+  // everything takes effect in the order in which it was done.
   call(name, ...args) {
     if (this.#stopped) throw new Error("The page stopped, and starts anew");
     if (opening.includes(name)) this.onOpening(args[0]);

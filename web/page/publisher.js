@@ -2,22 +2,24 @@ import { readAddress, withLesson } from "./address.js";
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 import { begin, end, isAwaited, whenAwaited } from "./work.js";
 
-// Keeps the browser up to date with the document: the address bar and the storage at most a few times a second (browsers
-// refuse more), and the summary for screen readers when there is a pause.
+// Keeps the browser up to date with the document: the address bar and the storage at most a few
+// times a second (browsers refuse more), and the summary for screen readers when there is a pause.
 const betweenWrites = 400;
 const beforeSpeaking = 600;
 const draftKey = "evenlift.draft";
 const drawingKey = "evenlift.drawing";
 const preferencesKey = "evenlift.preferences";
 const addressKey = "evenlift.address";
-// What belongs to a document. Each is kept twice: for this tab, which goes on with its own after a reload or a crash, and for the
-// next visit in another tab, which goes on with what was changed last.
+// What belongs to a document. Each is kept twice: for this tab, which goes on with its own after a
+// reload or a crash, and for the next visit in another tab, which goes on with what was changed
+// last.
 const documentKeys = [workKey, draftKey, drawingKey, historyKey];
 
 const mostKept = 400000;  // vertices; no browser keeps a longer text
 
-// Each sentence is an element of its own, which stays as long as the sentence does, so that only new ones are read out. The list of
-// teams or robots, which is long, is there to be read but not read out; nor is what holds from the start.
+// Each sentence is an element of its own, which stays as long as the sentence does, so that only
+// new ones are read out. The list of teams or robots, which is long, is there to be read but not
+// read out; nor is what holds from the start.
 function showSentences(root, sentences, aloud) {
   const stays = new Set(sentences);
   const before = [...root.children].filter((element) => stays.has(element.textContent) || element.remove());
@@ -74,9 +76,10 @@ export class Publisher {
     this.#speak({ aloud: false });
   }
 
-  // The work of this tab. A tab without any begins with a copy of what was open here last; a tab that was duplicated has a copy
-  // of the other's already. `own` says whether this tab itself wrote this fragment into the address bar; then its work is at
-  // least as new. `last` is what was open here last, in whichever tab.
+  // The work of this tab. A tab without any begins with a copy of what was open here last; a
+  // tab that was duplicated has a copy of the other's already. `own` says whether this tab
+  // itself wrote this fragment into the address bar; then its work is at least as new. `last`
+  // is what was open here last, in whichever tab.
   kept(fragment) {
     if (this.#embed) return { work: "", draft: "", drawing: "", own: false, last: "" };
     if (!read(ofThisTab, workKey)) for (const key of documentKeys) write(ofThisTab, key, read(lasting, key));
@@ -86,7 +89,8 @@ export class Publisher {
     return { work, draft: read(ofThisTab, draftKey), drawing: read(ofThisTab, drawingKey), own, last: read(lasting, workKey) };
   }
 
-  // What is open is the work of this tab from now on, whatever other tabs do. It is what this fragment of the address stands for.
+  // What is open is the work of this tab from now on, whatever other tabs do. It is what
+  // this fragment of the address stands for.
   adopt(fragment) {
     if (this.#embed || !this.#program) return;
     this.#keepAs(this.#program.text("page_link"), `${fragment}\n${fragment}`);
@@ -182,7 +186,8 @@ export class Publisher {
     this.#held = held;
   }
 
-  // The lesson's name, while an address with it would open what is on the screen; no longer once its polygon was edited.
+  // The lesson's name, while an address with it would open what is on the screen; no longer once
+  // its polygon was edited.
   lesson() {
     const open = this.#program.number("page_script");
     if (!open) this.#lesson = "";
@@ -221,7 +226,8 @@ export class Publisher {
     end();
   }
 
-  // Keeps the document, and the addresses that stand for it, unless there is no room for it: then they are links like others.
+  // Keeps the document, and the addresses that stand for it, unless there is no room for it: then
+  // they are links like others.
   #keepAs(link, addresses) {
     if (this.#embed) return;
     const kept = this.#keep(link);

@@ -43,8 +43,8 @@ export function forgetAside() {
 
 const keptAside = "It is kept: Save has it as a file.";
 
-// Whether another tab that is starting just now has set the mark. Locks say so. In a browser without locks, two tabs that
-// are opened at the same moment look like one that failed.
+// Whether another tab that is starting just now has set the mark. Locks say so. In a browser
+// without locks, two tabs that are opened at the same moment look like one that failed.
 async function holdStart() {
   if (!navigator.locks) return { alone: true, release() {} };
   return new Promise((ready) => {
@@ -54,8 +54,9 @@ async function holdStart() {
   });
 }
 
-// Leaves out what the last start did not survive. `kept` has the fragment's link and the kept texts. Returns those that
-// are to be opened, and a sentence about the others. In place of this tab's own work comes what was open here last, if that is another.
+// Leaves out what the last start did not survive. `kept` has the fragment's link and the kept
+// texts. Returns those that are to be opened, and a sentence about the others. In place of this
+// tab's own work comes what was open here last, if that is another.
 export async function beginStart(kept) {
   const start = await holdStart();
   const failed = start.alone ? read(lasting, markKey) : noMark;
@@ -107,8 +108,8 @@ export function workGoesOn() {
   if (read(ofThisTab, stoppedKey)) write(ofThisTab, stoppedKey, "");
 }
 
-// Call this when the program stopped. `opening` is the text that was being opened, if any; `work` is what is kept. Returns
-// whether to load the page again.
+// Call this when the program stopped. `opening` is the text that was being opened, if any; `work`
+// is what is kept. Returns whether to load the page again.
 export function prepareRestart({ opening, work }) {
   let restarts = 0;
   try {

@@ -33,7 +33,8 @@ document.addEventListener("evenlift-work", ({ detail: promise }) => {
 
 const nextTask = () => new Promise((done) => setTimeout(done));
 
-// The browser reports changed sizes and preferences with its next picture. A hidden page gets no pictures: there a task takes its place.
+// The browser reports changed sizes and preferences with its next picture. A hidden page gets
+// no pictures: there a task takes its place.
 const nextPicture = () => (document.hidden ? nextTask() : new Promise((done) => requestAnimationFrame(done)).then(nextTask));
 
 // Motions that end: what shows that something is loading goes on for ever.

@@ -1,5 +1,6 @@
-// A photo or scan behind the drawing, to be traced. It lies as an image under the canvas, whose ground is transparent then, and
-// moves with the view. It is never uploaded, is in no link or file, and is gone with the page.
+// A photo or scan behind the drawing, to be traced. It lies as an image under the canvas, whose
+// ground is transparent then, and moves with the view. It is never uploaded, is in no link or file,
+// and is gone with the page.
 import { closingButton, openCard } from "../kit/card.js";
 import { closeWindows, ensureStyles } from "../kit/dialogs.js";
 import { button, el, number, typedNumber } from "../kit/elements.js";
@@ -73,8 +74,8 @@ function remove(page) {
   photo = undefined;
 }
 
-// So many pixels of the picture are so long: the picture becomes larger or smaller, with what was traced on it, and is shown
-// as a whole. Returns whether that can be.
+// So many pixels of the picture are so long: the picture becomes larger or smaller, with what was
+// traced on it, and is shown as a whole. Returns whether that can be.
 function scaleTo(page, label, pixels, length) {
   const width = tidy(length / pixels) * photo.image.naturalWidth;
   const problem = page.program.text("page_scale_backdrop", width);
@@ -84,7 +85,8 @@ function scaleTo(page, label, pixels, length) {
   return !problem;
 }
 
-// Between the screen and the pixels of the picture, counted from its lower left corner; and where its middle is on the screen.
+// Between the screen and the pixels of the picture, counted from its lower left corner; and where
+// its middle is on the screen.
 const pixelsOf = (page) => ({
   middle() {
     return this.toScreen([photo.image.naturalWidth / 2, photo.image.naturalHeight / 2]);
@@ -102,7 +104,8 @@ const pixelsOf = (page) => ({
 
 const inMetres = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254 };
 
-// A length that somebody typed, in the unit of the polygon: another unit behind it is converted. Returns { length } or { problem }.
+// A length that somebody typed, in the unit of the polygon: another unit behind it is
+// converted. Returns { length } or { problem }.
 function typedLength(text, unit) {
   const typed = text.trim(), [, amount, of] = typed.match(/^(.*?)\s*(m|cm|mm|in)$/) ?? [];
   const converted = unit && of ? typedNumber(amount) * inMetres[of] / inMetres[unit] : typedNumber(typed);

@@ -1,4 +1,5 @@
-// Measures on the picture behind the drawing: two presses, which stay marked, with the line between them, wherever the view goes.
+// Measures on the picture behind the drawing: two presses, which stay marked, with the line between
+// them, wherever the view goes.
 import { el, svgEl } from "../kit/elements.js";
 
 const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -31,9 +32,10 @@ function marksOver(page, { toScreen }) {
 
 const distance = ([x1, y1], [x2, y2]) => Math.hypot(x1 - x2, y1 - y2);
 
-// Waits for presses on two points of the picture, or for Enter where arrow keys moved a ring. `frame` leads from the screen to its pixels and back: { fromScreen, toScreen, middle }.
-// Returns { pixels, unmark }, the distance in pixels and what takes the marks away; nothing if somebody gives up, by Esc or by
-// what aborts `givenUp`.
+// Waits for presses on two points of the picture, or for Enter where arrow keys moved a ring.
+// `frame` leads from the screen to its pixels and back: { fromScreen, toScreen, middle }. Returns
+// { pixels, unmark }, the distance in pixels and what takes the marks away; nothing if somebody
+// gives up, by Esc or by what aborts `givenUp`.
 export function twoPoints(page, frame, givenUp) {
   return new Promise((done) => {
     const marks = marksOver(page, frame);

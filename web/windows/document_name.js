@@ -1,5 +1,5 @@
-// What the polygon that is open is called in the names of files: after the file from which it came, the sample that it is, or
-// how many robots lift it.
+// What the polygon that is open is called in the names of files: after the file from which it came,
+// the sample that it is, or how many robots lift it.
 import { fetchJson } from "../kit/fetched.js";
 import { ofThisTab, read, write } from "../page/storage.js";
 
@@ -17,8 +17,8 @@ export const ownOutline = (program) => program.text("page_outline", program.text
 
 // --- Opened files ----------------------------------------------------------------------------------------------------
 
-// What was opened last, the newest first, as { origin, name }: the outline that it had then, which the program knows of the open
-// polygon whatever was edited since.
+// What was opened last, the newest first, as { origin, name }: the outline that it had then, which
+// the program knows of the open polygon whatever was edited since.
 let named;
 
 function names() {

@@ -1,7 +1,6 @@
 // The list of keys, by groups, from the program's own table (wasm/actions/key_list.h).
 import { buttonTo, fadeFoot, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
-import { show as showAbout } from "./about.js";
 import { show as showGlossary } from "./glossary.js";
 import { show as showTour } from "./tour.js";
 
@@ -17,6 +16,9 @@ function rows(program) {
 function keyed(key) {
   return key.split(/(\+(?=.)|, | (?=.$))/).filter(Boolean).map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, part)));
 }
+
+// About leads to this list, so it is not imported.
+const showAbout = async (page) => (await page.windows()).about(page);
 
 export async function show(page) {
   const all = rows(page.program);

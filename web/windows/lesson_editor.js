@@ -1,5 +1,5 @@
-// The editor of lessons: the text in a window beside the canvas, and the lesson on the canvas, at the step in which the cursor
-// is. What is wrong is said with its line while one types.
+// The editor of lessons: the text in a window beside the canvas, and the lesson on the canvas, at
+// the step in which the cursor is. What is wrong is said with its line while one types.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, lowered } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
@@ -50,7 +50,8 @@ What they will have found.
 
 const option = (value, name) => el("option", { value }, name);
 
-// The samples by their titles in the gallery and its groups. Each has a twin with another centre of mass, which the gallery lacks.
+// The samples by their titles in the gallery and its groups. Each has a twin with another centre of
+// mass, which the gallery lacks.
 function choiceOfSamples(names, gallery) {
   const twin = /-moved$/;
   const groups = new Map();
@@ -236,7 +237,8 @@ class Editor {
     return problem;
   }
 
-  // The step in which this place of the text is, from 0; -1 among the settings. The question at the end is asked at the last.
+  // The step in which this place of the text is, from 0; -1 among the settings. The
+  // question at the end is asked at the last.
   #stopAt(position) {
     const end = this.field.value.indexOf("\n", position);
     const before = this.field.value.slice(0, end < 0 ? undefined : end);

@@ -3,7 +3,7 @@
 import { lowered } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
 import { unreadable } from "../page/lesson_text.js";
-import { watch } from "./lesson_watch.js";
+import { openLesson, watch } from "./lesson_watch.js";
 
 const mostBytes = 65536;  // core/include/evenlift/lesson.h
 const patience = 15000;  // ms
@@ -13,17 +13,12 @@ export function titleOf(text) {
   return /^title[ \t]*:(.*)$/m.exec(text)?.[1].trim() ?? "";
 }
 
-// Opens a ready-made lesson, of lessons.json.
-export function openReadyMade(page, { name, text, polygon }, join = false) {
-  return open(page, name, text, polygon, join);
-}
-
 // Opens the text of a lesson, with the sample that it names. `name` is the lesson's name in an address, if it has one.
 export async function openLessonText(page, text, name = "", join = false) {
   const problem = unreadable(text);
   if (problem) return problem;
   const sample = page.program.text("page_lesson_polygon", text);
-  if (!sample) return open(page, name, text, "", join);
+  if (!sample) return openLesson(page, { name, text }, join);
   let samples;
   try {
     samples = await fetchJson("polygons.json");
@@ -31,16 +26,7 @@ export async function openLessonText(page, text, name = "", join = false) {
     return `Its polygon cannot be fetched: ${error.message}`;
   }
   if (!Object.hasOwn(samples, sample)) return noSample(sample, Object.keys(samples));
-  return open(page, name, text, samples[sample], join);
-}
-
-function open(page, name, text, polygon, join) {
-  const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0);
-  if (!problem) {
-    page.nameLesson(name);
-    watch(page, { name, text });
-  }
-  return problem;
+  return openLesson(page, { name, text, polygon: samples[sample] }, join);
 }
 
 // The sentence about a sample that there is not, with those whose names are nearest.
@@ -69,7 +55,7 @@ const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
 export async function openNamedLesson(page, name, join) {
   if (readyMade.test(name)) {
     const lesson = (await fetchJson("lessons.json")).find((l) => l.name === name);
-    return lesson ? openReadyMade(page, lesson, join) : "there is no ready-made lesson of that name";
+    return lesson ? openLesson(page, lesson, join) : "there is no ready-made lesson of that name";
   }
   if (!besideThePage.test(name) || name.length > 200) return "an address can name a ready-made lesson, or a .txt file in the page's own folder or below";
   const text = await read(await ask(new URL(name, location.href), { redirect: "error", signal: AbortSignal.timeout(patience) }));

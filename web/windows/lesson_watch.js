@@ -1,14 +1,15 @@
-// Which lesson is open, and what comes at its end: how the guesses went, a question with its answer, and the next lesson.
+// Which lesson is open, and what comes at its end: how the guesses went, a question with its
+// answer, and the next lesson.
 import { closingButton, openCard } from "../kit/card.js";
 import { button, el, unbroken } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
 import { lasting, read, write } from "../page/storage.js";
 import { underWay } from "../page/under_way.js";
-import { openReadyMade } from "./lesson_source.js";
 
 const seenKey = "evenlift.lessons";
 
-// The names of the ready-made lessons that were played to their end, in that order; of one that was played again, the last time counts.
+// The names of the ready-made lessons that were played to their end, in that order; of one
+// that was played again, the last time counts.
 export function seenLessons() {
   return new Set(read(lasting, seenKey).split(" ").filter(Boolean));
 }
@@ -33,10 +34,22 @@ export function standing(program) {
   return count ? { at, count, guesses, right, step, told, passed } : undefined;
 }
 
-// Call this whenever a lesson or a challenge was opened.
+// Opens a lesson, with the text of the polygon that it names, if it names one; with `join` for the
+// document that is open. Returns why it was refused, or nothing.
+export function openLesson(page, { name, text, polygon = "" }, join = false) {
+  const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0);
+  if (!problem) {
+    page.nameLesson(name);
+    watch(page, { name, text });
+  }
+  return problem;
+}
+
+// Call this whenever a lesson or a challenge was opened in another way.
 export function watch(page, lesson = {}) {
   playing?.card?.close();
-  if (!playing) document.addEventListener("evenlift-change", () => queueMicrotask(look));  // after the change, not in its midst
+  // After the change, not in its midst.
+  if (!playing) document.addEventListener("evenlift-change", () => queueMicrotask(look));
   // What is open already counts as looked at, so that a link to the last step does not congratulate.
   const now = standing(page.program);
   playing = { page, lesson, atEnd: Boolean(now && now.at + 1 === now.count) };
@@ -58,7 +71,8 @@ function look() {
 
 const paragraphs = (text, attributes = {}) => unbroken(text).split("\n").map((words) => el("p", attributes, words));
 
-// The question at the lesson's end, and the button that shows its answer. Once shown, it is there whenever the end comes again.
+// The question at the lesson's end, and the button that shows its answer. Once shown, it is there
+// whenever the end comes again.
 function questionOf(program, of) {
   const answer = el("div", { role: "status" });
   const told = (attributes) => paragraphs(program.text("page_lesson_answer"), { class: "second", ...attributes });
@@ -84,8 +98,8 @@ function questionOf(program, of) {
   return { words, button: shown };
 }
 
-// On a small screen the card begins as a row of buttons, so that the shape that the question is about keeps its room; this
-// one unfolds it.
+// On a small screen the card begins as a row of buttons, so that the shape that the question is
+// about keeps its room; this one unfolds it.
 function foldButton(of) {
   const fold = button("Question", { "aria-expanded": "false", onclick: () => {
     const folded = of.card.root.classList.toggle("folded");
@@ -125,7 +139,7 @@ async function showEnd(page, lesson, { guesses, right, told, passed }, of) {
     body: [
       el("div", { class: of.answered ? "said answered" : "said" }, el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", unguessed, untold, rest), ...(question?.words ?? [])),
       el("div", { class: "ways" }, toFold, question?.button ?? "",
-        next ? toNext(next, () => openReadyMade(page, next)) : "",
+        next ? toNext(next, () => openLesson(page, next)) : "",
         closingButton("All lessons", { class: "button seldom" }, () => page.windows().then((windows) => windows.lessons(page)))),
     ],
   });

@@ -5,8 +5,8 @@ import { fetchJson } from "../kit/fetched.js";
 import { show as showGlossary } from "./glossary.js";
 import { show as showHandout } from "./handout.js";
 import { show as showEditor } from "./lesson_editor.js";
-import { openLessonText, openReadyMade } from "./lesson_source.js";
-import { openLessonOf, seenLessons, watch } from "./lesson_watch.js";
+import { openLessonText } from "./lesson_source.js";
+import { openLesson, openLessonOf, seenLessons, watch } from "./lesson_watch.js";
 import { underWay } from "../page/under_way.js";
 
 export async function show(page) {
@@ -32,7 +32,7 @@ export async function show(page) {
   if (!root) return;
   [scroll, root].forEach(fadeFoot);  // on a small screen all of the window scrolls
   const choose = (lesson) => {
-    const why = openReadyMade(page, lesson);
+    const why = openLesson(page, lesson);
     if (why) problem.say(`This lesson cannot be opened: ${lowered(why)}`);
     else root.close();
   };

@@ -15,10 +15,12 @@ async function show(page) {
     body: [sentence, el("div", { class: "ways" }, closingButton("Load it", { class: "button primary" }, load))],
   });
   const lost = hasPhoto() ? " but for the picture behind the drawing" : "";
-  sentence.textContent = `A new version of evenlift is ready, and what you have open stays${lost}.`;  // afterwards, so that it is read out
+  // Afterwards, so that it is read out.
+  sentence.textContent = `A new version of evenlift is ready, and what you have open stays${lost}.`;
 }
 
-// The service worker of the new version waits to be told; if another tab has told it, the page needs only to be opened again.
+// The service worker of the new version waits to be told; if another tab has told it, the page
+// needs only to be opened again.
 async function load() {
   const registration = await navigator.serviceWorker.getRegistration();
   if (!registration?.waiting) return location.reload();

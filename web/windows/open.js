@@ -17,8 +17,9 @@ const undo = "Undo brings back the previous polygon.";
 // The last text whose curves were flattened, so that they can be flattened otherwise.
 let curved;
 
-// Opens a text that `what` names. `how` is the program's function for it, and `name` that of the file (stemOf()), if it came from one.
-// It tells of it in a notice; if there are several shapes, a window asks for one.
+// Opens a text that `what` names. `how` is the program's function for it, and `name` that of the
+// file (stemOf()), if it came from one. It tells of it in a notice; if there are several shapes, a
+// window asks for one.
 async function openText(page, text, what, { how = "page_load", name = "" } = {}) {
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";

@@ -1,4 +1,5 @@
-// The coordinates as a table beside the canvas. Typing in the table changes the drawing, and dragging changes the table.
+// The coordinates as a table beside the canvas. Typing in the table changes the drawing, and
+// dragging changes the table.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { settingValue, typedProblem } from "../mirror/typed.js";
@@ -89,7 +90,7 @@ class Table {
     return centre + lines(this.#program.text("page_vertices", 0, count)).join("");
   }
 
-  // --- Rows -----------------------------------------------------------------------------------------------------------
+  // --- Rows --------------------------------------------------------------------------------------
 
   #inputs(what) {
     return ["x", "y"].map((axis) => el("input", { class: "field", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "aria-label": `${what}, ${axis}` }));
@@ -176,7 +177,7 @@ class Table {
     if (moved && selected >= 0 && document.activeElement === document.getElementById("canvas")) this.#rows[selected - this.#from].row.scrollIntoView({ block: "nearest" });
   }
 
-  // --- Keys and edits -------------------------------------------------------------------------------------------------
+  // --- Keys and edits ----------------------------------------------------------------------------
 
   // The vertex in whose row the element is; -1 for the centre of mass, -2 for neither.
   #vertexOf(element) {

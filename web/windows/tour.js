@@ -1,5 +1,6 @@
-// The tour of the page: some stops of a sentence or two, each of which points at something. It stands on a card at the foot of
-// the drawing, so that it covers nothing that it speaks of. It changes nothing.
+// The tour of the page: some stops of a sentence or two, each of which points at something. It
+// stands on a card at the foot of the drawing, so that it covers nothing that it speaks of. It
+// changes nothing.
 import { openCard } from "../kit/card.js";
 import { button, el, svgEl } from "../kit/elements.js";
 import { look, reveal } from "./tour_places.js";
@@ -20,8 +21,8 @@ function ringed(here, { points, controls, menu }) {
   return shown.length ? shown : menu ? here.controls("more") : here.sheet();
 }
 
-// Texts of other stops, unseen behind the one that is shown: so the card is as high at each of them, and neither its buttons nor
-// the drawing move.
+// Texts of other stops, unseen behind the one that is shown: so the card is as high at each of
+// them, and neither its buttons nor the drawing move.
 const unseen = (all, here) => all.map(({ title, words }) => el("div", { class: "unseen", "aria-hidden": "true" }, el("h2", {}, title), " ", el("p", {}, words(here))));
 
 export async function show(page) {

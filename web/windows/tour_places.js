@@ -3,10 +3,11 @@ import { listedControls } from "../mirror/controls.js";
 
 const numbers = (text) => text.trim().split(" ").map(Number);
 
-// Sizes of what is drawn, in CSS pixels, as wasm/marks has them. A ring about a robot stands between its mark and the number
-// beside it.
+// Sizes of what is drawn, in CSS pixels, as wasm/marks has them. A ring about a robot stands
+// between its mark and the number beside it.
 const ringOf = (robots) => (robots > 16 ? 14.5 : 17.5);
-const label = { wide: 30, high: 12, apart: 17.5 };  // half of a number's size, and how far from the robot's middle it begins
+// Half of a number's size, and how far from the robot's middle it begins.
+const label = { wide: 30, high: 12, apart: 17.5 };
 const aboutVertex = 14;
 const aboutCentre = 22;
 
@@ -30,7 +31,8 @@ function hull(points) {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-// The part of a line between two robots that neither their marks nor rings about them touch; nothing if they are too near.
+// The part of a line between two robots that neither their marks nor rings about them touch;
+// nothing if they are too near.
 function between([from, to], reach) {
   const length = away(from, to);
   if (length < 3 * reach) return undefined;
@@ -38,8 +40,8 @@ function between([from, to], reach) {
   return { line: [at(reach / length), at(1 - reach / length)] };
 }
 
-// How far a ring about a vertex is from the marks of robots, from where their numbers stand, beyond them as seen from C, and from
-// the ring about C; less than 0 if it touches one of them.
+// How far a ring about a vertex is from the marks of robots, from where their numbers stand, beyond
+// them as seen from C, and from the ring about C; less than 0 if it touches one of them.
 function clearance(c, robots, ring) {
   const marks = robots.map(([x, y]) => {
     const far = away([x, y], c) || 1;
@@ -59,8 +61,8 @@ function sharpness([ax, ay], [bx, by], [cx, cy]) {
   return 1 - ((bx - ax) * (cx - bx) + (by - ay) * (cy - by)) / (lengths || 1);
 }
 
-// The controls of the canvas with these names: their cards, their places and the parts of the cards that are seen, each as
-// [x, y, width, height].
+// The controls of the canvas with these names: their cards, their places and the parts of the cards
+// that are seen, each as [x, y, width, height].
 function controls(program, names) {
   return listedControls(program.text("page_controls")).filter(({ name }) => names.includes(name))
     .map((c) => ({ card: c.card, name: c.name, place: [c.left, c.top, c.width, c.height], seen: [c.windowLeft, c.windowTop, c.windowWidth, c.windowHeight] }));

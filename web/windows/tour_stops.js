@@ -12,8 +12,10 @@ function mobility({ free, heldByCurvature }) {
 
 const finger = () => matchMedia("(pointer: coarse)").matches;
 
-// `points` gives the shapes that are ringed: circles [x, y, radius], boxes [x, y, width, height], lines [from, to]; if it gives
-// none, `controls` are. Where a small screen does not show them, the handle of the sheet in which they are is ringed, or with `menu` the button of the menu. A stop whose `where` does not hold is left out.
+// `points` gives the shapes that are ringed: circles [x, y, radius], boxes [x, y, width, height],
+// lines [from, to]; if it gives none, `controls` are. Where a small screen does not show them,
+// the handle of the sheet in which they are is ringed, or with `menu` the button of the menu. A
+// stop whose `where` does not hold is left out.
 export const stops = [
   {
     title: "Teams",
