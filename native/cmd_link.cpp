@@ -11,7 +11,7 @@ namespace {
 // Only a document that can be placed becomes a link: whoever opens it sees a result.
 void check(const Input& input, const SettingOptions& options) {
   const Document& document = input.document;
-  if (const std::optional<InputError> error = check_settings(document.settings))
+  if (const std::optional<InputError> error = check_settings(document.settings, document.shown))
     throw options.failure(input.source, *error);
   const Result<Polygon> polygon = Polygon::create(document.vertices);
   if (!polygon) throw options.failure(input.source, polygon.error());
@@ -27,17 +27,13 @@ void encode(const Arguments& arguments) {
   InputOptions options;
   bool candidates = false;
   options.declare(line, "the polygon, in any format of `evenlift place`");
-  DoubtOptions doubt;
-  doubt.declare(line);
-  UnitOptions units;
-  units.declare(line);
+  options.settings.declare(line, OptionGroup::doubt);
+  options.settings.declare(line, OptionGroup::units);
   line.flag(candidates, "--candidates", "the page shows the candidates too");
   if (!line.parse(arguments)) return;
 
   Input input = options.read();
-  doubt.apply(input.document);
-  units.apply(input.document);
-  if (candidates) input.document.settings.overlays.candidates = true;
+  if (candidates) input.document.shown.overlays.candidates = true;
   check(input, options.settings);
   const Result<std::string> link = encode_link(input.document);
   if (!link) throw options.settings.failure(input.source, link.error());

@@ -8,7 +8,7 @@
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "options.h"
 #include "pose_options.h"
 #include "progress.h"
@@ -72,7 +72,8 @@ std::string candidate_table(const Placement& placement) {
 }
 
 // The settings and the results, one on each line.
-std::string facts(const Placement& placement, const Robustness& robustness) {
+std::string facts(const ShownPlacement& of, const Robustness& robustness) {
+  const Placement& placement = of.placement;
   const Settings& settings = placement.settings;
   std::vector<std::pair<std::string, std::string>> lines = {
       {"Method", std::string(name(settings.method))}};
@@ -92,8 +93,8 @@ std::string facts(const Placement& placement, const Robustness& robustness) {
   if (placement.moved.any()) lines.emplace_back("Moved by hand", moved_text(placement.moved));
   lines.emplace_back("Centre of mass", point_in_words(placement.centre_of_mass,
                                                       coordinate_decimals(placement.vertices())));
-  for (const Fact& fact : facts_in_words(placement)) lines.emplace_back(fact.label, fact.value);
-  for (const Fact& fact : robustness_facts(placement, robustness))
+  for (const Fact& fact : facts_in_words(of)) lines.emplace_back(fact.label, fact.value);
+  for (const Fact& fact : robustness_facts(of, robustness))
     lines.emplace_back(fact.label, fact.value);
   std::size_t widest = 0;
   for (const auto& [label, value] : lines) widest = std::max(widest, character_count(label));
@@ -103,19 +104,20 @@ std::string facts(const Placement& placement, const Robustness& robustness) {
   return text;
 }
 
-std::string for_people(const Placement& placement, bool with_candidates,
+std::string for_people(const ShownPlacement& of, bool with_candidates,
                        const std::optional<CapacityInJson>& capacity,
                        const RobustnessAsked& asked) {
+  const Placement& placement = of.placement;
   const RobustnessKnown known(placement, asked);
   const auto limit = capacity ? std::optional<double>(capacity->limit) : std::nullopt;
   const LoadModel model = known.models ? asked.model : LoadModel::plan;
   std::string sentences, tables;
   std::vector<double> greatest;
   if (placement.teams.empty()) {
-    sentences = verdict(placement, model) + "\n";
+    sentences = verdict(of, model) + "\n";
   } else {
     const ShownLoads shown = shown_loads(placement, known);
-    sentences = verdict(placement, model, shown.ranges) + "\n";
+    sentences = verdict(of, model, shown.ranges) + "\n";
     tables += team_table(placement, shown, limit) + "\n";
     greatest = shown.greatest;
   }
@@ -123,22 +125,20 @@ std::string for_people(const Placement& placement, bool with_candidates,
     sentences +=
         "The outline is so large that the search was cut short: there may be better places.\n";
   if (capacity)
-    sentences += capacity_in_words(placement, capacity->limit, &capacity->plan,
+    sentences += capacity_in_words(of, capacity->limit, &capacity->plan,
                                    overloaded_robots(greatest, capacity->limit), model,
                                    std::nullopt, &*capacity->if_one_fails) +
                  "\n";
-  sentences += robustness_lines(known, limit, placement.settings.units);
+  sentences += robustness_lines(known, limit, of.shown.units);
   if (asked.failures && !placement.teams.empty())
     tables += failure_table(placement, known, limit) + "\n";
   if (with_candidates && !placement.candidates.empty()) tables += candidate_table(placement) + "\n";
-  return sentences + "\n" + tables + facts(placement, known.robustness);
+  return sentences + "\n" + tables + facts(of, known.robustness);
 }
 
 // What was typed after `evenlift place`.
 struct PlaceOptions {
   InputOptions input;
-  DoubtOptions doubt;
-  UnitOptions units;
   RobustnessOptions robustness;
   bool as_json = false, candidates = false;
   std::optional<std::string> svg;
@@ -146,29 +146,22 @@ struct PlaceOptions {
 
   void declare(CommandLine& line) {
     input.declare(line);
-    doubt.declare(line);
-    units.declare(line);
+    input.settings.declare(line, OptionGroup::doubt);
+    input.settings.declare(line, OptionGroup::units);
     robustness.declare(line);
     line.flag(as_json, "--json", "one JSON object instead of a table");
     line.flag(candidates, "--candidates", "list the candidates too, and show them in the picture");
     line.value(svg, "--svg", "OUT", "also write a picture as SVG");
     poses.declare(line);
   }
-
-  // The polygon with all settings that were typed. Throws Failure.
-  Input read() const {
-    Input read = input.read();
-    doubt.apply(read.document);
-    units.apply(read.document);
-    return read;
-  }
 };
 
 // The picture as SVG, with the share link in it; a huge polygon has none.
-std::string picture(Placement placement, const Document& document, bool with_candidates) {
-  placement.settings.overlays.candidates |= with_candidates;
+std::string picture(const Placement& placement, const Document& document, bool with_candidates) {
+  Shown shown = document.shown;
+  shown.overlays.candidates |= with_candidates;
   const Result<std::string> link = encode_link(document);
-  return placement_svg(placement, link ? *link : std::string());
+  return placement_svg({placement, shown}, link ? *link : std::string());
 }
 
 // Each output is a file of its own.
@@ -193,16 +186,17 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
   const Waiting waiting("placing the robots");
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
+  const ShownPlacement shown(*placement, input.document.shown);
   std::optional<CapacityInJson> capacity;
-  if (const auto& limit = placement->settings.capacity)
+  if (const auto& limit = shown.shown.capacity)
     capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit),
                               plan_for_failures(*placement, *limit)};
   Outputs outputs;
   if (options.svg) outputs.svg = picture(*placement, input.document, options.candidates);
-  if (poses) outputs.poses = poses_text(*placement, poses->format, poses->options);
-  outputs.printed = options.as_json ? placement_json(*placement, options.candidates, capacity,
-                                                     {asked.com_radius, asked.failures})
-                                    : for_people(*placement, options.candidates, capacity, asked);
+  if (poses) outputs.poses = poses_text(shown, poses->format, poses->options);
+  outputs.printed = options.as_json
+                        ? placement_json(shown, options.candidates, capacity, asked.failures)
+                        : for_people(shown, options.candidates, capacity, asked);
   return outputs;
 }
 
@@ -223,10 +217,10 @@ void cmd_place(const Arguments& arguments) {
   options.declare(line);
   if (!line.parse(arguments)) return;
 
-  const Input input = options.read();
+  const Input input = options.input.read();
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   check_outputs(options, pose_file);
-  const RobustnessAsked asked(options.robustness, input.document.settings);
+  const RobustnessAsked asked(options.robustness, input.document.shown);
   const Outputs outputs = make_outputs(input, options, pose_file, asked);
   if (outputs.svg) write_file(*options.svg, *outputs.svg);
   if (outputs.poses) write_file(pose_file->file, *outputs.poses);

@@ -24,7 +24,8 @@ void cmd_trace(const Arguments& arguments) {
   // The trace of balanced robots searches by itself.
   const Result<Placement> placement = place(input.document, Effort::start);
   if (!placement) throw options.settings.failure(input.source, placement.error());
-  const Result<Trace> trace = make_trace(*placement);
+  const Result<Trace> trace =
+      make_trace(*placement, HistoryLength::whole, input.document.shown.units);
   if (!trace) throw options.settings.failure(input.source, trace.error());
   if (const auto error = check_printed_size(*trace))
     throw options.settings.failure(input.source, *error);

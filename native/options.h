@@ -1,6 +1,7 @@
-// The place options: from text on the command line to a Document's settings.
+// The options of settings: from text on the command line to a Document.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -8,7 +9,7 @@
 #include "evenlift/document.h"
 #include "evenlift/load_models.h"
 #include "evenlift/result.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "failure.h"
 #include "files.h"
 #include "shapes.h"
@@ -20,17 +21,15 @@ std::uint64_t whole_option(const std::string& option, const std::string& text,
                            std::uint64_t most = ~std::uint64_t{0});
 
 // Puts a setting that was typed into the document, and reads those that are no part of a document
-// (settings_text.h). Throws Failure naming the option where the text is no value of it.
+// (settings.h). Throws Failure naming the option where the text is no value of it.
 void setting_option(Setting setting, const std::string& text, Document& document);
 LoadModel loads_option(const std::string& text);
 
-// What was typed. An option that was not given is empty: the file's value or the default applies.
-struct SettingOptions {
-  std::optional<std::string> teams, metric, min_ratio, com, weight, seed;
-  std::optional<std::string> robots, goal, min_margin, apart, clear, survive, positions, robot,
-      no_go;
-
-  void declare(CommandLine& line);
+// What was typed of the options of settings, which the table of settings describes (settings.h). A
+// setting whose option was not given keeps the file's value or the default.
+class SettingOptions {
+ public:
+  void declare(CommandLine& line, OptionGroup group);
 
   // Puts what was typed into the document. Throws Failure naming the option where the text is no
   // value of its setting or of no use with the method; which values go together is checked with the
@@ -41,10 +40,14 @@ struct SettingOptions {
   Failure failure(const std::string& source, const InputError& error) const;
 
  private:
-  void check_method(const Settings& settings) const;
+  using Typed = std::optional<std::string>;
+  const Typed& typed(Setting setting) const { return typed_[static_cast<std::size_t>(setting)]; }
+
+  std::array<Typed, static_cast<std::size_t>(Setting::end_of_settings)> typed_;
 };
 
-// A polygon and its settings, as all commands take them that place robots on it.
+// A polygon and its settings, as all commands take them that place robots on it. Some commands
+// declare more groups of settings.
 struct InputOptions {
   std::string file;
   SettingOptions settings;
@@ -54,22 +57,6 @@ struct InputOptions {
 
   // What the file holds, with the settings that were typed. Throws Failure.
   Input read() const;
-};
-
-// The labels of lengths and weights, as they were typed.
-struct UnitOptions {
-  std::optional<std::string> unit, weight_unit;
-
-  void declare(CommandLine& line);
-  void apply(Document& document) const;  // throws Failure naming the option
-};
-
-// What a robot carries and how well the centre of mass is known, as it was typed.
-struct DoubtOptions {
-  std::optional<std::string> capacity, com_radius;
-
-  void declare(CommandLine& line);
-  void apply(Document& document) const;  // throws Failure naming the option
 };
 
 }  // namespace evenlift::native

@@ -51,14 +51,13 @@ void RobustnessOptions::declare(CommandLine& line) {
   line.flag(failures, "--failures", "what happens if one robot fails, for each of them");
 }
 
-RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Settings& settings)
-    : com_radius(settings.com_radius), failures(options.failures) {
+RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Shown& shown)
+    : com_radius(shown.com_radius), failures(options.failures) {
   if (options.loads) model = loads_option(*options.loads);
   if (com_radius > 0 && !has_ranges(model))
     throw Failure{
         bad_input_status, "--loads",
-        "the centre of mass is known within " +
-            with_length_unit(plain(com_radius), settings.units) +
+        "the centre of mass is known within " + with_length_unit(plain(com_radius), shown.units) +
             " only, which plan and springs take into account; ask for one of them, or set "
             "--com-radius 0"};
 }

@@ -20,9 +20,10 @@ struct RobustnessOptions {
   void declare(CommandLine& line);
 };
 
-// The values of these options, and of the settings. Throws Failure naming the option where they are none.
+// The values of these options, and what the document says of doubt. Throws Failure naming the option
+// where they are none.
 struct RobustnessAsked {
-  RobustnessAsked(const RobustnessOptions& options, const Settings& settings);
+  RobustnessAsked(const RobustnessOptions& options, const Shown& shown);
 
   LoadModel model = LoadModel::plan;
   double com_radius = 0;

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "balanced/completions.h"
 #include "balanced/for_oracle.h"
+#include "balanced/triples.h"
 #include "evenlift/angles.h"
 #include "evenlift/balanced.h"
+#include "evenlift/balanced_history.h"
 #include "evenlift/closure.h"
 #include "evenlift/hull.h"
 #include "evenlift/stability.h"
@@ -172,6 +175,95 @@ TEST_CASE("the keys of a set are what the rest of the core says of it", "[balanc
     CHECK(static_cast<int>(keys.level) == level_of(hold.margin));
     CHECK(std::is_sorted(keys.places.begin(), keys.places.end()));
   }
+}
+
+TEST_CASE(
+    "of sets that cover the same the one farther from C is better, then the one that comes first",
+    "[balanced]") {
+  const Polygon rectangle = testing::polygon({{-2, -1}, {2, -1}, {2, 1}, {-2, 1}});
+  Settings settings = settings_of(6);
+  settings.goal = Goal::cover;
+  settings.apart = 0;
+  const BalancedProblem problem(rectangle, {0, 0}, settings);
+  // At its four corners, which cover all of it, and in two more places.
+  const auto corners_and = [](const LiftingPoint& p, const LiftingPoint& q) {
+    return std::vector<LiftingPoint>{{{-2, -1}, 0}, {{2, -1}, 1}, {{2, 1}, 2}, {{-2, 1}, 3}, p, q};
+  };
+  const auto check = [&](const std::vector<LiftingPoint>& better,
+                         const std::vector<LiftingPoint>& worse, BalancedKey key) {
+    CHECK(balanced_keys(problem, better).coverage == Approx(1).margin(1e-12));
+    CHECK(is_better(problem, better, worse));
+    CHECK_FALSE(is_better(problem, worse, better));
+    CHECK_FALSE(is_better(problem, better, better));
+    CHECK(decided_by(problem, better, worse) == key);
+  };
+  check(corners_and({{2, 0}, 1}, {{-2, 0}, 3}), corners_and({{0, -1}, 0}, {{0, 1}, 2}),
+        BalancedKey::spread);
+  // The walk begins at (-2, -1), and comes first to (-1, -1).
+  check(corners_and({{-1, -1}, 0}, {{1, 1}, 2}), corners_and({{1, -1}, 0}, {{-1, 1}, 2}),
+        BalancedKey::places);
+}
+
+TEST_CASE("a search ends after eight rounds, even if the last one changed something",
+          "[balanced]") {
+  const Task task = task_of(corpus::polygon("grand-piano"), 5);
+  // At the last triple of a round in which something was exchanged.
+  BalancedSearch search = *start_balanced(task.problem);
+  search.next = static_cast<std::uint32_t>(balanced::triples_of(5).size()) - 1;
+  search.changed = true;
+  search.restarted = true;
+  search.round = most_rounds - 2;
+  const BalancedSearch goes_on = try_next_triple(task.problem, search).search;
+  CHECK_FALSE(goes_on.finished);
+  CHECK(goes_on.round == most_rounds - 1);
+  CHECK(goes_on.next == 0);
+  search.round = most_rounds - 1;
+  const BalancedSearch ended = try_next_triple(task.problem, search).search;
+  CHECK(ended.finished);
+  CHECK(ended.round == most_rounds);
+}
+
+TEST_CASE("the more robots, the nearer to each other are the three that may be exchanged",
+          "[balanced]") {
+  const auto number = [](std::uint32_t robots) { return balanced::triples_of(robots).size(); };
+  CHECK(number(3) == 1);
+  CHECK(number(12) == 220);  // all of them
+  CHECK(number(13) == 130);  // two are neighbours
+  CHECK(number(24) == 504);
+  CHECK(number(25) == 25);  // three in a row
+  CHECK(number(64) == 64);
+}
+
+TEST_CASE("no robot with a size comes to where it collides with one that stays",
+          "[balanced][stands]") {
+  const Polygon polygon = testing::polygon({{0, 0}, {10, 0}, {10, 6}, {3, 6}, {3, 5}, {0, 5}});
+  Settings settings = settings_of(4);
+  settings.robot.radius = 0.4;
+  const BalancedProblem problem(polygon, {5, 3}, settings);
+  // On either side of the reflex corner (3, 5).
+  const LiftingPoint above{{3, 5.5}, 3}, near{{2.4, 5}, 4}, far{{1.5, 5}, 4};
+  REQUIRE(problem.rules().room()->collide(near, above));
+  REQUIRE_FALSE(problem.rules().room()->collide(far, above));
+
+  // One pair would make C the centroid of one that stays and of one that comes to this place.
+  const auto comes_beside = [&](const LiftingPoint& stays) {
+    CHECK(completions(problem, {stays, above}).chords.size() == 1);
+    balanced::Best best(problem.rules());
+    best.offer_three_more({stays}, above);
+    return best.set().has_value();
+  };
+  CHECK(comes_beside(far));
+  CHECK_FALSE(comes_beside(near));
+
+  // The first robot moves along the lower side to where its two neighbours would have to go to
+  // (3, 5.5) and (10, 1.5).
+  const auto neighbours_follow = [&](const LiftingPoint& stays) {
+    const LiftingPoint to{{7 - stays.position.x(), 0}, 0};
+    CHECK(completions(problem, {to, stays}).chords.size() == 1);
+    return move_robot(problem, {{{6, 0}, 0}, {{10, 2}, 1}, stays, {{4, 6}, 2}}, 0, to).has_value();
+  };
+  CHECK(neighbours_follow(far));
+  CHECK_FALSE(neighbours_follow(near));
 }
 
 TEST_CASE("the list of vertices may begin anywhere and run either way", "[balanced]") {

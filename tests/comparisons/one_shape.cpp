@@ -84,7 +84,7 @@ class Shape {
     const auto relative = [](double best) { return room * tau * best; };
     if (!taken.empty()) {
       const std::vector<double> score =
-          scores(polygon_, centre(), candidates(), taken, placement_.settings.method);
+          scores(polygon_, centre(), candidates(), taken, *metric_of(placement_.settings.method));
       const double across = polygon_.diameter();
       const double floor =
           1e-12 * (placement_.settings.method == Method::distance ? across : across * across);

@@ -449,7 +449,7 @@ std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t te
     return left;
   }
   const std::vector<double> score = scores(*polygon, placement.centre_of_mass, placement.candidates,
-                                           selected, placement.settings.method);
+                                           selected, *metric_of(placement.settings.method));
   const double size = polygon->diameter();
   const double floor = 1e-12 * (placement.settings.method == Method::distance ? size : size * size);
   keep([&](std::size_t i) { return score[i]; },

@@ -128,6 +128,19 @@ TEST_CASE("a pair has a bisecting, midpoint or vertex chord, or none below the r
   CHECK(candidates(rectangle, Vec2(0, 0), 1).size() == 1);
 }
 
+TEST_CASE("a vertex-chord that misses the minimum load ratio by less than the tolerance counts",
+          "[candidates]") {
+  // The vertex-chord and the midpoint chord have the ratio 0.8. The first is decided by estimates,
+  // where these are sure.
+  const Points rectangle{{-4, -2}, {5, -2}, {5, 3}, {-4, 3}};
+  for (const double above : {0.5e-9, 0.9e-9, 0.97e-9}) {
+    INFO(above);
+    const auto found = candidates(rectangle, Vec2(0, 0), 0.8 + above);
+    REQUIRE(found.size() == 3);
+    is(found[2], {-4, -2}, {5, 2.5}, vertex, 0.8);
+  }
+}
+
 TEST_CASE("a verdict says how a pair came by its candidate", "[candidates]") {
   const auto polygon = Polygon::create({{-4, -2}, {5, -2}, {5, 3}, {-4, 3}});
   REQUIRE(polygon.ok());
@@ -265,6 +278,17 @@ TEST_CASE("of duplicates one between two vertices stands and keeps its kind", "[
   REQUIRE(list.size() == 1);
   CHECK(list[0].chord.ratio == 0.9);
   CHECK(list[0].kind == vertex);
+}
+
+TEST_CASE("chords whose ends agree within tolerance are duplicates, however their slopes differ",
+          "[candidates]") {
+  // Both ends are turned by 0.99 tau of the half chord, so that the slope grows by twice that.
+  const double half = std::sqrt(0.5), turn = 0.99e-9 * half;
+  std::vector<Candidate> list{
+      made({-half, -half}, {half, half}, vertex),
+      made({turn - half, -turn - half}, {half - turn, half + turn}, vertex)};
+  list = merge_duplicates(list, 1e-9).candidates;
+  CHECK(list.size() == 1);
 }
 
 TEST_CASE("chords that share one end only are not duplicates", "[candidates]") {

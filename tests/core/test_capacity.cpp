@@ -145,3 +145,64 @@ TEST_CASE("robots that carry more than the capacity are told by number", "[capac
   CHECK(placement.teams[over[0] / 2].robots[over[0] % 2].load == most);
   CHECK(overloaded_robots(placement, 1e-9).size() == 2 * placement.teams.size());
 }
+
+TEST_CASE("a plan of teams that are exchanged begins with the fewest that could be enough",
+          "[capacity]") {
+  Document document;
+  document.vertices = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
+  document.settings.goal = Goal::hold;
+  const Placement placement = placed(document);
+  for (const std::uint32_t teams : {1u, 2u, 3u}) {
+    // Its candidates are even.
+    const CapacityPlan plan = plan_capacity(placement, 51.0 / teams);
+    INFO(teams);
+    REQUIRE(plan.possible);
+    CHECK(plan.teams == teams);
+    CHECK(plan.greatest_load == Approx(50.0 / teams));
+  }
+}
+
+TEST_CASE("balanced robots that are to survive failures are at least as many as that takes",
+          "[capacity][balanced]") {
+  Document document = distributed_square();
+  document.settings.method = Method::balanced;
+  document.settings.robots = 7;
+  for (const std::uint32_t survive : {0u, 1u, 2u}) {
+    document.settings.survive = survive;
+    const Placement placement = placed(document);
+    INFO(survive);
+    CHECK(plan_capacity(placement, 1000).team_size == (survive == 0 ? 2 : 2 * survive + 3));
+    CHECK(plan_capacity(placement, 12.5).team_size == 8);
+  }
+}
+
+TEST_CASE("a plan is made anew when anything changes on which it depends", "[capacity]") {
+  Document document = distributed_square();
+  document.settings.method = Method::area;
+  const Placement before = placed(document);
+  CHECK(same_plan(before, placed(document)));
+  const std::vector<void (*)(Document&)> edits{
+      [](Document& d) {
+        d.vertices[2] = {1, 2};
+      },
+      [](Document& d) { d.centre_of_mass = Vec2(0.1, 0); },
+      [](Document& d) { d.settings.method = Method::circle; },
+      [](Document& d) { d.settings.min_ratio = 0.5; },
+      [](Document& d) { d.settings.weight = 99; },
+      [](Document& d) { d.settings.seed = 2; },
+      [](Document& d) { d.settings.survive = 1; },
+      [](Document& d) { d.settings.positions = Positions::range; },
+      [](Document& d) { d.settings.goal = Goal::hold; },
+      [](Document& d) { d.settings.min_margin = 0.1; },
+      [](Document& d) { d.settings.clear = 0.1; },
+      [](Document& d) { d.settings.robot.radius = 0.1; },
+      [](Document& d) {
+        d.settings.no_go = {{0, 0, 0.5}};
+      }};
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    Document edited = document;
+    edits[i](edited);
+    INFO("edit " << i);
+    CHECK_FALSE(same_plan(before, placed(edited)));
+  }
+}

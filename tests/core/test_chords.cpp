@@ -190,6 +190,15 @@ TEST_CASE("a ray lists each boundary point once", "[chords]") {
   CHECK(met({{-1, -1}, {4, -1}, {5, 0}, {4, 1}, {-1, 1}}) == Xs{5});
 }
 
+TEST_CASE("a ray does not meet an edge whose line passes C within tolerance", "[chords]") {
+  // The bottom of the hollow, beside which C is by a hair.
+  const Polygon u = polygon(u_shape);
+  const auto down = RayCaster(u, {3, 2 + 1e-10}).hits({0, -1});
+  REQUIRE(down.size() == 1);
+  CHECK(length(down[0].point.position - Vec2(3, 0)) < 1e-12);
+  CHECK(RayCaster(u, {3, 2 - 1e-10}).hits({0, 1}).empty());
+}
+
 TEST_CASE("a ray through a vertex lists this vertex once", "[chords]") {
   for_each_case(3000, [](const Polygon& p, const Vec2& centre) {
     const RayCaster rays(p, centre);

@@ -222,6 +222,12 @@ TEST_CASE("beside a flat hull of wrenches the margin is negative, however roundi
   }
 }
 
+TEST_CASE("a hair beside a flat hull of wrenches the margin is minus that hair", "[closure]") {
+  const double hair = 5e-8;
+  CHECK(wrench_margin({{hair, 1, 0}, {hair, -1, 0}, {hair, 0, 1}, {hair, 0, -1}}) ==
+        Approx(-hair).epsilon(1e-6));
+}
+
 TEST_CASE("wrenches that agree except for rounding leave the margin as it is", "[closure]") {
   const std::vector<Wrench> exact{{1, 0, 0},     {-1, 0, 0},     {0, 1, 0},
                                   {0, -1, 0},    {0, 0, 1},      {0, 0, -1},

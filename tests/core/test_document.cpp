@@ -1,7 +1,18 @@
 #include "evenlift/document.h"
+
+#include <algorithm>
+#include <iterator>
+
 #include "kit/catch.h"
 
 using namespace evenlift;
+
+// The methods that choose among candidates are those that have a metric.
+static_assert(std::all_of(std::begin(all_methods), std::end(all_methods), [](Method method) {
+  return selects_candidates(method) ==
+         (std::find(std::begin(candidate_methods), std::end(candidate_methods), method) !=
+          std::end(candidate_methods));
+}));
 
 TEST_CASE("every metric has a name, and only these", "[document]") {
   for (const Method method : all_methods) {

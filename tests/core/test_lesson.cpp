@@ -121,6 +121,20 @@ TEST_CASE("a lesson is read with its settings, addresses and words", "[lesson]")
   CHECK(*document->centre_of_mass == Vec2(100, -20.5));
 }
 
+TEST_CASE("each option of the program that sets something is a lesson's key, too",
+          "[lesson][settings]") {
+  Document document;
+  document.settings.goal = Goal::hold;
+  document.settings.apart = document.settings.clear = 1;
+  for (const SettingRow& row : all_settings()) {
+    if (row.option.group == OptionGroup::none) continue;
+    const Lesson lesson = lesson_of("title: T\npolygon: square\n" + hyphened(row.name) + ": " +
+                                    text_of(row.setting, document) + "\n[end]\nWords.\n");
+    REQUIRE(lesson.settings.size() == 1);
+    CHECK(lesson.settings[0].setting == row.setting);
+  }
+}
+
 TEST_CASE("a lesson's own settings go before those of its link", "[lesson]") {
   Document document = corpus::polygon("hexagon");
   document.settings.method = Method::distance;
@@ -147,9 +161,9 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
   refused("title: T\npolygon: ../square\n", 2, "small letters");
   refused(
       "title: T\npolygn: square\n", 2,
-      "unknown setting; there are title, polygon, link, teams, metric, min-ratio, com, weight, "
-      "seed, robots, goal, min-margin, apart, clear, survive, unit, weight-unit, positions, robot, "
-      "no-go, overlays and predict");
+      "unknown setting; there are title, polygon, link, predict, teams, metric, min-ratio, com, "
+      "weight, seed, overlays, com-radius, capacity, robot, no-go, unit, weight-unit, goal, robots, "
+      "positions, min-margin, apart, survive and clear");
   refused("title: T\nHello\n", 2, "expected a setting");
   refused("teams: 0\n", 1, "teams");
   refused("teams: 1048577\n", 1, "teams");

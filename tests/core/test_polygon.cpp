@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "evenlift/experiment/measure.h"
+#include "evenlift/hull.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/random.h"
@@ -169,4 +170,22 @@ TEST_CASE("whatever of the thinnest polygons can be placed has finite results", 
     if (placement->closure.margin) CHECK(std::isfinite(*placement->closure.margin));
   }
   CHECK(placed > 500);
+}
+
+TEST_CASE("points that all lie within a distance of one line have a hull without area",
+          "[polygon][hull]") {
+  // They are within 1 of the line y = 0, and one of them is 2 away from the line through the others.
+  const Points points{{0, 1}, {5, -1}, {10, 1}};
+  CHECK(convex_hull(points, 1) == Points{{0, 1}, {10, 1}});
+  CHECK(convex_hull(points, 0.99).size() == 3);
+}
+
+TEST_CASE("the diameter is that of the farthest corners, of sides that are nearly parallel, too",
+          "[polygon][hull]") {
+  // A parallelogram but for rounding: either end of a side may seem farther from the opposite one.
+  for (const double side : {1.0, -1.0}) {
+    const Points hull = convex_hull({{0, 0}, {side * 0.1, 0.4}, {side * 0.1, 0.5}, {0, 0.1}});
+    REQUIRE(hull.size() == 4);
+    CHECK(diameter(hull) == Approx(std::sqrt(0.26)).epsilon(1e-14));
+  }
 }

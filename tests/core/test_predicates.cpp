@@ -195,6 +195,12 @@ TEST_CASE("predicates are right on points that mirror each other almost exactly"
   CHECK(zeros > 100);
 }
 
+TEST_CASE("a sum that rounds to 0 still counts where a point is mirrored", "[predicates]") {
+  // From C one coordinate of b is 1 - 1e-17, and that of w is -1 - 1e-17.
+  CHECK(orient_mirrored(Vec2(0, 1e-17), Vec2(5, -1), Vec2(0, 1), Vec2(1, 1)) == 2e-17);
+  CHECK(orient_mirrored(Vec2(1e-17, 0), Vec2(-1, 5), Vec2(1, 0), Vec2(1, 1)) == -2e-17);
+}
+
 TEST_CASE("predicates see on which side a unit in the last place lies", "[predicates]") {
   const Vec2 a(0.1, 0.1), b(0.3, 0.3), on(0.7, 0.7);
   CHECK(orient(a, b, on) == 0);

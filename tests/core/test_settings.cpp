@@ -1,28 +1,23 @@
 // Settings from text: one grammar for the program, scripts, lessons and what the page keeps.
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 
 #include <limits>
+#include <set>
 
 #include "app/set_settings.h"
 #include "evenlift/lesson.h"
 #include "evenlift/link.h"
+#include "evenlift/numbers.h"
 #include "evenlift/placement.h"
 #include "evenlift/random.h"
 #include "fuzz/any_numbers.h"
 #include "kit/catch.h"
 #include "kit/data_table.h"
+#include "kit/random_documents.h"
 
 using namespace evenlift;
 
 namespace {
-
-// In their order.
-std::vector<Setting> all_settings() {
-  std::vector<Setting> all;
-  for (int i = 0; i < static_cast<int>(Setting::end_of_settings); ++i)
-    all.push_back(static_cast<Setting>(i));
-  return all;
-}
 
 struct Text {
   Setting setting;
@@ -199,7 +194,7 @@ constexpr Text bad[] = {
 };
 
 bool same(const Document& a, const Document& b) {
-  return a.settings == b.settings && a.centre_of_mass == b.centre_of_mass &&
+  return a.settings == b.settings && a.shown == b.shown && a.centre_of_mass == b.centre_of_mass &&
          a.vertices == b.vertices;
 }
 
@@ -212,25 +207,52 @@ Document unusual() {
   document.settings.min_ratio = 0.125;
   document.settings.weight = 12;
   document.settings.seed = 99;
-  document.settings.overlays = {true, false, true, false, true, true};
-  document.settings.step = 4;
+  document.shown.overlays = {true, false, true, false, true, true};
+  document.shown.step = 4;
   document.settings.survive = 1;
-  document.settings.capacity = 20;
-  document.settings.com_radius = 3;
-  document.settings.units = {LengthUnit::in, WeightUnit::N};
+  document.shown.capacity = 20;
+  document.shown.com_radius = 3;
+  document.shown.units = {LengthUnit::in, WeightUnit::N};
   return document;
 }
 
-bool is_lesson_setting(Setting setting) { return setting <= Setting::seed; }
-
-std::string lesson_key(Setting setting) {
-  return setting == Setting::min_ratio ? "min-ratio" : std::string(name(setting));
+bool is_lesson_setting(Setting setting) {
+  return setting == Setting::overlays || row_of(setting).option.group != OptionGroup::none;
 }
 
 // A lesson about a document, with one setting of its own.
 Result<Lesson> lesson_with(const Text& given) {
-  return parse_lesson("title: T\npolygon: square\n" + lesson_key(given.setting) + ":" + given.text +
-                      "\n[end]\nWords.\n");
+  return parse_lesson("title: T\npolygon: square\n" + hyphened(name(given.setting)) + ":" +
+                      given.text + "\n[end]\nWords.\n");
+}
+
+// Changes what the function takes: what places, or what is shown.
+void change_part(Document& document, const auto& change) {
+  if constexpr (std::is_invocable_v<decltype(change), Settings&>)
+    change(document.settings);
+  else
+    change(document.shown);
+}
+
+// A document with any settings at all.
+Document any_document(Rng& rng) {
+  Document document = testing::random_document(rng, 0);
+  for (const Text& given : good)
+    if (rng.below(8) == 0) REQUIRE_FALSE(read_setting(given.setting, given.text, document));
+  for (const SettingRow& row : all_settings()) {
+    if (!row.access.is_number || rng.below(2) == 0) continue;
+    const double value = row.range.least + (row.range.most - row.range.least) * rng.uniform();
+    if (read_setting(row.setting, shortest(value), document)) {
+      const auto whole = static_cast<std::uint64_t>(value);
+      REQUIRE_FALSE(read_setting(row.setting, std::to_string(whole), document));
+    }
+  }
+  for (std::uint64_t parts = rng.below(4); parts > 0; --parts) {
+    const auto edge = static_cast<std::uint32_t>(rng.below(max_vertices));
+    const double from = rng.uniform() / 2;
+    document.settings.no_go.push_back({edge, from, 0.5 + rng.uniform() / 2});
+  }
+  return document;
 }
 
 std::string trimmed(std::string text) {
@@ -243,7 +265,8 @@ std::string trimmed(std::string text) {
 }  // namespace
 
 TEST_CASE("every setting has a name that leads back to it and a sentence", "[settings]") {
-  for (const Setting setting : all_settings()) {
+  for (const SettingRow& row : all_settings()) {
+    const Setting setting = row.setting;
     INFO(name(setting));
     CHECK(setting_from_name(name(setting)) == setting);
     CHECK(testing::is_one_sentence(requirement(setting)));
@@ -255,6 +278,85 @@ TEST_CASE("every setting has a name that leads back to it and a sentence", "[set
   CHECK_FALSE(setting_from_name(""));
 }
 
+// People know these sentences, and scripts look for them.
+TEST_CASE("what each setting may be is said as ever", "[settings]") {
+  const std::pair<Setting, const char*> sentences[] = {
+      {Setting::teams, "the number of teams is a whole number from 1 to 1048576, or max"},
+      {Setting::method, "the metric is area, circle, distance, distributed, random or balanced"},
+      {Setting::min_ratio, "the minimum load ratio is a number from 0 to 1"},
+      {Setting::com, "the centre of mass is two numbers X,Y, or centroid"},
+      {Setting::weight, "the weight is a number greater than 0, from 1e-100 to 1e100"},
+      {Setting::seed, "the seed is a whole number from 0 to 18446744073709551615"},
+      {Setting::overlays,
+       "the overlays are none, or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo"},
+      {Setting::step, "the step is a whole number from 0 to 4294967295, or none"},
+      {Setting::capacity,
+       "the capacity of a robot is a number greater than 0, from 1e-100 to 1e100, or none"},
+      {Setting::com_radius,
+       "the radius within which the centre of mass is known is a number from 0 to 1000000000"},
+      {Setting::loads, "the loads are those of plan, springs, best or worst"},
+      {Setting::failed, "the robot that fails is its number, a whole number from 1, or none"},
+      {Setting::robots, "the number of robots is a whole number from 2 to 64"},
+      {Setting::goal, "the goal is cover or hold"},
+      {Setting::min_margin, "the margin of a firm hold is a number from 0 to 1"},
+      {Setting::apart, "the distance that parts robots is a number from 0 to 1000000000"},
+      {Setting::survive, "the number of failures to survive is a whole number from 0 to 30"},
+      {Setting::unit, "the unit of lengths is m, cm, mm or in, or none"},
+      {Setting::weight_unit, "the unit of weights is kg, t, N or lb"},
+      {Setting::positions, "the positions are best or range"},
+      {Setting::robot,
+       "the size of a robot is none, or some of r, reach, depth, width and gap with numbers from 0 to 1000000000, such as r=30,reach=5"},
+      {Setting::no_go,
+       "the edges that must not be touched are none, or at most 1000 edges from 1 or parts of them from 0 to 1, such as 3,5:0.25-0.75"},
+      {Setting::robot_radius, "the radius of a robot is a number from 0 to 1000000000"},
+      {Setting::robot_reach, "the reach of a robot's arm is a number from 0 to 1000000000"},
+      {Setting::robot_depth, "the depth of a robot's hand is a number from 0 to 1000000000"},
+      {Setting::robot_width, "the width of a robot's hand is a number from 0 to 1000000000"},
+      {Setting::robot_gap, "the gap between robots is a number from 0 to 1000000000"},
+      {Setting::clear, "the distance that is not relied on is a number from 0 to 1000000000"},
+  };
+  CHECK(std::size(sentences) == all_settings().size());
+  for (const auto& [setting, sentence] : sentences) CHECK(requirement(setting) == sentence);
+}
+
+TEST_CASE("a row has what its doors need", "[settings]") {
+  std::set<int> records;
+  for (const SettingRow& row : all_settings()) {
+    INFO(row.name);
+    const SettingRow::Option& option = row.option;
+    const bool is_option = option.group != OptionGroup::none;
+    CHECK(option.value.empty() != is_option);
+    CHECK(option.help.empty() != is_option);
+    CHECK(row.range.least <= row.range.most);
+    CHECK((row.access.read && row.access.text && row.access.allowed));
+    CHECK(row.rule.empty() == (row.access.kind != nullptr));
+    if (row.record == 0) continue;
+    CHECK(records.insert(row.record).second);
+    // The numbers from 11 to 19 are reserved, or those of what is no setting (docs/link-format.md).
+    CHECK((row.record <= 10 || row.record >= 20));
+  }
+}
+
+TEST_CASE("the texts of a document's settings read back as the document", "[settings]") {
+  Rng rng(28);
+  int read = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Document document = any_document(rng);
+    if (check_ranges(document.settings, document.shown)) continue;  // a link may hold it, no text
+    Document back;
+    for (const SettingRow& row : all_settings()) {
+      const std::string text = text_of(row.setting, document);
+      if (row.changes == Changes::view || text.empty()) continue;
+      INFO(row.name << "=" << text);
+      REQUIRE(read_setting(row.setting, text, back) == std::nullopt);
+      REQUIRE(text_of(row.setting, back) == text);
+    }
+    REQUIRE(testing::same_document(back, document));
+    ++read;
+  }
+  CHECK(read > 4000);
+}
+
 TEST_CASE("a setting is read from text, or refused with its sentence and nothing changed",
           "[settings]") {
   for (const Text& given : good) {
@@ -262,7 +364,7 @@ TEST_CASE("a setting is read from text, or refused with its sentence and nothing
     Document document = unusual();
     CHECK(read_setting(given.setting, given.text, document) == std::nullopt);
     CHECK_FALSE(same(document, unusual()));
-    CHECK(check_ranges(document.settings) == std::nullopt);
+    CHECK(check_ranges(document.settings, document.shown) == std::nullopt);
   }
   for (const Text& given : bad) {
     INFO(name(given.setting) << "=" << given.text);
@@ -300,11 +402,11 @@ TEST_CASE("settings read from text have the values that are written", "[settings
   read(Setting::com, "centroid");
   CHECK_FALSE(document.centre_of_mass);
   read(Setting::overlays, "hull,tipping");
-  CHECK(document.settings.overlays == Overlays{false, false, true, false, false, true});
+  CHECK(document.shown.overlays == Overlays{false, false, true, false, false, true});
   read(Setting::overlays, "none");
-  CHECK(document.settings.overlays == Overlays{false, false, false, false, false, false});
+  CHECK(document.shown.overlays == Overlays{false, false, false, false, false, false});
   read(Setting::step, "none");
-  CHECK_FALSE(document.settings.step);
+  CHECK_FALSE(document.shown.step);
 }
 
 TEST_CASE("the robot that fails is a number from 1, or none", "[settings]") {
@@ -315,9 +417,8 @@ TEST_CASE("the robot that fails is a number from 1, or none", "[settings]") {
 
 TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[settings][view]") {
   const auto script = [](const Text& given) {
-    // Goals are not for all teams of two, and two robots survive no failure.
-    const bool of_balanced =
-        given.setting > Setting::capacity && given.setting != Setting::positions;
+    // Two robots survive no failure.
+    const bool of_balanced = row_of(given.setting).counts_for == CountsFor::balanced;
     std::string method;
     if (of_balanced) method = "metric=balanced\n";
     if (of_balanced) method += given.setting == Setting::survive ? "robots=64\n" : "survive=0\n";
@@ -352,13 +453,13 @@ TEST_CASE("a script's settings change together or say which is wrong", "[setting
   CHECK(changed->document.settings.min_ratio == 0.25);
   CHECK(changed->document.settings.method == Method::distance);
   CHECK(changed->document.centre_of_mass == Vec2(12.5, -0.3));
-  CHECK(changed->document.settings.step == 4u);
-  CHECK(changed->document.settings.capacity == 7.0);
+  CHECK(changed->document.shown.step == 4u);
+  CHECK(changed->document.shown.capacity == 7.0);
   CHECK(changed->load_model == LoadModel::springs);
   CHECK(changed->failed == 3u);
-  CHECK(view::with_settings(before, "")->document.settings.capacity == 20.0);
+  CHECK(view::with_settings(before, "")->document.shown.capacity == 20.0);
   CHECK_FALSE(view::with_settings(before, "")->failed);
-  CHECK_FALSE(view::with_settings(before, "capacity=none")->document.settings.capacity);
+  CHECK_FALSE(view::with_settings(before, "capacity=none")->document.shown.capacity);
   for (const char* bad : {"teams", "x=1", "=", "Teams=3", "min-ratio=0.5", "capacity=0",
                           "capacity=", "loads=", "loads=most", "failed=0", "failed=x",
                           "teams=max\nmetric=random", "teams=3\n\nseed=1"}) {
@@ -379,19 +480,19 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
   const double infinity = std::numeric_limits<double>::infinity();
   const auto check = [](auto change, Setting setting) {
     Document document = unusual();
-    change(document.settings);
-    const auto error = check_ranges(document.settings);
+    change_part(document, change);
+    const auto error = check_ranges(document.settings, document.shown);
     REQUIRE(error);
     CHECK(error->message == requirement(setting));
-    CHECK(check_settings(document.settings)->message == error->message);
+    CHECK(check_settings(document.settings, document.shown)->message == error->message);
     CHECK(encode_link(document).error().message == error->message);
     CHECK(place(document).error().message == error->message);
   };
   const double too_long = std::nextafter(max_length, infinity);
   for (const double length : {-1e-9, infinity, std::nan("")})
-    check([&](Settings& s) { s.com_radius = length; }, Setting::com_radius);
+    check([&](Shown& s) { s.com_radius = length; }, Setting::com_radius);
   for (const double load : {0.0, -1.0, infinity, std::nan("")})
-    check([&](Settings& s) { s.capacity = load; }, Setting::capacity);
+    check([&](Shown& s) { s.capacity = load; }, Setting::capacity);
   check([](Settings& s) { s.teams = 0; }, Setting::teams);
   check([](Settings& s) { s.teams = max_teams + 1; }, Setting::teams);
   check([](Settings& s) { s.method = static_cast<Method>(6); }, Setting::method);
@@ -414,8 +515,8 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
       check([&](Settings& s) { s.robot.*part = size; }, Setting::robot);
   check([](Settings& s) { s.no_go = {{0, 0.5, 0.5}}; }, Setting::no_go);
   check([](Settings& s) { s.no_go = {{0, 0, 1.5}}; }, Setting::no_go);
-  check([](Settings& s) { s.units.length = static_cast<LengthUnit>(5); }, Setting::unit);
-  check([](Settings& s) { s.units.weight = static_cast<WeightUnit>(4); }, Setting::weight_unit);
+  check([](Shown& s) { s.units.length = static_cast<LengthUnit>(5); }, Setting::unit);
+  check([](Shown& s) { s.units.weight = static_cast<WeightUnit>(4); }, Setting::weight_unit);
 }
 
 // Links held such numbers before they were bounded, and are read for ever (link.h).
@@ -426,24 +527,24 @@ TEST_CASE("a number out of bounds stays in a link, and is refused where robots a
     document.settings.method = Method::balanced;
     document.settings.robots = 6;
     document.settings.survive = 0;
-    change(document.settings);
+    change_part(document, change);
     const auto link = encode_link(document);
     REQUIRE(link.ok());
     const auto back = decode_link(*link);
     REQUIRE(back.ok());
-    CHECK(back->settings == document.settings);
-    CHECK(check_ranges(back->settings)->message == requirement(setting));
+    CHECK(same(*back, document));
+    CHECK(check_ranges(back->settings, back->shown)->message == requirement(setting));
     CHECK(place(*back).error().place.option == name(setting));
   };
   for (const double number : {5e-324, std::nextafter(min_weight, 0), 1e101, 1.797e308}) {
     INFO(number);
     check([&](Settings& s) { s.weight = number; }, Setting::weight);
-    check([&](Settings& s) { s.capacity = number; }, Setting::capacity);
+    check([&](Shown& s) { s.capacity = number; }, Setting::capacity);
   }
   for (const double number : {std::nextafter(max_length, 1e10), 1e300}) {
     INFO(number);
     check([&](Settings& s) { s.apart = number; }, Setting::apart);
-    check([&](Settings& s) { s.com_radius = number; }, Setting::com_radius);
+    check([&](Shown& s) { s.com_radius = number; }, Setting::com_radius);
   }
 }
 
@@ -459,8 +560,8 @@ TEST_CASE("nothing overflows at the ends of the ranges", "[settings]") {
           settings.method = method;
           settings.robots = 3;
           settings.weight = weight;
-          settings.capacity = weight == min_weight ? max_weight : min_weight;
-          settings.com_radius = length;
+          document.shown.capacity = weight == min_weight ? max_weight : min_weight;
+          document.shown.com_radius = length;
           settings.apart = length;
           settings.clear = length;
           const bool sized = selects_candidates(method) || method == Method::balanced;

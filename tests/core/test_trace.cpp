@@ -373,7 +373,7 @@ TEST_CASE("the scores of the trace are those of the selection", "[trace]") {
     for (std::uint32_t team = 0; team < placement.teams.size(); ++team) {
       if (team > 0) {
         const std::vector<double> known =
-            scores(trace.polygon, trace.centre, placement.candidates, taken, method);
+            scores(trace.polygon, trace.centre, placement.candidates, taken, *metric_of(method));
         const TeamScores mine = look_at_scores(trace, team);
         for (std::size_t i = 0; i < known.size(); ++i)
           REQUIRE(mine.of_candidate[i].value == known[i]);
@@ -492,8 +492,7 @@ TEST_CASE("why a team stands here is said without the algorithm's own words", "[
   const auto why = [](const char* name, Method method, std::uint32_t team, LengthUnit unit) {
     Document document = corpus::polygon(name);
     document.settings.method = method;
-    document.settings.units.length = unit;
-    const Trace trace = traced(*place(document));
+    const Trace trace = traced(*place(document), {unit, WeightUnit::kg});
     return why_here_text(trace, look_at_scores(trace, team));
   };
   CHECK(why("puzzle-piece", Method::area, 0, LengthUnit::mm) ==

@@ -56,6 +56,7 @@ inline Document document_with(AnyNumbers& any) {
     document.centre_of_mass = Vec2(x, any.number(1));
   }
   Settings& settings = document.settings;
+  Shown& shown = document.shown;
   settings.method = all_methods[any.below(6)];
   settings.teams = 1 + any.below(4);
   settings.robots = 2 + any.below(5);
@@ -64,11 +65,11 @@ inline Document document_with(AnyNumbers& any) {
   settings.min_ratio = any.number(0.8);
   settings.weight = any.number(100);
   settings.min_margin = any.number(0.05);
-  settings.com_radius = any.number(0);
+  shown.com_radius = any.number(0);
   if (any.below(2) == 0) settings.apart = any.number(0.1);
   if (any.below(2) == 0) settings.clear = any.number(0.1);
-  if (any.below(2) == 0) settings.capacity = any.number(40);
-  settings.units.length = all_length_units[any.below(5)];
+  if (any.below(2) == 0) shown.capacity = any.number(40);
+  shown.units.length = all_length_units[any.below(5)];
   if (any.below(2) == 0) {
     const double usual = any.below(2) == 0 ? 0 : 0.05;
     for (double RobotSize::*part : {&RobotSize::radius, &RobotSize::reach, &RobotSize::depth,
@@ -99,13 +100,13 @@ inline bool keeps_its_word(const Document& document, int& placed) {
   if (!placement) return !placement.error().message.empty();
   ++placed;
   std::optional<CapacityInJson> capacity;
-  if (const auto& limit = document.settings.capacity)
+  if (const auto& limit = document.shown.capacity)
     capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit), {}};
-  const RobustnessInJson robustness{document.settings.com_radius, true};
-  return is_finite_text(placement_json(*placement, true, capacity, robustness)) &&
-         is_finite_text(poses_text(*placement, PoseFormat::csv)) &&
-         is_finite_text(poses_text(*placement, PoseFormat::yaml)) &&
-         !placement_svg(*placement).empty() && encode_link(document).ok();
+  const ShownPlacement shown(*placement, document.shown);
+  return is_finite_text(placement_json(shown, true, capacity, true)) &&
+         is_finite_text(poses_text(shown, PoseFormat::csv)) &&
+         is_finite_text(poses_text(shown, PoseFormat::yaml)) && !placement_svg(shown).empty() &&
+         encode_link(document).ok();
 }
 
 }  // namespace evenlift::testing

@@ -4,7 +4,7 @@
 
 #include "evenlift/formats.h"
 #include "evenlift/import.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "fuzz/fuzz.h"
 #include "kit/random_documents.h"
 
@@ -21,7 +21,7 @@ void require_good(const Import& import) {
     fuzz::require(!shape.tolerance || *shape.tolerance > 0);
     fuzz::require(!shape.kind.empty() && !describe(shape).empty());
     for (const char c : shape.name) fuzz::require(static_cast<unsigned char>(c) >= ' ');
-    fuzz::require(!check_ranges(shape.document.settings));
+    fuzz::require(!check_ranges(shape.document.settings, shape.document.shown));
     if (shape.document.vertices.empty()) continue;
     const Result<Document> back = read_polygon(write_thesis(shape.document));
     fuzz::require(back.ok() && testing::same_polygon(*back, shape.document));

@@ -27,7 +27,7 @@ bool is_quick(const Request& request) {
            request.experiment.most_teams <= 5 && request.experiment.most_balanced <= 3;
   return request.document.vertices.size() <= 100 && settings.robots <= 6 &&
          settings.teams.value_or(1) <= 1000 &&
-         (!settings.capacity || settings.method != Method::balanced);
+         (!request.document.shown.capacity || settings.method != Method::balanced);
 }
 
 }  // namespace

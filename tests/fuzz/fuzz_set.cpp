@@ -5,7 +5,7 @@
 
 #include "app/set_settings.h"
 #include "evenlift/placement.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "fuzz/fuzz.h"
 #include "kit/random_documents.h"
 
@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(!changed.error().message.empty());
     return 0;
   }
-  fuzz::require(!check_settings(changed->document.settings));
+  fuzz::require(!check_settings(changed->document.settings, changed->document.shown));
   // Setting the same again changes nothing.
   const Result<view::Changeable> again = view::with_settings(*changed, lines);
   fuzz::require(again.ok() && again->failed == changed->failed &&

@@ -34,9 +34,9 @@ inline bool same_polygon(const Document& a, const Document& b) {
 }
 
 inline bool same_document(const Document& a, const Document& b) {
-  return same_polygon(a, b) && a.settings == b.settings && a.moved == b.moved &&
-         bits_of(a.settings.weight) == bits_of(b.settings.weight) &&
-         bits_of(a.settings.com_radius) == bits_of(b.settings.com_radius) &&
+  return same_polygon(a, b) && a.settings == b.settings && a.shown == b.shown &&
+         a.moved == b.moved && bits_of(a.settings.weight) == bits_of(b.settings.weight) &&
+         bits_of(a.shown.com_radius) == bits_of(b.shown.com_radius) &&
          bits_of(a.settings.min_ratio) == bits_of(b.settings.min_ratio);
 }
 
@@ -105,8 +105,9 @@ inline Points random_vertices(Rng& rng, std::size_t n) {
   return vertices;
 }
 
-inline Settings random_settings(Rng& rng) {
-  Settings settings;
+inline void take_random_settings(Rng& rng, Document& document) {
+  Settings& settings = document.settings;
+  Overlays& overlays = document.shown.overlays;
   const auto now_and_then = [&rng] { return rng.below(3) == 0; };
   if (now_and_then()) {
     settings.teams = std::nullopt;
@@ -119,15 +120,14 @@ inline Settings random_settings(Rng& rng) {
   if (now_and_then()) settings.weight = std::fabs(any_double(rng, 1e300)) + 5e-324;
   if (now_and_then()) settings.seed = rng.below(std::numeric_limits<std::uint64_t>::max());
   if (now_and_then()) {
-    settings.overlays.candidates = rng.below(2) == 0;
-    settings.overlays.chords = rng.below(2) == 0;
-    settings.overlays.lifting_base = rng.below(2) == 0;
-    settings.overlays.clockwise = rng.below(2) == 0;
-    settings.overlays.counterclockwise = rng.below(2) == 0;
-    settings.overlays.tipping = rng.below(2) == 0;
+    overlays.candidates = rng.below(2) == 0;
+    overlays.chords = rng.below(2) == 0;
+    overlays.lifting_base = rng.below(2) == 0;
+    overlays.clockwise = rng.below(2) == 0;
+    overlays.counterclockwise = rng.below(2) == 0;
+    overlays.tipping = rng.below(2) == 0;
   }
-  if (now_and_then()) settings.step = static_cast<std::uint32_t>(rng.below(1000));
-  return settings;
+  if (now_and_then()) document.shown.step = static_cast<std::uint32_t>(rng.below(1000));
 }
 
 inline Document random_document(Rng& rng, std::size_t greatest_n) {
@@ -137,7 +137,7 @@ inline Document random_document(Rng& rng, std::size_t greatest_n) {
   if (centre == 1) document.centre_of_mass = Vec2(278, 227);
   if (centre == 2) document.centre_of_mass = random_vertices(rng, 1)[0];
   if (centre == 3 && !document.vertices.empty()) document.centre_of_mass = document.vertices[0];
-  if (rng.below(2) == 0) document.settings = random_settings(rng);
+  if (rng.below(2) == 0) take_random_settings(rng, document);
   return document;
 }
 

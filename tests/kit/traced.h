@@ -10,8 +10,8 @@
 
 namespace evenlift::testing {
 
-inline Trace traced(const Placement& placement) {
-  Result<Trace> trace = make_trace(placement);
+inline Trace traced(const Placement& placement, const Units& units = {}) {
+  Result<Trace> trace = make_trace(placement, HistoryLength::whole, units);
   INFO((trace ? "" : trace.error().message));
   REQUIRE(trace.ok());
   return *std::move(trace);

@@ -87,7 +87,7 @@ test("a link with robots that cannot stand there is refused with a sentence", as
   const page = await browser.open();
   const before = await state(page);
   const bad = evenlift("link", "encode", path.join(root, "tests/data/moved_nowhere.json")).trim();
-  await assert.rejects(load(page, bad), /Error: The centroid of the robots is not the centre of mass/);
+  await assert.rejects(load(page, bad), /Error: Robots that were moved by hand: the centroid of the robots is not the centre of mass/);
   assert.deepEqual(await state(page), before);
   await page.done();
 });

@@ -86,8 +86,8 @@ TEST_CASE("the page's live region says what the program prints, in the same word
       document.settings.method = a.method;
       document.settings.min_ratio = a.min_ratio;
       document.settings.weight = a.weight;
+      document.shown.capacity = a.capacity;
       page.app.commands.push_back(OpenDocument{placed(document)});
-      page.app.commands.push_back(SetCapacity{a.capacity});
       settle(page.app);
       const std::vector<std::string> lines = printed(names[i], a);
       CHECK(summary(page.app.state) == said_of(lines, a));

@@ -204,6 +204,26 @@ TEST_CASE("several shapes are listed, and one is taken by its number or name", "
   }
 }
 
+TEST_CASE("tables have each number under its heading, in columns as wide as their characters",
+          "[cli]") {
+  const Folder folder("tables");
+  corpus::write_file(folder.path() / "square.txt", square);
+  const auto shows = [&](const std::string& options, const std::string& rows) {
+    const Outcome outcome = run(folder, "evenlift place square.txt" + options);
+    INFO(outcome.output);
+    CHECK(outcome.output.find("\n" + rows + "\n") != std::string::npos);
+  };
+  // A range of loads has 9 characters in 11 bytes.
+  shows(" --com-radius 0.1",
+        "  team  ratio        robot at      bears        robot at      bears\n"
+        "     1  1.000  (0.000, 4.000)  15.2–18.2  (4.000, 0.000)  15.2–18.2");
+  // What the others bear by plan, by springs and at best.
+  shows(
+      " --com 1.9,2 --min-ratio 0.5 --failures",
+      "  fails  of team  carried  steady  tips at  coverage  closure  by plan  springs  best\n"
+      "      1        1      yes     yes    0.885    73.8\u00A0%       no     26.3     30.5  25.6");
+}
+
 TEST_CASE("a result is a document: it opens again with all its settings", "[cli]") {
   const Folder folder("results");
   corpus::write_file(folder.path() / "square.txt", square);

@@ -8,7 +8,7 @@
 #include "evenlift/hull.h"
 #include "evenlift/placement.h"
 #include "evenlift/selection.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
@@ -105,7 +105,7 @@ void check_result(const Placement& placement) {
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
 
   const auto start = select_teams(placement.polygon, placement.centre_of_mass, placement.candidates,
-                                  placement.settings.method, placement.requested_teams,
+                                  *metric_of(placement.settings.method), placement.requested_teams,
                                   first_team(placement.settings.positions));
   REQUIRE(start.size() == placement.team_candidates.size());
   CHECK_FALSE(clearly_better(keys_by_definition(placement, start, firm_hold(placement)), keys));
@@ -193,7 +193,7 @@ TEST_CASE("the story of the exchanges leads from the start to the result", "[exc
     const Placement placement = placed(to_hold(corpus::polygon(name), 3, Positions::range));
     if (placement.teams.size() < 3) continue;
     const auto start = select_teams(placement.polygon, placement.centre_of_mass,
-                                    placement.candidates, Method::area, 3, FirstTeam::longest);
+                                    placement.candidates, Metric::area, 3, FirstTeam::longest);
     const ExchangeHistory history =
         exchange_teams(placement.polygon, placement.centre_of_mass, placement.candidates, start,
                        firm_hold(placement));

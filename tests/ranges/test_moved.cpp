@@ -8,7 +8,7 @@
 #include "evenlift/moved.h"
 #include "evenlift/output/json.h"
 #include "evenlift/random.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
 #include "kit/catch.h"

@@ -12,6 +12,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
+#include "optimum/rings.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -135,6 +136,24 @@ TEST_CASE("bounds of many candidates are true of few, too", "[optimum]") {
   CHECK_FALSE(stopped.proved);
   CHECK(stopped.bound >= optimum.coverage - 1e-12);
   CHECK(stopped.coverage <= optimum.coverage + 1e-12);
+}
+
+TEST_CASE("a bound that takes ends one by one is never below the best ring of whole chords",
+          "[optimum]") {
+  for (const char* name : {"square", "hexagon", "arrow", "thesis-sample"}) {
+    const Placement placement = placed(corpus::polygon(name));
+    const optimum::Triangles triangles(placement.polygon, placement.centre_of_mass,
+                                       placement.candidates);
+    for (const std::uint32_t teams : {1u, 2u, 3u, 4u}) {
+      INFO(name << ", " << teams << " teams");
+      const auto by_sides = optimum::best_ring_by_sides(triangles, teams, {});
+      const auto of_chords = optimum::best_ring_of_chords(triangles, teams, {});
+      REQUIRE((by_sides && of_chords));
+      CHECK(by_sides->share >= of_chords->share - 1e-12);
+      // Its two diagonals cover all of a square.
+      if (std::string(name) == "square" && teams == 2) CHECK(of_chords->share == Approx(1));
+    }
+  }
 }
 
 TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum]") {

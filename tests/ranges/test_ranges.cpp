@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "candidates/pair_range.h"
 #include "evenlift/candidates.h"
 #include "evenlift/placement.h"
 #include "evenlift/random.h"
@@ -232,4 +233,31 @@ TEST_CASE("a square's parallel sides offer a sixteenth from either end", "[range
   for (const Vec2& end : {Vec2(0, 1), Vec2(0, 15), Vec2(1, 16), Vec2(1, 0)})
     CHECK(std::any_of(ends.begin(), ends.end(),
                       [&](const Vec2& e) { return length(e - end) < 1e-9; }));
+}
+
+TEST_CASE("a range is one place only if its chords agree on both edges", "[ranges]") {
+  PairRange range;
+  range.a0 = {1, 0};
+  range.a1 = {1, 1e-10};
+  CHECK(is_one_place(range, 1e-9));
+  // The other ends of its chords are a hundred times as far from C, and from each other.
+  range.q0 = range.q1 = 0.01;
+  CHECK_FALSE(is_one_place(range, 1e-9));
+  // And the other way round.
+  range.a1 = {1, 1e-8};
+  range.q0 = range.q1 = 100;
+  CHECK_FALSE(is_one_place(range, 1e-9));
+}
+
+TEST_CASE("the place towards a direction is where C sees it, or the nearest end of the range",
+          "[ranges]") {
+  PairRange range;
+  range.a0 = Vec2(1, -1);
+  range.a1 = Vec2(1, 1);
+  CHECK(place_towards(range, Vec2(1, 0.5)) == Approx(0.75));
+  CHECK(place_towards(range, Vec2(1, -3)) == 0);
+  // Behind C, too: 100 degrees from the one end, 55 from the other.
+  CHECK(place_towards(range, Vec2(-1, 0.1)) == 1);
+  CHECK(place_towards(range, Vec2(-1, -0.1)) == 0);
+  CHECK(place_towards(range, Vec2(-0.17, 0.98)) == 1);
 }

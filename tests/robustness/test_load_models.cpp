@@ -214,6 +214,16 @@ TEST_CASE("a spring that would have to pull lets go", "[robustness][models]") {
   CHECK(result->per_length[2] == 0);
 }
 
+TEST_CASE("loads change in proportion until a spring that is free takes hold",
+          "[robustness][models]") {
+  // The third robot begins to bear something when C is 0.45 farther to the right. The second one lets
+  // go when C is 0.5 farther to the left.
+  const auto result = springs(by_hand({{-1, 0}, {1, 0}, {20, 0}}, {-0.5, 0}));
+  REQUIRE(result);
+  CHECK(result->loads[2] == 0);
+  CHECK(result->same_within == Approx(0.45));
+}
+
 TEST_CASE("the least possible greatest load is that of the linear program",
           "[robustness][models]") {
   int uneven = 0;
@@ -313,6 +323,23 @@ TEST_CASE("two robots bear by the lever in every model", "[robustness][models]")
   // C moves along the line by 4 of its 4 sqrt 2 from one robot to the other.
   CHECK(springs(set, 100)->per_length[0] == Approx(100 / std::sqrt(32)));
   CHECK(springs(set, 100)->same_within == Approx(std::sqrt(2)));
+}
+
+TEST_CASE("two robots carry what lies within tolerance beyond the line between them",
+          "[robustness][models]") {
+  const auto carried = [](const Vec2& centre) {
+    const RobotSet set{"by hand", {{0, 0}, {1, 0}}, centre, 1};
+    CHECK(springs(set).has_value() == best(set).has_value());
+    CHECK(worst(set).has_value() == best(set).has_value());
+    return best(set).has_value();
+  };
+  const double within = 5e-10, beyond = 2e-9;
+  CHECK(carried({-within, 0}));
+  CHECK(carried({1 + within, 0}));
+  CHECK(carried({0.5, within}));
+  CHECK_FALSE(carried({-beyond, 0}));
+  CHECK_FALSE(carried({1 + beyond, 0}));
+  CHECK_FALSE(carried({0.5, beyond}));
 }
 
 TEST_CASE("robots beside the line on which the centre of mass lies bear nothing",

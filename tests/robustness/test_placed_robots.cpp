@@ -152,6 +152,29 @@ TEST_CASE("with a robot that fails the others are in equilibrium, on what is lef
   CHECK(held > 10);
 }
 
+TEST_CASE(
+    "where the others do not carry the object nothing of it is covered, else they share it all",
+    "[robustness][robots]") {
+  Document document;
+  document.vertices = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+  document.settings.method = Method::balanced;
+  document.settings.robots = 5;
+  // Without the first one the others are all on the right of C.
+  const Placement placement = with_robots(
+      placed(document),
+      {{{-2, 0}, 3}, {{0.25, 2}, 2}, {{0.25, -2}, 0}, {{0.75, 2}, 2}, {{0.75, -2}, 0}}, true);
+  const Placement falling = with_failure(placement, 0);
+  CHECK_FALSE(falling.loads);
+  CHECK_FALSE(falling.lifting_base.empty());
+  CHECK(falling.coverage == 0);
+  for (std::size_t robot = 1; robot < 5; ++robot) {
+    const Placement carried = with_failure(placement, robot);
+    REQUIRE(carried.loads);
+    CHECK(carried.loads->mean == 25);
+    CHECK(carried.coverage > 0);
+  }
+}
+
 TEST_CASE("the loads that are shown are those of the model, with ranges where it has some",
           "[robustness][robots]") {
   const Placement placement = placed(corpus::polygon("grand-piano"));

@@ -167,8 +167,9 @@ void say_all(std::uint64_t number, Take take) {
     }
     case 5: {
       if (count_robots(placement->teams) > 64) break;  // each failure looks at all of them
-      const double radius = bounding_box(document.vertices).diagonal() / 50;
-      take(placement_json(*placement, false, std::nullopt, {radius, true}));
+      Shown doubted;
+      doubted.com_radius = bounding_box(document.vertices).diagonal() / 50;
+      take(placement_json({*placement, doubted}, false, std::nullopt, true));
       break;
     }
     default:

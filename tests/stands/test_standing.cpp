@@ -12,7 +12,7 @@
 #include "evenlift/placement.h"
 #include "evenlift/random.h"
 #include "evenlift/selection.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
 #include "kit/catch.h"
@@ -175,7 +175,7 @@ TEST_CASE("teams of robots with a size are exchanged until they hold, and never 
       return hold_keys(p.polygon, p.centre_of_mass, p.candidates, taken, firm_hold(p),
                        p.stands.get());
     };
-    const auto start = select_teams(p.polygon, p.centre_of_mass, p.candidates, Method::area,
+    const auto start = select_teams(p.polygon, p.centre_of_mass, p.candidates, Metric::area,
                                     p.requested_teams, FirstTeam::even, p.stands.get());
     const HoldKeys reached = keys(p.team_candidates);
     CHECK(reached.level == level_of(p));

@@ -205,6 +205,34 @@ TEST_CASE("each range of robots with a size offers two candidates a sixteenth fr
   CHECK(colliding > 0);
 }
 
+TEST_CASE("of ranges of two edges that are equally long within tolerance the first is the longest",
+          "[stands][ranges]") {
+  const auto up_to = [](double y) {
+    PairRange range;
+    range.a0 = {1, 0};
+    range.a1 = {1, y};
+    return range;  // from end to end it is 2 y long, on both edges together
+  };
+  CHECK(longest_range({up_to(1), up_to(1 + 1.5e-10)}, 1e-9) == 0);
+  CHECK(longest_range({up_to(1), up_to(1 + 1.5e-9)}, 1e-9) == 1);
+}
+
+TEST_CASE("robots with a size have the ranges that miss the minimum ratio by less than tolerance",
+          "[stands][ranges]") {
+  // C is 4 from the lower side and 5 from the upper one.
+  const auto polygon = Polygon::create({{0, 0}, {10, 0}, {10, 9}, {0, 9}});
+  REQUIRE(polygon.ok());
+  const Stands stands(*polygon, {1, 0, 0, 0, 0}, {});
+  const auto number = [&](double min_ratio) {
+    const auto found = standing_candidates(*polygon, {5, 4}, min_ratio, stands, Positions::range);
+    REQUIRE(found.ok());
+    return found->candidates.size();
+  };
+  CHECK(number(0.8) == 12);
+  CHECK(number(0.8 + 5e-10) == 12);
+  CHECK(number(0.8 + 2e-9) == 9);
+}
+
 TEST_CASE("teams of robots with a size anywhere in their ranges stand and never collide",
           "[stands][ranges]") {
   int better = 0, worse = 0, held = 0, held_before = 0, fuller = 0;

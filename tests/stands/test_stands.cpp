@@ -6,7 +6,7 @@
 #include "evenlift/candidates.h"
 #include "evenlift/generate.h"
 #include "evenlift/random.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
@@ -141,6 +141,17 @@ TEST_CASE("with an arm, the other side of a notch is in the way of the body alon
   // Its sides are too near to each other for an arm of more than their distance.
   CHECK(stretches(Stands(polygon, sized(0.01, 1.5), {}), 3).empty());
   CHECK(Stands(polygon, sized(0.01, 1.5), {}).why_not(3, 1.5) == WhyUnusable::arm);
+}
+
+TEST_CASE("a slot that is exactly as wide as the body takes it", "[stands]") {
+  // 2 wide; edge 4 is its ground.
+  const Polygon polygon = made({{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 1}, {2, 1}, {2, 6}, {0, 6}});
+  const Stands stands(polygon, sized(1), {});
+  REQUIRE(stretches(stands, 4).size() == 1);
+  CHECK(stretches(stands, 4)[0].from == Approx(1));
+  CHECK(stretches(stands, 4)[0].to == Approx(1));
+  CHECK_FALSE(stands.why_not(4, 1));
+  CHECK(stretches(Stands(polygon, sized(1 + 1e-7), {}), 4).empty());
 }
 
 TEST_CASE("a hand needs depth beneath it and half its width from corners", "[stands]") {
@@ -380,6 +391,13 @@ TEST_CASE("two robots collide by their bodies or by their hands", "[stands]") {
   const LiftingPoint from_left = stands.lifting_point({{0, 0.2}, 3});
   CHECK(stands.collide(lifting(0.2), from_left));
   CHECK_FALSE(stands.collide(lifting(0.6), from_left));
+}
+
+TEST_CASE("robots that are the gap apart but for rounding do not collide", "[stands]") {
+  const Stands stands(corner(), sized(0, 0, 0, 0, 2), {});
+  REQUIRE(2.3 - 0.3 < 2);
+  CHECK_FALSE(stands.collide({{0.3, 0}, 0}, {{2.3, 0}, 0}));
+  CHECK(stands.collide({{0.3, 0}, 0}, {{2.3 - 1e-7, 0}, 0}));
 }
 
 TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]") {

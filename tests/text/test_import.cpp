@@ -135,6 +135,35 @@ TEST_CASE("edges are nowhere farther from an ellipse than the tolerance, whateve
   }
 }
 
+TEST_CASE("a circle has no more edges than its tolerance asks for", "[import][curves]") {
+  // Its quarters are halved until an edge is near enough, which is 100 (1 - cos(180° / edges)).
+  const auto edges = [](double tolerance) {
+    return flatten(Outline::ellipse({100, 0, 0, 100, 0, 0}), tolerance, 1000)->size() - 1;
+  };
+  CHECK(edges(29.3) == 4);
+  CHECK(edges(29.2) == 8);
+  CHECK(edges(7.62) == 8);
+  CHECK(edges(7.6) == 16);
+  CHECK(edges(0.121) == 64);
+  CHECK(edges(0.12) == 128);
+  CHECK(only(svg("<circle r='100'/>")).size() == 64);
+}
+
+TEST_CASE("an outline the other way round has the same points", "[import][curves]") {
+  Outline outline;
+  outline.start = {0, 0};
+  outline.cubic_to({0, 8}, {6, 10}, {10, 0});
+  outline.line_to({20, 5});
+  outline.quadratic_to({29, 1}, {30, 12});
+  outline.bulge_to({25, 30}, 0.3);
+  std::optional<Points> there = flatten(outline, 0.1, 1000),
+                        back = flatten(reversed(outline), 0.1, 1000);
+  REQUIRE((there && back));
+  std::reverse(back->begin(), back->end());
+  REQUIRE(there->size() == back->size());
+  CHECK(near(*there, *back));
+}
+
 TEST_CASE("a bulge makes the arc whose quarter angle has it as its tangent", "[import][curves]") {
   for (const double bulge :
        {0.01, 0.2, 0.41421356237309503, 0.5, 1.0, 3.0, 1e6, -0.3, -1.0, -8.0}) {
@@ -233,7 +262,7 @@ TEST_CASE("SVG: the size on paper names the unit of the coordinates, which stay 
   const auto unit_of = [](const std::string& size) {
     const Import import = read("<svg " + size + "><path d=\"M0 0H30V40z\"/></svg>");
     CHECK(import.shapes.at(0).document.vertices.at(1).x() == 30);
-    CHECK((import.shapes[0].document.settings.units.length == LengthUnit::none) ==
+    CHECK((import.shapes[0].document.shown.units.length == LengthUnit::none) ==
           import.unit.empty());
     return import.unit;
   };
@@ -264,6 +293,29 @@ TEST_CASE("SVG: smooth curves go on as the ones before, and flags may follow wit
   // The radii are too small and grow; one that is 0 makes a line.
   same("M0 0a1 1 0 0110 0v9h-10z", "M0 0A5 5 0 0 1 10 0V9H0z");
   same("M0 0A0 3 0 0 1 10 0V9H0z", "M0 0H10V9H0z");
+}
+
+TEST_CASE("SVG: a radius may be negative, and smooth curves follow each other", "[import][svg]") {
+  const auto same = [](const char* a, const char* b) {
+    INFO(a);
+    CHECK(near(only(path(a)), only(path(b))));
+  };
+  same("M0 0A-5 5 0 0 1 5 5L0 5Z", "M0 0A5 5 0 0 1 5 5L0 5Z");
+  same("M0 0A5-5 0 0 1 5 5L0 5Z", "M0 0A5 5 0 0 1 5 5L0 5Z");
+  same("M0 0C0 10 10 10 10 0S20-10 20 0S30 10 30 0V40H0z",
+       "M0 0C0 10 10 10 10 0C10-10 20-10 20 0C20 10 30 10 30 0V40H0z");
+  same("M0 0s0 10 10 10 10 0 10-10V30H0z", "M0 0C0 0 0 10 10 10C20 10 20 10 20 0V30H0z");
+  same("M0 0q5 10 10 0t10 0t10 0v30h-30z", "M0 0Q5 10 10 0Q15-10 20 0Q25 10 30 0V30H0z");
+}
+
+TEST_CASE("SVG: an inch is as long in every unit", "[import][svg]") {
+  for (const char* inch : {"1in", "96px", "96", "72pt", "6pc", "2.54cm", "25.4mm"}) {
+    INFO(inch);
+    const Points points = only(svg("<rect width='" + std::string(inch) + "' height='1pc'/>"));
+    const Vec2 size = bounding_box(points).size();
+    CHECK(size.x() == Approx(96));
+    CHECK(size.y() == Approx(16));
+  }
 }
 
 TEST_CASE("SVG: an arc's flags choose among four", "[import][svg]") {
@@ -360,7 +412,7 @@ TEST_CASE("DXF: polylines with bulges, circles, and chains of lines and arcs", "
   const Import import = read_data("plate.dxf");
   CHECK(import.unit == "millimetres");
   for (const ImportedShape& shape : import.shapes)
-    CHECK(shape.document.settings.units.length == LengthUnit::mm);
+    CHECK(shape.document.shown.units.length == LengthUnit::mm);
   CHECK(described(import) ==
         std::vector<std::string>{"\"outline\", closed polyline with arcs, 35 vertices, 125 x 50",
                                  "\"holes\", circle, 64 vertices, 20 x 20",
@@ -400,6 +452,29 @@ TEST_CASE("DXF: what is seen from behind is turned round", "[import][dxf]") {
   REQUIRE(seen.size() == mirrored.size());
   for (std::size_t i = 0; i < seen.size(); ++i)
     CHECK(length(mirrored[i] - Vec2(-seen[i].x(), seen[i].y())) < 1e-12);
+}
+
+TEST_CASE("DXF: of arcs seen from behind the last one turns round, too", "[import][dxf]") {
+  const std::string behind = "230\n-1\n";
+  // Two half circles about (1, 0), seen from behind about (-1, 0).
+  const std::string circle = "0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n42\n1\n10\n2\n20\n0\n42\n1\n";
+  for (const bool mirrored : {false, true}) {
+    const Points points = only(dxf(circle + (mirrored ? behind : "")));
+    INFO(mirrored);
+    REQUIRE(points.size() > 30);
+    for (const Vec2& p : points) CHECK(length(p - Vec2(mirrored ? -1 : 1, 0)) == Approx(1));
+    CHECK(bounding_box(points).size().y() == Approx(2));
+  }
+  // Half an ellipse above its axis, from behind below it.
+  const std::string half =
+      "0\nELLIPSE\n10\n0\n20\n0\n11\n1\n21\n0\n40\n1\n41\n0\n42\n3.141592653589793\n";
+  const std::string axis = "0\nLINE\n10\n-1\n20\n0\n11\n1\n21\n0\n";
+  const Box above = bounding_box(only(dxf(half + axis))),
+            below = bounding_box(only(dxf(half + behind + axis)));
+  CHECK(std::abs(above.low.y()) < 1e-9);
+  CHECK(above.high.y() == Approx(1));
+  CHECK(below.low.y() == Approx(-1));
+  CHECK(std::abs(below.high.y()) < 1e-9);
 }
 
 TEST_CASE("DXF: ellipses and elliptical arcs", "[import][dxf]") {
@@ -465,6 +540,29 @@ TEST_CASE("DXF: closed splines, and open ones in chains", "[import][dxf]") {
       "0\nSPLINE\n71\n2\n40\n0\n40\n1\n40\n2\n40\n3\n40\n4\n40\n5\n40\n6\n40\n7\n10\n0\n20\n0\n10\n9\n20\n0"
       "\n10\n5\n20\n8\n10\n0\n20\n0\n10\n9\n20\n0\n"));
   CHECK(closed.shapes[0].kind == "closed spline");
+}
+
+TEST_CASE("DXF: a spline whose ends nearly meet closes by itself", "[import][dxf]") {
+  const auto point = [](const char* x, const char* y) {
+    return std::string("10\n") + x + "\n20\n" + y + "\n";
+  };
+  const auto line = [&](const char* x, const char* y, const char* u, const char* v) {
+    return "0\nLINE\n" + point(x, y) + "11\n" + u + "\n21\n" + v + "\n";
+  };
+  // Of one piece, and with a gap that is small in the drawing but not in the spline.
+  const std::string square = line("0", "0", "100", "0") + line("100", "0", "100", "100") +
+                             line("100", "100", "0", "100") + line("0", "100", "0", "0");
+  const std::string loop =
+      "0\nSPLINE\n71\n3\n40\n0\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n1\n40\n1\n" +
+      point("20", "20") + point("30", "20") + point("20", "30") + point("20", "20.0005");
+  const Import import = read(dxf(square + loop));
+  REQUIRE(import.shapes.size() == 2);
+  CHECK(import.shapes[0].kind == "4 lines and arcs, joined");
+  CHECK(import.shapes[1].kind == "closed line");
+  CHECK(import.notes.empty());
+  // A line alone that is no longer than the gap is no way round.
+  const Import alone = read(dxf(square + line("20", "20", "20", "20.0005")));
+  CHECK(alone.shapes.size() == 1);
 }
 
 TEST_CASE("DXF: what has no outline is refused with the reason", "[import][dxf]") {
@@ -538,7 +636,7 @@ TEST_CASE("columns: a heading chooses, blank lines part, names stand above", "[i
 
 TEST_CASE("columns: a heading that names one unit for x and y sets it", "[import][columns]") {
   const auto unit_under = [](const std::string& heading) {
-    return read(heading + "\n0;0\n4;0\n4;3\n").shapes.at(0).document.settings.units.length;
+    return read(heading + "\n0;0\n4;0\n4;3\n").shapes.at(0).document.shown.units.length;
   };
   CHECK(unit_under("X (mm);Y (mm)") == LengthUnit::mm);
   CHECK(unit_under("x_cm;y_cm") == LengthUnit::cm);
@@ -602,15 +700,17 @@ TEST_CASE("a result opens again with all its settings", "[import][json]") {
         read(placement_json(*placement, true, CapacityInJson{40, plan_capacity(*placement, 40)}));
     CHECK(result.has_settings);
     Document with_capacity = document;
-    with_capacity.settings.capacity = 40;
+    with_capacity.shown.capacity = 40;
     CHECK(evenlift::testing::same_document(result.shapes.at(0).document, with_capacity));
-    const Import doubted = read(placement_json(*placement, false, std::nullopt, {2.5, false}));
-    CHECK(doubted.shapes.at(0).document.settings.com_radius == 2.5);
+    Document doubted = document;
+    doubted.shown.com_radius = 2.5;
+    const Import ranges = read(placement_json({*placement, doubted.shown}, false));
+    CHECK(evenlift::testing::same_document(ranges.shapes.at(0).document, doubted));
     Document with_picture = document;
-    with_picture.settings.overlays = {true, false, false, true, false, true, true};
-    with_picture.settings.capacity = 17.5;
-    with_picture.settings.com_radius = 0.25;
-    with_picture.settings.step = 12;
+    with_picture.shown.overlays = {true, false, false, true, false, true, true};
+    with_picture.shown.capacity = 17.5;
+    with_picture.shown.com_radius = 0.25;
+    with_picture.shown.step = 12;
     with_picture.settings.robot = {1, 0, 2.5, 1e-3, 0};
     with_picture.settings.no_go = {{0, 0.25, 0.5}, {1, 0, 1}};
     with_picture.settings.method = Method::area;
@@ -655,9 +755,9 @@ TEST_CASE("a result with all teams or with other overlays opens again with these
   Document document;
   document.vertices = triangle;
   document.settings.teams.reset();
-  document.settings.overlays = {true, false, false, true, false, true, true};
-  const Import result = read(placement_json(place(document).value(), false));
-  CHECK(result.shapes.at(0).document.settings == document.settings);
+  document.shown.overlays = {true, false, false, true, false, true, true};
+  const Import result = read(placement_json({place(document).value(), document.shown}, false));
+  CHECK(evenlift::testing::same_document(result.shapes.at(0).document, document));
 }
 
 TEST_CASE("a result of teams that hold in ranges opens again with what was asked", "[import]") {

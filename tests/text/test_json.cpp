@@ -140,13 +140,9 @@ TEST_CASE("with no team the loads are null and H is empty", "[json]") {
 
 TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]") {
   Document document = corpus::polygon("thesis-sample");
-  document.settings = {.teams = std::nullopt,
-                       .method = Method::circle,
-                       .min_ratio = 0.25,
-                       .weight = 1e9,
-                       .seed = 7,
-                       .overlays = {.candidates = true, .chords = false},
-                       .step = 4};
+  document.settings = {
+      .teams = std::nullopt, .method = Method::circle, .min_ratio = 0.25, .weight = 1e9, .seed = 7};
+  document.shown = {.overlays = {.candidates = true, .chords = false}, .step = 4};
   ordered_json json = ordered_json::parse(document_json(document));
   CHECK(json["polygon"].size() == 11);
   CHECK(json["centre_of_mass"] == ordered_json::parse("[278, 227]"));
@@ -160,6 +156,7 @@ TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]")
   CHECK(json["step"] == 4);
   document.centre_of_mass.reset();
   document.settings = {};
+  document.shown = {};
   json = ordered_json::parse(document_json(document));
   CHECK(json["centre_of_mass"].is_null());
   CHECK(json["teams"] == 3);

@@ -5,7 +5,7 @@
 
 #include "evenlift/link.h"
 #include "evenlift/random.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "kit/catch.h"
 #include "kit/data_table.h"
 #include "kit/link_checksum.h"
@@ -123,7 +123,10 @@ TEST_CASE("settings at their default take no room, others little", "[link][lengt
   const std::size_t length = encode(usual).size();
   const auto more = [&](auto change) {
     Document document = usual;
-    change(document.settings);
+    if constexpr (std::is_invocable_v<decltype(change), Settings&>)
+      change(document.settings);
+    else
+      change(document.shown);
     const std::string link = encode(document);
     CHECK(same_document(decode(link), document));
     return static_cast<int>(link.size()) - static_cast<int>(length);
@@ -141,11 +144,11 @@ TEST_CASE("settings at their default take no room, others little", "[link][lengt
   CHECK(more([](Settings& s) { s.weight = 2500; }) <= 6);
   CHECK(more([](Settings& s) { s.seed = 0; }) <= 4);
   CHECK(more([](Settings& s) { s.seed = std::numeric_limits<std::uint64_t>::max(); }) <= 14);
-  CHECK(more([](Settings& s) { s.overlays.candidates = true; }) <= 4);
-  CHECK(more([](Settings& s) { s.overlays = {false, false, false, false, false, true}; }) <= 4);
-  CHECK(more([](Settings& s) { s.step = 0; }) <= 4);
-  CHECK(more([](Settings& s) { s.step = 12; }) <= 4);
-  CHECK(more([](Settings& s) { s.step = std::numeric_limits<std::uint32_t>::max(); }) <= 9);
+  CHECK(more([](Shown& s) { s.overlays.candidates = true; }) <= 4);
+  CHECK(more([](Shown& s) { s.overlays = {false, false, false, false, false, true}; }) <= 4);
+  CHECK(more([](Shown& s) { s.step = 0; }) <= 4);
+  CHECK(more([](Shown& s) { s.step = 12; }) <= 4);
+  CHECK(more([](Shown& s) { s.step = std::numeric_limits<std::uint32_t>::max(); }) <= 9);
 }
 
 // --- what is read is what was written
@@ -196,7 +199,7 @@ TEST_CASE("links written before are read for ever", "[link]") {
     CHECK(same(document.settings.weight, settings["weight"]));
     CHECK(document.settings.seed == settings["seed"].get<std::uint64_t>());
     nlohmann::json shown = nlohmann::json::array();
-    const Overlays& overlays = document.settings.overlays;
+    const Overlays& overlays = document.shown.overlays;
     if (overlays.candidates) shown.push_back("candidates");
     if (overlays.chords) shown.push_back("chords");
     if (overlays.lifting_base) shown.push_back("hull");
@@ -204,9 +207,9 @@ TEST_CASE("links written before are read for ever", "[link]") {
     if (overlays.counterclockwise) shown.push_back("counterclockwise");
     if (overlays.tipping) shown.push_back("tipping");
     CHECK(settings["overlays"] == shown);
-    REQUIRE(document.settings.step.has_value() == !settings["step"].is_null());
-    if (document.settings.step) {
-      CHECK(*document.settings.step == settings["step"].get<std::uint32_t>());
+    REQUIRE(document.shown.step.has_value() == !settings["step"].is_null());
+    if (document.shown.step) {
+      CHECK(*document.shown.step == settings["step"].get<std::uint32_t>());
     }
   }
 }
@@ -245,11 +248,11 @@ TEST_CASE("units read back, and the usual ones take no character", "[link]") {
   const std::string usual = encode(document);
   for (const LengthUnit length : all_length_units)
     for (const WeightUnit weight : all_weight_units) {
-      document.settings.units = {length, weight};
+      document.shown.units = {length, weight};
       const std::string link = encode(document);
       INFO(link);
-      CHECK((link == usual) == (document.settings.units == Units{}));
-      CHECK(link.starts_with(document.settings.units == Units{} ? "1." : "2."));
+      CHECK((link == usual) == (document.shown.units == Units{}));
+      CHECK(link.starts_with(document.shown.units == Units{} ? "1." : "2."));
       CHECK(same_document(decode(link), document));
     }
 }
@@ -259,12 +262,12 @@ TEST_CASE("a doubt, a capacity and the halo read back in every bit, whatever the
   Rng rng(4);
   for (int i = 0; i < 1000; ++i) {
     Document document = i % 2 == 0 ? balanced_document(rng) : random_document(rng, 14);
-    Settings& settings = document.settings;
-    if (i % 3 != 0) settings.com_radius = std::fabs(evenlift::testing::any_double(rng, max_length));
+    Shown& shown = document.shown;
+    if (i % 3 != 0) shown.com_radius = std::fabs(evenlift::testing::any_double(rng, max_length));
     if (i % 5 != 0)
-      settings.capacity = min_weight + std::fabs(evenlift::testing::any_double(rng, 1e99));
-    settings.overlays.halo = i % 7 != 0;
-    settings.units = {all_length_units[i % 5], all_weight_units[i % 4]};
+      shown.capacity = min_weight + std::fabs(evenlift::testing::any_double(rng, 1e99));
+    shown.overlays.halo = i % 7 != 0;
+    shown.units = {all_length_units[i % 5], all_weight_units[i % 4]};
     const std::string link = encode(document);
     INFO(link);
     const Document back = decode(link);
@@ -405,9 +408,9 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   CHECK(held.settings.min_margin == 0.125);
   CHECK(held.settings.positions == Positions::range);
   const Document doubted = decode(link_with({{7, "2.5"}, {8, "20"}, {18, "shown"}}, true));
-  CHECK(doubted.settings.com_radius == 2.5);
-  CHECK(doubted.settings.capacity == 20.0);
-  CHECK(doubted.settings.overlays.halo);
+  CHECK(doubted.shown.com_radius == 2.5);
+  CHECK(doubted.shown.capacity == 20.0);
+  CHECK(doubted.shown.overlays.halo);
   for (const auto& records : std::vector<std::vector<std::pair<unsigned, std::string>>>{
            {},              // version 1 holds it
            {{2, "cover"}},  // the usual goal of teams of two
@@ -475,6 +478,20 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   }
 }
 
+TEST_CASE("a link may leave out five digits, but not a sixth", "[link][errors]") {
+  // A decoder begins with five digits, and a value of 64 takes one more.
+  const Digits none, one{0};
+  Decoder empty(none);
+  CHECK_FALSE(empty.failed());
+  empty.code_uniform(0, 64);
+  CHECK(empty.failed());
+  Decoder decoder(one);
+  decoder.code_uniform(0, 64);
+  CHECK_FALSE(decoder.failed());
+  decoder.code_uniform(0, 64);
+  CHECK(decoder.failed());
+}
+
 TEST_CASE("links of version 2 written before are read for ever", "[link]") {
   // Never change a line of this file, either.
   for (const auto& row : evenlift::testing::read_table("links_version_2.txt", 2)) {
@@ -482,20 +499,21 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
     const Document document = decode(row[0]);
     CHECK(encode(document) == row[0]);
     const Settings& settings = document.settings;
+    const Shown& shown = document.shown;
     const auto held = nlohmann::json::parse(row[1])["settings"];
     CHECK(document.vertices.size() == 11);
     CHECK(held["metric"] == std::string(name(settings.method)));
     CHECK(settings.robots == held.value("robots", 6u));
-    CHECK(settings.com_radius == held.value("com_radius", 0.0));
+    CHECK(shown.com_radius == held.value("com_radius", 0.0));
     const std::string units = held.value("units", ",kg");
-    CHECK(name(settings.units.length) ==
+    CHECK(name(shown.units.length) ==
           (units.front() == ',' ? "none" : units.substr(0, units.find(','))));
-    CHECK(name(settings.units.weight) ==
+    CHECK(name(shown.units.weight) ==
           (units.find(',') == std::string::npos ? "kg" : units.substr(units.find(',') + 1)));
-    REQUIRE(settings.capacity.has_value() == held.contains("capacity"));
-    if (settings.capacity) CHECK(*settings.capacity == held["capacity"].get<double>());
+    REQUIRE(shown.capacity.has_value() == held.contains("capacity"));
+    if (shown.capacity) CHECK(*shown.capacity == held["capacity"].get<double>());
     const auto& overlays = held["overlays"];
-    CHECK(settings.overlays.halo ==
+    CHECK(shown.overlays.halo ==
           (std::find(overlays.begin(), overlays.end(), "halo") != overlays.end()));
     CHECK(settings.survive == held.value("survive", 0u));
     CHECK(name(settings.positions) == held.value("positions", "best"));
@@ -514,7 +532,9 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
 TEST_CASE("a link without settings means today's defaults", "[link]") {
   // If this fails because a default changed: links of version 1 keep the old one, and those that
   // the program writes from now on are of version 2.
-  CHECK(decode("1.Pq1riQoPLvUJmF2ykWfnDSNVxm2W3yqqGl2Hz55vK9StSPd").settings == Settings{});
+  const Document document = decode("1.Pq1riQoPLvUJmF2ykWfnDSNVxm2W3yqqGl2Hz55vK9StSPd");
+  CHECK(document.settings == Settings{});
+  CHECK(document.shown == Shown{});
 }
 
 TEST_CASE("a link may come with its address and white space around", "[link]") {
@@ -534,7 +554,7 @@ TEST_CASE("a document without vertices has a link, too", "[link]") {
   Document document;
   CHECK(same_document(decode(encode(document)), document));
   document.centre_of_mass = Vec2(-0.0, 1e-300);
-  document.settings.step = 3;
+  document.shown.step = 3;
   CHECK(same_document(decode(encode(document)), document));
 }
 

@@ -19,12 +19,17 @@ using nlohmann::json;
 namespace {
 
 // One robot at this point of a square of side 4, whose centre of mass is (2, 2).
-Placement one_robot(const Vec2& at, std::uint32_t edge, Units units = {}) {
+Placement one_robot(const Vec2& at, std::uint32_t edge) {
   Placement placement(testing::polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
   placement.centre_of_mass = {2, 2};
-  placement.settings.units = units;
   placement.teams = {Team{{Robot{{at, edge}, 1, 12.5}}, 1}};
   return placement;
+}
+
+Shown in_units(LengthUnit length, WeightUnit weight) {
+  Shown shown;
+  shown.units = {length, weight};
+  return shown;
 }
 
 // The numbers of the message's only pose, by name: those of its place and then of its rotation.
@@ -65,8 +70,8 @@ TEST_CASE("a frame is a name that ROS 2 takes", "[poses]") {
 TEST_CASE("a table has a row for each robot, with its units", "[poses]") {
   CHECK(poses_text(one_robot({1, 0}, 0), PoseFormat::csv) ==
         "robot,team,x,y,heading_deg,load,unit,weight_unit\n1,1,1,0,90,12.5,,kg\n");
-  CHECK(poses_text(one_robot({1, 0}, 0, {LengthUnit::mm, WeightUnit::lb}), PoseFormat::csv,
-                   {PoseOrigin::com, "object"}) ==
+  CHECK(poses_text({one_robot({1, 0}, 0), in_units(LengthUnit::mm, WeightUnit::lb)},
+                   PoseFormat::csv, {PoseOrigin::com, "object"}) ==
         "robot,team,x,y,heading_deg,load,unit,weight_unit\n1,1,-1,-2,90,12.5,mm,lb\n");
 }
 
@@ -85,7 +90,7 @@ TEST_CASE("poses in JSON name their frame, origin and units", "[poses]") {
 TEST_CASE("a message of ROS 2 is in metres", "[poses]") {
   const auto x = [](LengthUnit unit) {
     const std::string yaml =
-        poses_text(one_robot({3, 0}, 0, {unit, WeightUnit::kg}), PoseFormat::yaml);
+        poses_text({one_robot({3, 0}, 0), in_units(unit, WeightUnit::kg)}, PoseFormat::yaml);
     CHECK((yaml.find("has no unit") != std::string::npos) == (unit == LengthUnit::none));
     return numbers_of_pose(yaml)["position"]["x"].get<double>();
   };

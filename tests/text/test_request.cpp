@@ -9,7 +9,7 @@
 #include "evenlift/output/json.h"
 #include "evenlift/output/poses.h"
 #include "evenlift/output/svg.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"

@@ -21,11 +21,11 @@ Placement placed(const std::string& name, std::uint32_t teams) {
   return testing::placed(corpus::polygon(name), Method::area, teams);
 }
 
-ordered_json json_of(const Placement& placement, const RobustnessInJson& robustness = {},
-                     const std::optional<double>& capacity = std::nullopt) {
+ordered_json json_of(const Placement& placement, const Shown& shown = {}, bool failures = false) {
   std::optional<CapacityInJson> limit;
-  if (capacity) limit = CapacityInJson{*capacity, plan_capacity(placement, *capacity)};
-  return ordered_json::parse(placement_json(placement, false, limit, robustness));
+  if (shown.capacity)
+    limit = CapacityInJson{*shown.capacity, plan_capacity(placement, *shown.capacity)};
+  return ordered_json::parse(placement_json({placement, shown}, false, limit, failures));
 }
 
 RestOfRobots rest(bool steady, double greatest) {
@@ -82,14 +82,14 @@ TEST_CASE("without teams the JSON has no robots", "[json][robustness]") {
   const Result<Placement> placement = place(document);
   REQUIRE(placement.ok());
   REQUIRE(placement->teams.empty());
-  const ordered_json json = json_of(*placement, {1, true}, 20);
+  const ordered_json json = json_of(*placement, {.com_radius = 1, .capacity = 20}, true);
   for (const char* name : {"robots", "robustness", "failures"}) CHECK_FALSE(json.contains(name));
   CHECK(json["loads"].is_null());
 }
 
 TEST_CASE("with doubt about the centre of mass the JSON has ranges", "[json][robustness]") {
   const Placement placement = placed("grand-piano", 3);
-  const ordered_json json = json_of(placement, {20, false}, 18.5)["robustness"];
+  const ordered_json json = json_of(placement, {.com_radius = 20, .capacity = 18.5})["robustness"];
   CHECK(json["com_radius"] == 20);
   CHECK(json["exact_within"].get<double>() > 20);
   const auto loads = model_loads(placement);
@@ -102,21 +102,21 @@ TEST_CASE("with doubt about the centre of mass the JSON has ranges", "[json][rob
     CHECK(json["plan_ranges"][i][1] == Approx(load + change));
   }
   // Within the radius that the capacity allows, the greatest load reaches the capacity.
-  const ordered_json capacity = json_of(placement, {}, 18.5)["capacity"];
+  const ordered_json capacity = json_of(placement, {.capacity = 18.5})["capacity"];
   const double radius = capacity["com_radius"].get<double>();
   double greatest = 0;
   for (std::size_t i = 0; i < 6; ++i)
     greatest = std::max(greatest, loads->springs.loads[i] + radius * loads->springs.per_length[i]);
   CHECK(greatest == Approx(18.5));
-  CHECK(json_of(placement, {}, 17)["capacity"]["com_radius"].is_null());
+  CHECK(json_of(placement, {.capacity = 17})["capacity"]["com_radius"].is_null());
 }
 
 TEST_CASE(
     "with doubt about the centre of mass the first sentence has the ranges, of balanced robots too",
     "[words][robustness]") {
   Document document = corpus::polygon("corner-sofa");
-  document.settings.com_radius = 3;
-  document.settings.units.length = LengthUnit::cm;
+  document.shown.com_radius = 3;
+  document.shown.units.length = LengthUnit::cm;
   for (const Method method : {Method::area, Method::balanced}) {
     document.settings.method = method;
     document.settings.robots = 5;
@@ -130,7 +130,7 @@ TEST_CASE(
       greatest = std::max(greatest, range.greatest);
     }
     const std::string robots = std::to_string(count_robots(placement.teams)) + " robots";
-    CHECK(plainly(loads_in_words(placement, LoadModel::plan, ranges)) ==
+    CHECK(plainly(loads_in_words({placement, document.shown}, LoadModel::plan, ranges)) ==
           robots + " carry " + fixed(least, 1) + "–" + fixed(greatest, 1) +
               " kg each, with C known within 3 cm (100 kg in all).");
     // Other models' loads have sentences of their own; the plan's are those for C where it is thought to be.
@@ -140,7 +140,7 @@ TEST_CASE(
 }
 
 TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]") {
-  const ordered_json json = json_of(placed("grand-piano", 3), {0, true});
+  const ordered_json json = json_of(placed("grand-piano", 3), {}, true);
   REQUIRE(json["failures"].size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
     const ordered_json& row = json["failures"][i];
@@ -150,13 +150,36 @@ TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]
     CHECK(row["carried"] == true);
     CHECK(row["best_max"] <= row["springs_max"]);
   }
-  const ordered_json one_team = json_of(placed("grand-piano", 1), {0, true});
+  const ordered_json one_team = json_of(placed("grand-piano", 1), {}, true);
   for (const ordered_json& row : one_team["failures"]) {
     CHECK(row["carried"] == false);
     CHECK(row["steady"] == false);
     for (const char* name : {"com_margin", "coverage", "form_closure", "margin", "plan_max",
                              "springs_max", "best_max"})
       CHECK(row[name].is_null());
+  }
+}
+
+TEST_CASE("a row of failures has the numbers of what is left without that robot",
+          "[json][robustness]") {
+  const Placement placement = placed("grand-piano", 3);
+  const ordered_json json = json_of(placement, {}, true);
+  const auto failures = single_failures(placement);
+  REQUIRE(failures.size() == 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    INFO(i);
+    const ordered_json& row = json["failures"][i];
+    REQUIRE(failures[i]);
+    CHECK(row["steady"] == failures[i]->steady);
+    CHECK(row["com_margin"] == failures[i]->tipping_distance);
+    CHECK(row["coverage"] == failures[i]->coverage);
+    CHECK(row["form_closure"] == failures[i]->form_closure);
+    CHECK(row["margin"].is_null() == !failures[i]->margin);
+    if (failures[i]->margin) CHECK(row["margin"] == *failures[i]->margin);
+    CHECK(row["plan_max"] == failures[i]->greatest_by_plan.value());
+    CHECK(row["springs_max"] == failures[i]->greatest_by_springs);
+    CHECK(row["best_max"] == failures[i]->least_greatest);
+    CHECK(failures[i]->greatest_by_springs > failures[i]->least_greatest);
   }
 }
 
@@ -197,6 +220,19 @@ TEST_CASE("doubt about the centre of mass is told in sentences", "[words][robust
         "Equally stiff robots stay within 12 kg as long as it is off by no more than 4.00.");
   CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 9)) ==
         "If all robots are equally stiff, some bear more than 9 kg.");
+}
+
+TEST_CASE("an object can tip from the very distance on at which it tips", "[words][robustness]") {
+  const auto words = [](double radius) {
+    return plainly(tipping_in_words({1, 1, 20}, radius, {}));
+  };
+  const std::string tips = ", and 20.0 in one direction is enough.";
+  CHECK(words(0).empty());
+  CHECK(words(19.99).empty());
+  CHECK(words(20) == "It can tip: the centre of mass may be off by 20" + tips);
+  CHECK(words(25) == "It can tip: the centre of mass may be off by 25" + tips);
+  // Without a known place for C nothing is said, even if it tips however little it is off.
+  CHECK(plainly(tipping_in_words({1, 1, 0}, 0, {})).empty());
 }
 
 TEST_CASE("failures are told in sentences", "[words][robustness]") {

@@ -148,8 +148,8 @@ TEST_CASE("loads keep clear of robots' bodies, and the key explains what is seen
   document.settings.teams = 3;
   document.settings.robot = {40, 25, 10, 20, 10};
   document.settings.no_go = {{0, 0, 1}, {1, 0.1, 0.5}};
-  document.settings.capacity = 17;
-  const std::string svg = placement_svg(*place(document));
+  document.shown.capacity = 17;
+  const std::string svg = placement_svg({*place(document), document.shown});
   check_picture(svg);
   CHECK(svg.find(">robot's body<") != std::string::npos);
   CHECK(svg.find(">no robot may touch this<") != std::string::npos);

@@ -6,7 +6,7 @@
 #include "evenlift/import.h"
 #include "evenlift/output/json.h"
 #include "evenlift/random.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
@@ -64,16 +64,15 @@ TEST_CASE("the verdict is a few plain sentences", "[words]") {
 }
 
 TEST_CASE("units are labels in words and JSON, and change no number", "[words][json][units]") {
-  Placement placement = three_teams();
-  placement.settings.units = {LengthUnit::cm, WeightUnit::N};
-  CHECK(plainly(loads_in_words(placement)) == "6 robots carry 15.2–18.1 N each (100 N in all).");
-  CHECK(with_length_unit("2.5", placement.settings.units) == "2.5\u00A0cm");
-  CHECK(with_length_unit("2.5", {}) == "2.5");
   Document document;
   document.vertices = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
   const std::string usual = placement_json(*place(document), true), kept = document_json(document);
-  document.settings.units = placement.settings.units;
-  std::string labelled = placement_json(*place(document), true);
+  const Units units = document.shown.units = {LengthUnit::cm, WeightUnit::N};
+  CHECK(plainly(loads_in_words({three_teams(), document.shown})) ==
+        "6 robots carry 15.2–18.1 N each (100 N in all).");
+  CHECK(with_length_unit("2.5", units) == "2.5\u00A0cm");
+  CHECK(with_length_unit("2.5", {}) == "2.5");
+  std::string labelled = placement_json({*place(document), document.shown}, true);
   for (const std::string line : {"  \"unit\": \"cm\",\n", "  \"weight_unit\": \"N\",\n"}) {
     REQUIRE(labelled.find(line) != std::string::npos);
     labelled.erase(labelled.find(line), line.size());
@@ -82,7 +81,7 @@ TEST_CASE("units are labels in words and JSON, and change no number", "[words][j
   CHECK(kept.find("unit") == std::string::npos);
   const auto read = read_shapes(document_json(document));
   REQUIRE(read.ok());
-  CHECK(read->shapes[0].document.settings == document.settings);
+  CHECK(read->shapes[0].document.shown == document.shown);
 }
 
 TEST_CASE("with no team the reason is given, and what helps", "[words]") {

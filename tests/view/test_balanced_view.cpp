@@ -38,7 +38,7 @@ AppState balanced_state(std::uint32_t robots = 6) {
   return state;
 }
 
-std::vector<LiftingPoint> shown(const AppState& state) {
+std::vector<LiftingPoint> standing(const AppState& state) {
   return lifting_points(state.placement->teams);
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("the view shows the start of the search and then what it finds", "[vie
   CHECK_FALSE(state.search.under_way);
   CHECK_FALSE(verdict(state).searching);
   CHECK(state.placement->coverage > before);
-  CHECK(robots_text(shown(state)) == last_robots(state));
+  CHECK(robots_text(standing(state)) == last_robots(state));
   CHECK(state.placement->goal_reached == place(state.document)->goal_reached);
   CHECK_FALSE(state.history.can_undo());
 }
@@ -79,7 +79,7 @@ TEST_CASE("where the start is slow, nothing is shown until the search has found 
   CHECK(verdict(state).detail == "They are being looked for.");
   SECTION("the robots are taken over") {
     REQUIRE(take_robots(state, state.search.number, last_robots(state), true));
-    CHECK(robots_text(shown(state)) == last_robots(state));
+    CHECK(robots_text(standing(state)) == last_robots(state));
     CHECK_FALSE(state.search.under_way);
   }
   SECTION("that there are none is said only at the end") {
@@ -101,7 +101,7 @@ TEST_CASE("what a search finds for another document is dropped", "[view][balance
   CHECK(state.search.number > number);
   CHECK_FALSE(take_robots(state, number, found, true));
   CHECK_FALSE(take_robots(state, state.search.number, found, true));  // six of five
-  CHECK(shown(state).size() == 5);
+  CHECK(standing(state).size() == 5);
   CHECK(state.search.under_way);
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("texts that are no robots change nothing", "[view][balanced]") {
   // Two robots are found at once.
   CHECK_FALSE(state.search.under_way);
   const Polygon& polygon = state.placement->polygon;
-  const std::string good = robots_text(shown(state));
+  const std::string good = robots_text(standing(state));
   REQUIRE(read_robots(good, 2, polygon));
   for (const std::string& bad :
        {std::string(), good + " ", good + " 1 2 3", "x" + good, std::string("0 1 2 99999 1 2"),
@@ -135,10 +135,10 @@ TEST_CASE("during a drag no search goes on, and one begins after it", "[view][ba
 TEST_CASE("what changes no placement leaves the search alone", "[view][balanced]") {
   AppState state = balanced_state();
   const std::uint64_t number = state.search.number;
-  give(state, SetCapacity{20.0});
+  give(state, showing(state, &Shown::capacity, 20.0));
   give(state, Compare{Method::area});
   give(state, Compare{std::nullopt});
-  give(state, Show{Overlays{}});
+  give(state, showing(state, &Shown::overlays, {}));
   CHECK(state.search.number == number);
   CHECK(state.search.under_way);
 }
@@ -146,7 +146,7 @@ TEST_CASE("what changes no placement leaves the search alone", "[view][balanced]
 TEST_CASE("how many balanced robots it takes if any one may fail is taken over when it is counted",
           "[view][balanced][capacity]") {
   AppState state = balanced_state();
-  give(state, SetCapacity{20.0});
+  give(state, showing(state, &Shown::capacity, 20.0));
   begin_count(state);
   CHECK_FALSE(state.search.counting);  // they have not settled
   take_robots(state, state.search.number, last_robots(state), true);
@@ -178,7 +178,7 @@ TEST_CASE("how many balanced robots it takes if any one may fail is taken over w
     CHECK_FALSE(state.search.counting);
   }
   SECTION("another capacity and a drag drop it") {
-    give(state, SetCapacity{25.0});
+    give(state, showing(state, &Shown::capacity, 25.0));
     CHECK_FALSE(take_robots(state, number, plan_text(plan), true));
     begin_count(state);
     REQUIRE(state.search.number == number + 1);
@@ -240,11 +240,11 @@ TEST_CASE("every key of a number changes the robots of balanced ones", "[view][b
 
 TEST_CASE("balanced robots have no chords and no candidates to press", "[view][balanced]") {
   AppState state = balanced_state();
-  state.document.settings.overlays.candidates = true;
+  state.document.shown.overlays.candidates = true;
   frame_view(state);
   const Vec2 centre = state.placement->centre_of_mass;
-  REQUIRE(shown(state).size() == 6);
-  for (const LiftingPoint& robot : shown(state)) {
+  REQUIRE(standing(state).size() == 6);
+  for (const LiftingPoint& robot : standing(state)) {
     const Vec2 between = centre + (robot.position - centre) * 0.6;
     CHECK(pick_explained(state, state.camera.to_screen(between)).kind == Pick::Kind::none);
     CHECK(pick_explained(state, state.camera.to_screen(robot.position)).kind == Pick::Kind::robot);
@@ -255,14 +255,14 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
           "[view][balanced]") {
   AppState state = balanced_state(3);
   take_robots(state, state.search.number, last_robots(state), true);
-  const std::string found = robots_text(shown(state));
+  const std::string found = robots_text(standing(state));
   const Points& vertices = state.placement->vertices();
-  const std::vector<LiftingPoint> before = shown(state);
+  const std::vector<LiftingPoint> before = standing(state);
   const std::uint32_t edge = before[0].edge;
   const Vec2 along = vertices[(edge + 1) % vertices.size()] - vertices[edge];
   give(state, MoveRobot{0, before[0].position + along * 0.02});
   REQUIRE(by_hand(state));
-  const std::vector<LiftingPoint> now = shown(state);
+  const std::vector<LiftingPoint> now = standing(state);
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK((now[i].position - before[i].position).norm() > 0);
@@ -277,34 +277,34 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
   // A drag is one step of undo.
   give(state, MoveRobot{0, before[0].position + along * 0.03});
   give(state, EndEdit{});
-  const std::string moved = robots_text(shown(state));
+  const std::string moved = robots_text(standing(state));
   give(state, MoveRobot{0, before[0].position + along * 0.04});
   give(state, EndEdit{});
   CHECK(state.history.depth() == 2);
   give(state, Undo{});
-  CHECK(robots_text(shown(state)) == moved);
+  CHECK(robots_text(standing(state)) == moved);
   CHECK_FALSE(state.search.under_way);
   // Their weight is another, and they stay where they are.
   Settings heavier = settings(state);
   heavier.weight = 300;
   give(state, SetSettings{heavier});
-  CHECK(robots_text(shown(state)) == moved);
+  CHECK(robots_text(standing(state)) == moved);
   CHECK(state.placement->loads->max == Approx(100));
   give(state, Undo{});
   // The link brings them back.
   AppState again;
   start_with(again, placed(decode_link(*encode_link(state.placed)).value()), std::nullopt);
-  CHECK(robots_text(shown(again)) == moved);
+  CHECK(robots_text(standing(again)) == moved);
   CHECK(by_hand(again));
   CHECK_FALSE(again.search.under_way);
 
   give(state, ResetRobots{});
   CHECK_FALSE(by_hand(state));
   give(state, Undo{});
-  CHECK(robots_text(shown(state)) == moved);
+  CHECK(robots_text(standing(state)) == moved);
   give(state, Redo{});
   take_robots(state, state.search.number, last_robots(state), true);
-  CHECK(robots_text(shown(state)) == found);
+  CHECK(robots_text(standing(state)) == found);
 }
 
 TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balanced]") {
@@ -316,16 +316,16 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
   const Vec2 centre = state.placement->centre_of_mass;
   const Points& vertices = state.placement->vertices();
   std::size_t stopped = 0, moved = 0;
-  give(state, SetHeld{{Pick::Kind::robot, 0, 1, shown(state)[1].position}});
+  give(state, SetHeld{{Pick::Kind::robot, 0, 1, standing(state)[1].position}});
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const std::vector<LiftingPoint> before = shown(state);
+    const std::vector<LiftingPoint> before = standing(state);
     give(state, MoveRobot{1, vertices[i]});
-    const bool stays = robots_text(shown(state)) == robots_text(before);
+    const bool stays = robots_text(standing(state)) == robots_text(before);
     ++(stays ? stopped : moved);
     Vec2 sum = Vec2::Zero();
-    for (const LiftingPoint& robot : shown(state)) sum += robot.position;
+    for (const LiftingPoint& robot : standing(state)) sum += robot.position;
     CHECK((sum / 3 - centre).norm() < 1e-9 * state.placement->polygon.diagonal());
-    if (!stays) CHECK(shown(state)[1].position == vertices[i]);
+    if (!stays) CHECK(standing(state)[1].position == vertices[i]);
     // The outline is shown as closed to the robot up to where it is wanted.
     CHECK(state.closed_to.has_value() == stays);
     if (stays) CHECK(state.closed_to->position == vertices[i]);
@@ -338,11 +338,11 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
   // Whoever moves it by keys is told in words.
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     state.notice = {};
-    const std::vector<LiftingPoint> before = shown(state);
+    const std::vector<LiftingPoint> before = standing(state);
     give(state, MoveRobot{1, vertices[i]});
-    const bool stays = robots_text(shown(state)) == robots_text(before);
+    const bool stays = robots_text(standing(state)) == robots_text(before);
     CHECK((state.notice.text.find("Robot 2 cannot go there: ") == 0) ==
-          (stays && shown(state)[1].position != vertices[i]));
+          (stays && standing(state)[1].position != vertices[i]));
     CHECK_FALSE(state.closed_to);
   }
 }
@@ -360,7 +360,7 @@ TEST_CASE("the shorter way along the outline goes round the corners between two 
 
 TEST_CASE("two balanced robots and teams cannot be taken", "[view][balanced]") {
   const auto takes = [](const AppState& state) {
-    const LiftingPoint robot = shown(state)[0];
+    const LiftingPoint robot = standing(state)[0];
     const Pick on{Pick::Kind::robot, 0, 0, robot.position};
     return can_take_robot(state, on);
   };
@@ -377,19 +377,19 @@ TEST_CASE("two balanced robots and teams cannot be taken", "[view][balanced]") {
 TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
   AppState state = balanced_state(3);
   frame_view(state);
-  const Vec2 at = shown(state)[0].position;
+  const Vec2 at = standing(state)[0].position;
   Commands commands;
   CHECK_FALSE(action(ActionId::up).enabled(state));
   int moved = 0;
   give(state, Explain{Pick{Pick::Kind::robot, 0, 0, at}});
   for (const ActionId id : {ActionId::up, ActionId::right, ActionId::down, ActionId::left}) {
     REQUIRE(action(id).enabled(state));
-    const Vec2 before = shown(state)[0].position;
+    const Vec2 before = standing(state)[0].position;
     action(id).run(state, commands);
     apply(state, commands);
     REQUIRE(state.explanation);
-    CHECK(state.explanation->of.at == shown(state)[0].position);
-    moved += shown(state)[0].position != before;
+    CHECK(state.explanation->of.at == standing(state)[0].position);
+    moved += standing(state)[0].position != before;
   }
   // Across the edge on which it stands there is no way.
   CHECK(moved >= 2);
@@ -410,7 +410,7 @@ TEST_CASE("the lesson of balanced robots searches to the end, and nobody searche
   give(state, OpenWalkthrough{});
   REQUIRE(walkthrough_is_open(state));
   CHECK_FALSE(state.search.under_way);
-  CHECK(robots_text(shown(state)) == last_robots(state));
+  CHECK(robots_text(standing(state)) == last_robots(state));
   CHECK(timeline(state).count <= most_main_steps);
   // To the end, with words at each step.
   for (std::uint32_t step = 0; step < timeline(state).count; ++step) {
@@ -433,7 +433,7 @@ TEST_CASE("during a drag the lesson traces the start, and after it the whole sea
   CHECK(state.walkthrough.trace->count(StepKind::settled) == 1);
   CHECK(state.placement->search_ended);
   CHECK_FALSE(state.search.under_way);
-  CHECK(robots_text(shown(state)) == last_robots(state));
+  CHECK(robots_text(standing(state)) == last_robots(state));
 }
 
 TEST_CASE("a press on the edge asks why no robot stands there", "[view][balanced][walkthrough]") {
@@ -441,7 +441,7 @@ TEST_CASE("a press on the edge asks why no robot stands there", "[view][balanced
   give(state, OpenWalkthrough{});
   Walkthrough& walk = state.walkthrough;
   give(state, GoToStep{walk.trace->size() - 1});
-  const Vec2 robot = shown(state)[0].position;
+  const Vec2 robot = standing(state)[0].position;
   give(state, AskWhy{robot});
   CHECK(walk.why_taken);
   CHECK(walk.why.find("Robot 1 ") == 0);

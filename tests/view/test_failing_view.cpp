@@ -72,7 +72,7 @@ TEST_CASE("letting a robot fail places nothing and is no step of undo", "[view][
   const std::uint64_t traces = computed().traces;
   give(state, Fail{2});
   give(state, Fail{4});
-  give(state, Show{Overlays{}});
+  give(state, showing(state, &Shown::overlays, {}));
   give(state, SetLoadModel{LoadModel::springs});
   give(state, Fail{});
   CHECK(computed().placements == before);
@@ -100,8 +100,8 @@ TEST_CASE("a change of settings, of the polygon or by undo brings the robot back
   give(state, EndEdit{});
   // What places nothing leaves it alone.
   give(state, Fail{1});
-  give(state, SetCapacity{30.0});
-  give(state, SetComRadius{1.0});
+  give(state, showing(state, &Shown::capacity, 30.0));
+  give(state, showing(state, &Shown::com_radius, 1.0));
   CHECK(failing(state));
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("what happens if a robot fails is said and has its sign", "[view][fail
     CHECK(failure_words(state, i) == failure_in_words(i, robots(state), state.failures[i]));
     CHECK(mood_of(state, state.failures[i]) == Mood::good);
   }
-  give(state, SetCapacity{25.0});
+  give(state, showing(state, &Shown::capacity, 25.0));
   const auto overloaded =
       std::count_if(state.failures.begin(), state.failures.end(),
                     [&](const auto& rest) { return mood_of(state, rest) == Mood::not_quite; });
@@ -221,8 +221,8 @@ TEST_CASE("a doubt makes the program's ranges, and sentences that say how far th
           "[view][doubt]") {
   AppState state = state_of(Method::area);
   CHECK(doubt_words(state).empty());
-  give(state, SetComRadius{20});
-  CHECK(state.placement->settings.com_radius == 20);
+  give(state, showing(state, &Shown::com_radius, 20));
+  CHECK(state.placed.shown.com_radius == 20);
   const ModelLoads models = *model_loads(*state.placement);
   REQUIRE(models.springs.same_within > 20);
   const auto expected = load_ranges(planned_loads(state.placement->teams), models.springs, 20);
@@ -233,9 +233,9 @@ TEST_CASE("a doubt makes the program's ranges, and sentences that say how far th
   CHECK(summary(state).find(doubt_in_words(models, robustness(*state.placement), 20)) !=
         std::string::npos);
   CHECK(verdict(state).headline ==
-        loads_in_words(*state.placement, LoadModel::plan, state.outlook.loads));
+        loads_in_words({*state.placement, shown(state)}, LoadModel::plan, state.outlook.loads));
   const double beyond = models.springs.same_within * 1.5;
-  give(state, SetComRadius{beyond});
+  give(state, showing(state, &Shown::com_radius, beyond));
   const auto wider = load_ranges(planned_loads(state.placement->teams), models.springs, beyond);
   for (std::size_t i = 0; i < wider.size(); ++i) {
     CHECK(state.outlook.loads[i].least == wider[i].least);
@@ -244,12 +244,12 @@ TEST_CASE("a doubt makes the program's ranges, and sentences that say how far th
   CHECK(state.history.depth() == 2);
   const double tips = robustness(*state.placement).tipping_distance;
   CHECK(verdict(state).detail.find("It can tip") == std::string::npos);
-  give(state, SetComRadius{tips * 1.1});
+  give(state, showing(state, &Shown::com_radius, tips * 1.1));
   CHECK(verdict(state).mood == Mood::not_quite);
   CHECK(verdict(state).detail.find("It can tip: the centre of mass may be off by ") == 0);
   give(state, Undo{});
   give(state, Undo{});
-  CHECK(settings(state).com_radius == 20);
+  CHECK(shown(state).com_radius == 20);
 }
 
 TEST_CASE("the grip of the doubt is there with the halo only, and its drag is one step of undo",
@@ -258,30 +258,28 @@ TEST_CASE("the grip of the doubt is there with the halo only, and its drag is on
   page.frame();
   AppState& state = page.app.state;
   CHECK_FALSE(doubt_grip(state));
-  Overlays overlays = settings(state).overlays;
-  overlays.halo = true;
-  give(state, Show{overlays});
+  give(state, showing(state, &Shown::overlays, {.halo = true}));
   REQUIRE(doubt_grip(state));
   const std::uint64_t before = computed().placements;
   const Vec2 from = state.camera.to_world(*doubt_grip(state));
   const Vec2 centre = state.placement->centre_of_mass, out = (from - centre).normalized();
   page.drag(from, from + out * 40);
-  CHECK(std::abs(settings(state).com_radius - 40) < 1.5 / state.camera.scale);
+  CHECK(std::abs(shown(state).com_radius - 40) < 1.5 / state.camera.scale);
   CHECK(computed().placements == before);
   CHECK(state.history.depth() == 1);
   page.drag(state.camera.to_world(*doubt_grip(state)), centre);
-  CHECK(settings(state).com_radius == 0);
+  CHECK(shown(state).com_radius == 0);
 }
 
 TEST_CASE("units are labels: words follow, and nothing is placed anew", "[view][units]") {
   AppState state = state_of(Method::area);
-  give(state, SetComRadius{20});
-  give(state, SetCapacity{25.0});
+  give(state, showing(state, &Shown::com_radius, 20));
+  give(state, showing(state, &Shown::capacity, 25.0));
   const std::vector<Team> before = state.placement->teams;
   const std::string usual = summary(state);
   REQUIRE(usual.find("\u00A0kg") != std::string::npos);
-  give(state, SetUnits{{LengthUnit::mm, WeightUnit::lb}});
-  CHECK(settings(state).units == Units{LengthUnit::mm, WeightUnit::lb});
+  give(state, showing(state, &Shown::units, {LengthUnit::mm, WeightUnit::lb}));
+  CHECK(shown(state).units == Units{LengthUnit::mm, WeightUnit::lb});
   const std::string labelled = summary(state) + need_in_words(state) + doubt_words(state);
   CHECK(labelled.find("\u00A0lb") != std::string::npos);
   CHECK(labelled.find("20\u00A0mm") != std::string::npos);
@@ -289,8 +287,11 @@ TEST_CASE("units are labels: words follow, and nothing is placed anew", "[view][
   REQUIRE(state.placement->teams.size() == before.size());
   for (std::size_t t = 0; t < before.size(); ++t)
     CHECK(state.placement->teams[t].robots[0].load == before[t].robots[0].load);
-  give(state, SetUnits{});
+  give(state, showing(state, &Shown::units, {}));
   CHECK(summary(state) == usual);
+  give(state, OpenWalkthrough{});
+  give(state, showing(state, &Shown::units, {LengthUnit::mm, WeightUnit::lb}));
+  CHECK(state.walkthrough.trace->units == shown(state).units);  // for the captions to come
 }
 
 TEST_CASE("the loads of each model are shown, and what they presume is said", "[view][failing]") {
@@ -310,7 +311,7 @@ TEST_CASE("the loads of each model are shown, and what they presume is said", "[
 TEST_CASE("while a robot fails, a capacity speaks of the others by their numbers",
           "[view][failing][capacity]") {
   AppState state = state_of(Method::area);
-  give(state, SetCapacity{16.0});
+  give(state, showing(state, &Shown::capacity, 16.0));
   REQUIRE(state.plan);
   give(state, Fail{1});
   REQUIRE(failing(state));

@@ -113,6 +113,19 @@ TEST_CASE("what could be redone before a lesson can be redone after it",
   CHECK(history.redo(now).document.settings.weight == 437);
 }
 
+TEST_CASE("after another edit nothing can be done again", "[view][history]") {
+  History history;
+  Document now = document(l_shape);
+  history.record(now, {}, Edit::weight);
+  now.settings.weight = 437;
+  now = history.undo(now).document;
+  REQUIRE(history.can_redo());
+  history.record(now, {}, Edit::teams);
+  CHECK_FALSE(history.can_redo());
+  CHECK(history.depth() == 1);
+  CHECK(history.undoes() == Edit::teams);
+}
+
 TEST_CASE("the tips of undo and redo say what they would do", "[view][history]") {
   Page page;
   AppState& state = page.app.state;
@@ -135,6 +148,26 @@ TEST_CASE("every edit has words of its own", "[view][history]") {
   CHECK(words.size() == edit_count);
 }
 
+TEST_CASE("each setting that is changed alone is named, also after it was kept",
+          "[view][history]") {
+  for (const SettingRow& row : all_settings())
+    if (!row.edit.empty()) CHECK(in_words(edit_of(row)) == "changed " + std::string(row.edit));
+  // What 1.0.0 kept is read as what it was.
+  CHECK(in_words(static_cast<Edit>(3)) == "changed the number of teams");
+  CHECK(in_words(static_cast<Edit>(22)) == "changed what robots may not touch");
+  // A setting without a number there has that of its record in links.
+  const SettingRow later{.setting = Setting::apart,
+                         .name = "later",
+                         .subject = "a later one",
+                         .edit = "a later one",
+                         .record = 77};
+  CHECK(static_cast<std::size_t>(edit_of(later)) == edit_of_records + 77);
+  const std::size_t apart = edit_of_records + row_of(Setting::apart).record;
+  CHECK(in_words(static_cast<Edit>(apart)) == "changed what the robots are for");
+  for (const int unknown : {-1, 26, 100, 999})
+    CHECK(in_words(static_cast<Edit>(unknown)) == "changed settings");
+}
+
 TEST_CASE("capacity and comparison are steps of undo and redo", "[view][history]") {
   Page page;
   AppState& state = page.app.state;
@@ -142,13 +175,13 @@ TEST_CASE("capacity and comparison are steps of undo and redo", "[view][history]
     page.app.commands.push_back(std::move(command));
     settle(page.app);
   };
-  run(SetCapacity{20});
+  run(showing(state, &Shown::capacity, 20));
   run(Compare{Method::circle});
-  run(SetCapacity{30});
-  run(SetCapacity{30});  // no change, no step
+  run(showing(state, &Shown::capacity, 30));
+  run(showing(state, &Shown::capacity, 30));  // no change, no step
   CHECK(state.history.depth() == 3);
   run(Undo{});
-  CHECK(settings(state).capacity == 20.0);
+  CHECK(shown(state).capacity == 20.0);
   CHECK(state.plan == plan_capacity(*state.placement, 20));
   CHECK(state.second_method == Method::circle);
   CHECK(state.second);
@@ -156,10 +189,10 @@ TEST_CASE("capacity and comparison are steps of undo and redo", "[view][history]
   CHECK_FALSE(state.second_method);
   CHECK_FALSE(state.second);
   run(Undo{});
-  CHECK_FALSE(settings(state).capacity);
+  CHECK_FALSE(shown(state).capacity);
   CHECK_FALSE(state.plan);
   for (int i = 0; i < 3; ++i) run(Redo{});
-  CHECK(settings(state).capacity == 30.0);
+  CHECK(shown(state).capacity == 30.0);
   CHECK(state.second_method == Method::circle);
 }
 

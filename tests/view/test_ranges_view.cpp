@@ -267,7 +267,7 @@ TEST_CASE("a robot is dragged along its range with the pointer, and drawn with i
   Page page;
   Document document = view_page::document(asset(EVENLIFT_ASSETS_DIR "/polygons/square.txt"));
   document.settings.positions = Positions::range;
-  document.settings.overlays.candidates = true;
+  document.shown.overlays.candidates = true;
   page.open(document);
   page.frame();
   // A vertex is taken before the robot that stands on it, so one is taken that stands on none.

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "evenlift/placed_robots.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/stands.h"
 #include "kit/catch.h"
 #include "marks/robot_discs.h"

@@ -205,6 +205,42 @@ TEST_CASE("the centre of mass can be dragged and given back", "[view]") {
   CHECK(page.app.state.placement->centre_of_mass == centroid);
 }
 
+TEST_CASE("a centre of mass on a vertex is what is taken hold of there", "[view]") {
+  Page page("CoM:(150,150)\n" + l_shape);
+  page.frame();
+  const AppState& state = page.app.state;
+  const Vec2 there = state.camera.to_screen({150, 150});
+  CHECK(pick(state, there).kind == Pick::Kind::centre);
+  CHECK(pick_to_hold(state, there).kind == Pick::Kind::centre);
+}
+
+TEST_CASE("a vertex that does not exist cannot be selected", "[view]") {
+  Page page;
+  give(page.app.state, SelectVertex{5});
+  CHECK(page.app.state.selected == 5u);
+  give(page.app.state, SelectVertex{6});
+  CHECK_FALSE(page.app.state.selected);
+}
+
+TEST_CASE("a unit, a capacity or a doubt takes effect by itself, as one step of undo", "[view]") {
+  const std::vector<void (*)(Shown&)> edits{[](Shown& s) { s.units.length = LengthUnit::mm; },
+                                            [](Shown& s) { s.units.weight = WeightUnit::t; },
+                                            [](Shown& s) { s.capacity = 20; },
+                                            [](Shown& s) { s.com_radius = 5; }};
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    INFO("edit " << i);
+    Page page;
+    AppState& state = page.app.state;
+    Document edited = state.document;
+    edits[i](edited.shown);
+    CHECK_FALSE(try_edit(state, edited));
+    CHECK(state.document.shown == edited.shown);
+    CHECK(state.history.depth() == 1);
+    CHECK_FALSE(try_edit(state, edited));  // no change, no step
+    CHECK(state.history.depth() == 1);
+  }
+}
+
 TEST_CASE("the part of a segment in a rectangle, its edge included", "[view]") {
   const Rect rect{10, 20, 30, 60};
   const auto part = part_within(rect, {0, 40}, {40, 40});
@@ -673,6 +709,20 @@ TEST_CASE("what is dragged and drawn snaps to the dots, or level with its neighb
   CHECK(page.app.state.document.vertices[5].x() == 0);
 }
 
+TEST_CASE("the whole snaps with the lower left corner of its box onto a dot", "[view]") {
+  Page page("(3.7,1.3)\n(404.8,1.3)\n(404.8,151.3)\n(153.7,151.3)\n(153.7,303.6)\n(3.7,303.6)\n");
+  page.frame();
+  page.press({"n"});
+  page.press({"w"});
+  page.frame();
+  const Camera camera = page.app.state.camera;
+  const auto low = [&] { return bounding_box(page.app.state.document.vertices).low; };
+  const Vec2 by(108, 109), goal = nearest_dot(camera, low() + by);
+  REQUIRE(length(low() - nearest_dot(camera, low())) > 0.1);
+  page.drag({150, 100}, Vec2(150, 100) + by);
+  CHECK(length(low() - goal) < 1e-9);
+}
+
 TEST_CASE("the whole moves, turns and scales, each drag a step of undo", "[view]") {
   Page page;
   page.frame();
@@ -750,7 +800,7 @@ TEST_CASE("two methods stand side by side and follow the same polygon", "[view]"
 TEST_CASE("a capacity tells how many robots are needed and who carries too much", "[view]") {
   Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/grand-piano.txt"));
   AppState& state = page.app.state;
-  Commands commands{SetCapacity{12.0}};
+  Commands commands{showing(state, &Shown::capacity, 12.0)};
   apply(state, commands);
   REQUIRE(state.plan);
   CHECK(need_in_words(state).find("All 6 robots are overloaded, with more than") == 0);
@@ -767,7 +817,7 @@ TEST_CASE("a capacity tells how many robots are needed and who carries too much"
 
 TEST_CASE("a capacity that no number of robots stays within says so", "[view]") {
   Page page;  // it has three candidates
-  Commands commands{SetCapacity{12.0}};
+  Commands commands{showing(page.app.state, &Shown::capacity, 12.0)};
   apply(page.app.state, commands);
   REQUIRE(page.app.state.plan);
   CHECK_FALSE(page.app.state.plan->possible);
@@ -777,7 +827,7 @@ TEST_CASE("a capacity that no number of robots stays within says so", "[view]") 
 TEST_CASE("a capacity is planned for anew only when the plan can change", "[view][capacity]") {
   Page page;
   AppState& state = page.app.state;
-  Commands commands{SetCapacity{12.0}};
+  Commands commands{showing(state, &Shown::capacity, 12.0)};
   apply(state, commands);
   REQUIRE(state.plan);
   // What no plan is: it stays as long as none is made.
@@ -808,10 +858,10 @@ TEST_CASE("a capacity is planned for anew only when the plan can change", "[view
     CHECK(state.plan == plan_capacity(*state.placement, 12));
   }
   state.plan = mark;
-  commands = {SetCapacity{13.0}};
+  commands = {showing(state, &Shown::capacity, 13.0)};
   apply(state, commands);
   CHECK(state.plan == plan_capacity(*state.placement, 13));
-  commands = {SetCapacity{}};
+  commands = {showing(state, &Shown::capacity, std::nullopt)};
   apply(state, commands);
   CHECK_FALSE(state.plan);
 }
@@ -927,7 +977,7 @@ TEST_CASE("a lesson is traced once when it is opened, and its steps compute noth
       CHECK_FALSE(try_edit(state, to));
     }
     CHECK_FALSE(walkthrough_is_open(state));
-    CHECK_FALSE(state.placed.settings.step);
+    CHECK_FALSE(state.placed.shown.step);
     CHECK(count.placements() + count.traces() == 0);
   }
   {
@@ -961,15 +1011,22 @@ TEST_CASE("what is shown is changed without computing anything, and is no step o
   CHECK(count.placements() + count.traces() == 0);
   CHECK(state.revision == revision);  // nothing that follows from the placement is made anew
   CHECK_FALSE(state.history.can_undo());
-  const Overlays shown{true, false, false, false, false, true};
-  CHECK(settings(state).overlays == shown);
-  CHECK(state.placement->settings.overlays == shown);
-  CHECK(decode_link(encode_link(state.placed).value())->settings.overlays == shown);
+  const Overlays switched{true, false, false, false, false, true};
+  CHECK(shown(state).overlays == switched);
+  CHECK(decode_link(encode_link(state.placed).value())->shown.overlays == switched);
   // Undo is of edits, and leaves what is shown as it is.
   page.press({"t"});
   page.press({"z", true});
   CHECK(settings(state).teams == 3u);
-  CHECK(settings(state).overlays == shown);
+  CHECK(shown(state).overlays == switched);
+  // A script does the same.
+  const std::uint64_t placements = count.placements();
+  const Document none = changed(state, "overlays=none");
+  CHECK_FALSE(try_edit(state, none));
+  CHECK(shown(state).overlays == none.shown.overlays);
+  CHECK(state.placed.shown.overlays == none.shown.overlays);
+  CHECK(count.placements() == placements);
+  CHECK_FALSE(state.history.can_undo());
 }
 
 TEST_CASE("no way leads to a method beside itself", "[view]") {

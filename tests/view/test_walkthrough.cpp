@@ -69,7 +69,7 @@ TEST_CASE("the lesson forward and back is the same at every step", "[view][lesso
   REQUIRE(count > 20);
   std::vector<Moment> forward;
   for (std::uint32_t k = 0; k < count; ++k) {
-    CHECK(page.app.state.document.settings.step == k);
+    CHECK(page.app.state.document.shown.step == k);
     forward.push_back(moment(page.app.state));
     page.frame();
     if (k + 1 < count) page.press({"ArrowRight"});
@@ -198,7 +198,7 @@ TEST_CASE("an edit during the lesson keeps the place, and undo is of the edit", 
   const Walkthrough& walk = page.app.state.walkthrough;
   CHECK(walk.detail.step.kind == StepKind::team);
   CHECK(walk.detail.step.item == 1);
-  CHECK(page.app.state.document.settings.step == walk.at);
+  CHECK(page.app.state.document.shown.step == walk.at);
   CHECK(page.app.state.document.vertices != document(l_shape).vertices);
   page.press({"z", true});
   CHECK(page.app.state.document.vertices == document(l_shape).vertices);
@@ -215,7 +215,7 @@ TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
   REQUIRE(link);
   const std::string words = summary(page.app.state);
   page.press({"b"});
-  CHECK_FALSE(page.app.state.placed.settings.step);
+  CHECK_FALSE(page.app.state.placed.shown.step);
   Result<Opened> read = read_link(*link);
   REQUIRE(read);
   page.app.commands.push_back(OpenDocument{std::move(read).value()});
@@ -227,7 +227,7 @@ TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
 TEST_CASE("a step that there is not is refused by name, and told of a link", "[view][lesson]") {
   Page page;
   Document far = page.app.state.document;
-  far.settings.step = 99999;
+  far.shown.step = 99999;
   const auto problem = try_edit(page.app.state, far);
   REQUIRE(problem);
   CHECK(problem->message.starts_with("must be less than "));
@@ -481,9 +481,7 @@ TEST_CASE("closing a lesson brings back what was open before it, with its settin
   set(page, [](Settings& s) { s.method = Method::distance; });
   set(page, [](Settings& s) { s.weight = 250; });
   page.press({"z", true});
-  Overlays overlays = settings(state).overlays;
-  overlays.candidates = !overlays.candidates;
-  give(state, Show{overlays});
+  give(state, showing(state, &Shown::overlays, {.candidates = true}));
   give(state, Compare{Method::circle});
   page.press({"z", true});
   page.press({"k"});
@@ -610,19 +608,19 @@ TEST_CASE(
     "[view][lesson]") {
   Page page;
   AppState& state = page.app.state;
-  set(page, [](Settings& s) { s.com_radius = 7; });
+  give(state, showing(state, &Shown::com_radius, 7));
   const std::string before = link(state);
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   Document left = state.document;
-  left.settings.step.reset();
+  left.shown.step.reset();
   CHECK_FALSE(try_edit(state, left));
   CHECK(link(state) == before);
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
-  left.settings.capacity = 30;
+  left.shown.capacity = 30;
   CHECK_FALSE(try_edit(state, left));
   CHECK(state.document.vertices.size() == 6);
-  CHECK(settings(state).capacity == 30.0);
-  CHECK(settings(state).com_radius == 7);
+  CHECK(shown(state).capacity == 30.0);
+  CHECK(shown(state).com_radius == 7);
 }
 
 TEST_CASE("what somebody opened in a lesson stays when its steps are closed", "[view][lesson]") {
@@ -652,7 +650,7 @@ TEST_CASE("tens of thousands of candidates are drawn, in the picture and in the 
   REQUIRE(comb);
   Document many;
   many.vertices = *comb;
-  many.settings.overlays.candidates = true;
+  many.shown.overlays.candidates = true;
   Page page;
   page.open(many);
   CHECK(page.app.state.placement->candidates.size() > 10000);

@@ -45,9 +45,9 @@ void change_ratio(const AppState& s, Commands& out, double steps) {
 
 template <bool Overlays::*overlay>
 void toggle(const AppState& s, Commands& out) {
-  Overlays changed = settings(s).overlays;
-  changed.*overlay = !(changed.*overlay);
-  out.push_back(Show{changed});
+  Shown changed = shown(s);
+  changed.overlays.*overlay = !(changed.overlays.*overlay);
+  out.push_back(SetShown{changed});
 }
 
 template <class Asked>

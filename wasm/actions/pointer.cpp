@@ -116,7 +116,8 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
                                        neighbour(vertices, held.index, true))});
   }
   if (held.kind == Pick::Kind::doubt)
-    commands.push_back(SetComRadius{doubt_for_grip(state, pointer.at + held.at), true});
+    commands.push_back(
+        showing(state, &Shown::com_radius, doubt_for_grip(state, pointer.at + held.at), true));
   if (held.kind == Pick::Kind::robot && state.placement && !state.placement->teams.empty()) {
     const std::size_t in_team = state.placement->teams.front().robots.size();
     commands.push_back(MoveRobot{held.index * in_team + static_cast<std::size_t>(held.end), to});

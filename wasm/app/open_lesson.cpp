@@ -26,14 +26,12 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   if (!document) return document.error();
   Result<Opened> of_it = opened(std::move(document).value());
   if (!of_it) return at_line(of_it.error(), *lesson);
-  Result<Trace> trace = compute_trace(of_it->placement);
+  Result<Trace> trace = compute_trace(of_it->placement, of_it->document.shown.units);
   if (!trace) return at_line(trace.error(), *lesson);
   if (auto problem = check_lesson(*lesson, *trace)) return problem;
   Script script;
   script.lesson = std::move(lesson).value();
-  script.vertices = of_it->document.vertices;
-  script.centre_of_mass = of_it->document.centre_of_mass;
-  script.own = of_it->document.settings;
+  script.of = of_it->document;
   if (start == LessonStart::join) {
     const std::optional<InputError> problem = join_script(state, std::move(script));
     if (!problem) state.walkthrough.of_lesson = true;
@@ -42,7 +40,7 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   script.preview = start == LessonStart::preview;
   const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
   of_it->placement = trace->placement;  // with balanced robots, what their search came to
-  of_it->document.settings.step = of_it->placement.settings.step = first;
+  of_it->document.shown.step = first;
   of_it->trace = std::move(trace).value();
   const std::optional<Script>& former = state.walkthrough.script;
   if (script.preview && former && former->preview) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "evenlift/placement.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 
 namespace evenlift::view {
 namespace {
@@ -44,7 +44,8 @@ Result<Changeable> with_settings(Changeable given, std::string_view lines) {
                         {Place::Kind::option, 0, 0, std::string(name)}};
     if (auto error = read(*setting, line.substr(equals + 1), given)) return *error;
   }
-  if (const auto error = check_settings(given.document.settings)) return *error;
+  if (const auto error = check_settings(given.document.settings, given.document.shown))
+    return *error;
   return given;
 }
 

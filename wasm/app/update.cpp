@@ -49,7 +49,7 @@ struct Applier {
 
   void operator()(const SetSettings& c) const {
     if (c.settings == state.document.settings) return;
-    begin_edit(state, c.live, edit_between(settings(state), c.settings));
+    begin_edit(state, c.live, edit_between({{}, {}, settings(state)}, {{}, {}, c.settings}));
     const bool robots_stay = stand_alike(c.settings, settings(state));
     state.document.settings = c.settings;
     recompute(state, robots_stay);
@@ -103,12 +103,16 @@ struct Applier {
   void operator()(const Undo&) const { undo(state); }
   void operator()(const Redo&) const { redo(state); }
 
-  // Overlays are no edit: they compute nothing and cannot be undone. Links carry them.
-  void operator()(const Show& c) const {
-    if (c.overlays == state.document.settings.overlays) return;
-    state.document.settings.overlays = state.placed.settings.overlays = c.overlays;
-    if (state.placement) state.placement->settings.overlays = c.overlays;
-    browser::document_changed();
+  // Other units are told, since no number changes with them.
+  void operator()(const SetShown& c) const {
+    const Units before = shown(state).units, &now = c.shown.units;
+    change_shown(state, shown(state), c.shown, c.live);
+    if (now == before) return;
+    const bool lengths = now.length != before.length, none = now.length == LengthUnit::none;
+    const std::string what = lengths ? "Lengths are now " : "Weights are now ",
+                      unit{lengths ? name(now.length) : name(now.weight)};
+    show(state, {Notice::Kind::info, what + (lengths && none ? "without a unit" : "in " + unit) +
+                                         ". Their numbers stay as they are."});
   }
   void operator()(const SetTool& c) const { take_tool(state, c.tool); }
   void operator()(const GripPolygon&) const {
@@ -196,27 +200,6 @@ struct Applier {
     state.load_model = c.model;
     renew_outlook(state);
     browser::summary_changed();
-  }
-  void operator()(const SetCapacity& c) const {
-    if (settings(state).capacity == c.capacity) return;
-    change_beside(state, false, Edit::capacity, [&](Settings& s) { s.capacity = c.capacity; });
-  }
-  void operator()(const SetComRadius& c) const {
-    if (settings(state).com_radius == c.radius) return;
-    change_beside(state, c.live, Edit::com_radius, [&](Settings& s) { s.com_radius = c.radius; });
-  }
-  void operator()(const SetUnits& c) const {
-    if (settings(state).units == c.units) return;
-    const bool lengths = settings(state).units.length != c.units.length;
-    change_beside(state, false, Edit::settings, [&](Settings& s) { s.units = c.units; });
-    const bool none = c.units.length == LengthUnit::none;
-    show(state,
-         {Notice::Kind::info, lengths ? "Lengths are now " +
-                                            (none ? std::string("without a unit")
-                                                  : "in " + std::string(name(c.units.length))) +
-                                            ". Their numbers stay as they are."
-                                      : "Weights are now in " + std::string(name(c.units.weight)) +
-                                            ". Their numbers stay as they are."});
   }
   void operator()(const SetMotion& c) const {
     state.motion = c.on;

@@ -42,25 +42,25 @@ std::string hint_of_centre(const AppState& state) {
          (on_centroid(state) ? " · on the centroid" : " · drag to move");
 }
 
-std::string hint_of_team(const Placement* placement, std::size_t i) {
+std::string hint_of_team(const Placement* placement, std::size_t i, const Units& units) {
   if (!placement || i >= placement->teams.size()) return {};
   const TeamInWords words =
       team_in_words(*placement, i, coordinate_decimals(placement->vertices()));
   return "Team " + std::to_string(i + 1) + " · load ratio " + words.ratio + " · " + words.loads[0] +
-         " and " + with_weight_unit(words.loads[1], placement->settings.units) + " · " +
-         with_length_unit(words.length, placement->settings.units) + " apart · press it to see why";
+         " and " + with_weight_unit(words.loads[1], units) + " · " +
+         with_length_unit(words.length, units) + " apart · press it to see why";
 }
 
 std::string hint_of_doubt(const AppState& state) {
-  const double radius = settings(state).com_radius;
+  const double radius = shown(state).com_radius;
   return (radius > 0 ? "The centre of mass is known within " +
-                           with_length_unit(plain(radius), settings(state).units)
+                           with_length_unit(plain(radius), shown(state).units)
                      : std::string("The centre of mass is known exactly")) +
          " · drag away from it for a doubt";
 }
 
 // While one of them fails.
-std::string hint_of_failing(const Failure& failure, const Pick& at) {
+std::string hint_of_failing(const Failure& failure, const Pick& at, const Units& units) {
   const std::size_t team = failure.placement.teams.front().robots.size(),
                     robot = at.index * team + static_cast<std::size_t>(at.end);
   if (robot >= failure.outlook.loads.size()) return {};
@@ -68,25 +68,25 @@ std::string hint_of_failing(const Failure& failure, const Pick& at) {
   if (robot == failure.robot) return name + " fails · Esc brings it back";
   const LoadRange& load = failure.outlook.loads[robot];
   return name + " · " +
-         (failure.rest ? load_in_words(failure.outlook.model, load, failure.outlook.greatest,
-                                       failure.placement.settings.units)
+         (failure.rest ? load_in_words(failure.outlook.model, load, failure.outlook.greatest, units)
                        : std::string("cannot carry the object")) +
          " while robot " + std::to_string(failure.robot + 1) + " fails";
 }
 
 std::string hint_of_robot(const AppState& state, const Pick& at) {
   const Placement* placement = current_placement(state, at.second);
+  const Units& units = shown(state).units;
   if (const Failure* failure = failing(state); failure && !at.second)
-    return hint_of_failing(*failure, at);
+    return hint_of_failing(*failure, at, units);
   if (!placement || placement->settings.method != Method::balanced)
-    return hint_of_team(placement, at.index) +
+    return hint_of_team(placement, at.index, units) +
            (can_take_robot(state, at) ? " · drag it along its range" : "");
   const auto robot = static_cast<std::size_t>(at.end);
   const TeamInWords words =
       team_in_words(*placement, 0, coordinate_decimals(placement->vertices()));
   if (robot >= words.at.size()) return {};
   return "Robot " + std::to_string(robot + 1) + " " + words.at[robot] + " · " +
-         with_weight_unit(words.loads[robot], placement->settings.units) + ", as each of them · " +
+         with_weight_unit(words.loads[robot], units) + ", as each of them · " +
          (can_take_robot(state, at) ? "drag it along the edge: its neighbours follow"
                                     : "press it to see why");
 }
@@ -119,12 +119,12 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
     case Pick::Kind::edge:
       if (const auto why = why_unusable(state, at))
         return "Edge " + std::to_string(at.index + 1) + " cannot be used here: " +
-               unusable_in_words(*why, settings(state).robot, settings(state).units);
+               unusable_in_words(*why, settings(state).robot, shown(state).units);
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
       return hint_of_robot(state, at);
     case Pick::Kind::chord:
-      return hint_of_team(current_placement(state, at.second), at.index);
+      return hint_of_team(current_placement(state, at.second), at.index, shown(state).units);
     case Pick::Kind::candidate:
       return hint_of_candidate(current_placement(state, at.second), at.index);
     case Pick::Kind::object:

@@ -6,14 +6,14 @@
 
 namespace evenlift::view {
 
-// The settings with what places nothing taken over from others. O(1).
-Settings placing_as(Settings settings, const Settings& other);
-
-// Whether robots stand at the same places with both. O(1).
+// Whether robots stand at the same places with both. O(bytes).
 bool stand_alike(const Settings& a, const Settings& b);
 
-// The setting that differs, if it is only one; of documents with the same vertices it may be the centre of mass. O(1).
-Edit edit_between(const Settings& before, const Settings& after);
+// The edit of the setting that differs, if it is only one. The documents have the same vertices.
+// O(bytes).
 Edit edit_between(const Document& before, const Document& after);
+
+// What is shown, with what differs between two others, but the step, as in the second. O(bytes).
+Shown with_changes(const Shown& shown, const Shown& before, const Shown& after);
 
 }  // namespace evenlift::view

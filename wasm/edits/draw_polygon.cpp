@@ -141,13 +141,7 @@ void withdraw_edge(AppState& state) {
 }
 
 void finish_drawing(AppState& state) {
-  Document drawn;
-  drawn.vertices = state.drawing.points;
-  drawn.settings = state.document.settings;
-  drawn.settings.step.reset();
-  drawn.settings.com_radius = 0;  // a length of the former polygon
-  drawn.settings.no_go.clear();   // and its edges
-  Result<Opened> polygon = opened(std::move(drawn));
+  Result<Opened> polygon = opened_after({state.drawing.points, {}}, state.document);
   if (!polygon) {
     state.drawing.checked = true;
     state.drawing.refusal = polygon.error();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "state/browser.h"
 
 namespace evenlift::view {
@@ -18,7 +18,7 @@ double greatest_of(const std::vector<LoadRange>& loads) {
 Outlook outlook_of(const AppState& state, const Placement& placement) {
   Outlook outlook;
   outlook.robustness = robustness(placement);
-  const double radius = settings(state).com_radius;
+  const double radius = shown(state).com_radius;
   const LoadModel model = state.load_model;
   if (model != LoadModel::plan || radius > 0) outlook.models = model_loads(placement);
   if (outlook.models) outlook.model = model;
@@ -32,7 +32,7 @@ Outlook outlook_of(const AppState& state, const Failure& failure) {
   Outlook outlook;
   outlook.model = LoadModel::springs;
   outlook.robustness.tipping_distance = failure.rest ? failure.rest->tipping_distance : 0;
-  const double radius = settings(state).com_radius;
+  const double radius = shown(state).com_radius;
   const auto springs = radius > 0 ? springs_without(*state.placement, failure.robot) : std::nullopt;
   const std::vector<double> loads = planned_loads(failure.placement.teams);
   if (springs)

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "edits/changed_settings.h"
 #include "edits/outlook.h"
 #include "edits/search.h"
 #include "evenlift/link.h"
@@ -74,7 +75,7 @@ void renew_plan(AppState& state) {
   if (state.refusal || state.edit_open || !state.plan_due) return;
   state.plan.reset();
   drop_count(state);
-  const std::optional<double>& capacity = settings(state).capacity;
+  const std::optional<double>& capacity = shown(state).capacity;
   if (capacity) state.plan = plan_capacity(*state.placement, *capacity);
   if (capacity && state.placement->settings.method != Method::balanced)
     state.spare = plan_for_failures(*state.placement, *capacity);
@@ -101,7 +102,7 @@ void adopt(AppState& state, Result<Placement> placement) {
   const std::string before = state.refusal ? sentence(*state.refusal) : std::string();
   if (placement) {
     state.plan_due |= !state.placement || !same_plan(*state.placement, *placement) ||
-                      state.placement->settings.capacity != placement->settings.capacity;
+                      state.placed.shown.capacity != shown(state).capacity;
     // The view makes room for larger robots.
     state.fit_due |=
         state.camera_follows && !(state.placed.settings.robot == settings(state).robot);
@@ -146,19 +147,18 @@ void begin_edit(AppState& state, bool live, Edit edit) {
   state.edit_open = live;
 }
 
-void change_beside(AppState& state, bool live, Edit edit,
-                   const std::function<void(Settings&)>& change) {
-  begin_edit(state, live, edit);
-  const std::optional<double> capacity = settings(state).capacity;
-  change(state.document.settings);
-  change(state.placed.settings);
-  for (std::optional<Placement>* placement : {&state.placement, &state.second})
-    if (*placement) change((*placement)->settings);
-  if (state.walkthrough.trace) change(state.walkthrough.trace->placement.settings);
-  state.plan_due |= settings(state).capacity != capacity;
+void change_shown(AppState& state, Shown before, const Shown& after, bool live) {
+  if (after == before) return;
+  const bool is_edit = seen_as(after, before) != before;
+  if (is_edit) begin_edit(state, live, edit_between({{}, {}, {}, before}, {{}, {}, {}, after}));
+  for (Document* document : {&state.document, &state.placed})
+    document->shown = with_changes(document->shown, before, after);
+  if (state.walkthrough.trace) state.walkthrough.trace->units = shown(state).units;
+  browser::document_changed();
+  if (!is_edit) return;
+  state.plan_due |= after.capacity != before.capacity;
   renew_plan(state);
   renew_outlook(state);
-  browser::document_changed();
 }
 
 }  // namespace evenlift::view

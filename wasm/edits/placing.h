@@ -1,8 +1,6 @@
 // Places the document anew, and computes what depends on the placement.
 #pragma once
 
-#include <functional>
-
 #include "evenlift/result.h"
 #include "state/history.h"
 #include "state/state.h"
@@ -25,9 +23,8 @@ void follow_up(AppState& state);
 // Places the document anew. Robots that were moved by hand go back, unless they are to stay.
 void recompute(AppState& state, bool robots_stay = false);
 
-// Changes settings that place nothing, in the document and its placement, as an edit. The plan and what is shown of the
-// loads follow.
-void change_beside(AppState& state, bool live, Edit edit,
-                   const std::function<void(Settings&)>& change);
+// Changes what differs between two that may be shown, but the step: as an edit, unless only overlays
+// differ. The plan and what is shown of the loads follow.
+void change_shown(AppState& state, Shown before, const Shown& after, bool live = false);
 
 }  // namespace evenlift::view

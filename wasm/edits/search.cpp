@@ -5,8 +5,7 @@
 
 #include "edits/outlook.h"
 #include "evenlift/formats.h"
-#include "evenlift/numbers.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "state/browser.h"
 #include "state/notice.h"
 #include "state/robots_text.h"
@@ -28,20 +27,20 @@ std::optional<Placement>* balanced(AppState& state) {
   return nullptr;
 }
 
-std::string line(Setting setting, const std::string& value) {
-  return std::string(name(setting)) + '=' + value + '\n';
+// As read_setting() takes it; nothing of a setting that has no text.
+std::string line(Setting setting, const Document& document) {
+  const std::string text = text_of(setting, document);
+  return text.empty() ? text : std::string(name(setting)) + '=' + text + '\n';
 }
 
-// The settings that the search depends on, as lines for read_setting().
-std::string settings_text(const Settings& settings) {
-  std::string text = line(Setting::robots, std::to_string(settings.robots)) +
-                     line(Setting::goal, std::string(name(goal_of(settings)))) +
-                     line(Setting::min_margin, shortest(settings.min_margin)) +
-                     line(Setting::survive, std::to_string(settings.survive));
-  text += line(Setting::robot, robot_text(settings.robot)) +
-          line(Setting::no_go, no_go_text(settings.no_go));
-  if (settings.apart) text += line(Setting::apart, shortest(*settings.apart));
-  if (settings.clear) text += line(Setting::clear, shortest(*settings.clear));
+// What robots and their loads depend on, for the object that is placed; the goal is the one in force.
+std::string settings_text(const AppState& state, Settings settings) {
+  settings.goal = goal_of(settings);
+  const Document document{{}, state.placed.centre_of_mass, std::move(settings)};
+  std::string text;
+  for (const SettingRow& row : all_settings())
+    if (row.changes == Changes::stands || row.changes == Changes::loads)
+      text += line(row.setting, document);
   return text;
 }
 
@@ -69,7 +68,8 @@ void begin_search(AppState& state) {
   const Placement& start = **shown;
   state.search = {state.search.number + 1, false, true};
   browser::begin_search(state.search.number, write_thesis(state.placed),
-                        settings_text(start.settings), robots_text(lifting_points(start.teams)));
+                        settings_text(state, start.settings),
+                        robots_text(lifting_points(start.teams)));
 }
 
 void begin_count(AppState& state) {
@@ -78,12 +78,10 @@ void begin_count(AppState& state) {
   if (!state.placement || state.refusal || moving || search.counting || state.spare) return;
   const Settings& now = state.placement->settings;
   const bool settled = now.method == Method::balanced && state.placement->search_ended;
-  if (!settled || !now.capacity) return;
+  if (!settled || !shown(state).capacity) return;
   search = {search.number + 1, false, false, true};
   browser::begin_search(search.number, write_thesis(state.placed),
-                        settings_text(now) + line(Setting::weight, shortest(now.weight)) +
-                            line(Setting::capacity, shortest(*now.capacity)),
-                        {});
+                        settings_text(state, now) + line(Setting::capacity, state.document), {});
 }
 
 void drop_count(AppState& state) {

@@ -37,7 +37,7 @@ void show_recalled(AppState& state, History::Recalled recalled) {
   recall_backdrop(state, recalled.beside.backdrop);
   state.second_method.reset();  // so that the two methods are not exchanged
   adopt(state, compute_placement(state.document, state.placement));
-  if (!settings(state).step) state.second_method = recalled.beside.second_method;
+  if (!shown(state).step) state.second_method = recalled.beside.second_method;
   follow_up(state);
   follow_placement(state);
 }
@@ -45,7 +45,7 @@ void show_recalled(AppState& state, History::Recalled recalled) {
 // Undo and redo. Those who cannot see what changed are told.
 void step_back(AppState& state, History::Recalled recalled, const char* what) {
   Walkthrough& walk = state.walkthrough;
-  Settings& former = recalled.document.settings;
+  Shown& former = recalled.document.shown;
   const Edit edit = recalled.edit;
   const bool leaves_lesson = in_lesson(state) && edit == Edit::lesson_opened;
   if (leaves_lesson || (walk.script && state.history.depth() < walk.script->depth)) {
@@ -55,13 +55,12 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   } else {
     // Neither the step of the walkthrough nor the overlays are undone, unless that leaves a lesson: then the
     // former ones come back.
-    former.step = settings(state).step;
-    former.overlays = settings(state).overlays;
+    former = seen_as(former, shown(state));
   }
   // A lesson would show teams elsewhere.
   if (!recalled.document.moved.teams.empty()) former.step.reset();
   show_recalled(state, std::move(recalled));
-  if (!state.refusal) browser::announce(what + std::string(in_words(edit)) + ".");
+  if (!state.refusal) browser::announce(what + in_words(edit) + ".");
 }
 
 // What was open before the lesson, if one is open.
@@ -109,10 +108,10 @@ void leave_walkthrough(AppState& state) {
   if (!before) return;
   // Step by step begins where it was left on what is open now.
   Walkthrough& walk = state.walkthrough;
-  walk.at = before->document.settings.step.value_or(0);
+  walk.at = before->document.shown.step.value_or(0);
   walk.all_steps = false;
   walk.guesses = {};
-  before->document.settings.step.reset();
+  before->document.shown.step.reset();
   state.selected.reset();
   fit_view(state);
   show_recalled(state, *std::move(before));

@@ -49,12 +49,11 @@ void draw_centre(const Painter& painter, const CanvasView& view) {
 
 void draw_halo(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
-  if (!settings(state).overlays.halo || view.placement->teams.empty()) return;
+  if (!shown(state).overlays.halo || view.placement->teams.empty()) return;
   const Theme& theme = view.theme;
   ImDrawList& list = painter.list();
   const ImVec2 at = painter.at(centre_of_mass(state));
-  const double margin = view.outlook().robustness.tipping_distance,
-               known = settings(state).com_radius;
+  const double margin = view.outlook().robustness.tipping_distance, known = shown(state).com_radius;
   const auto in_pixels = [&](double length) {
     return static_cast<float>(std::min(length * view.camera.scale, 1e5));
   };

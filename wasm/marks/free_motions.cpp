@@ -106,7 +106,7 @@ void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupi
 void draw_far_regions(const Painter& painter, const CanvasView& view, Occupied* occupied) {
   const Closure& closure = view.placement->closure;
   if (!closure.margin || view.placement->teams.empty()) return;
-  const Overlays& overlays = settings(view.state).overlays;
+  const Overlays& overlays = shown(view.state).overlays;
   if (overlays.clockwise)
     draw_far_region(painter, view, closure.clockwise.clipped, view.theme.clockwise_line,
                     "turns clockwise, far out", occupied);

@@ -27,8 +27,8 @@ Rect free_window(const CanvasView& view) {
 // The box of the coverage's text, in pixels; nothing if it is not shown or there is no room for it.
 std::optional<Rect> coverage_box(const CanvasView& view) {
   const CoveragePlace& place = view.scene.coverage;
-  const bool shown = settings(view.state).overlays.lifting_base && view.placement->loads;
-  if (!shown || place.room * view.camera.scale < 24) return std::nullopt;
+  const bool wanted = shown(view.state).overlays.lifting_base && view.placement->loads;
+  if (!wanted || place.room * view.camera.scale < 24) return std::nullopt;
   const Vec2 at = view.camera.to_screen(place.at);
   const ImVec2 text = text_size(Face::verdict, percentage(view.placement->coverage));
   const Rect box{at.x() - text.x / 2, at.y() - text.y / 2, at.x() + text.x / 2,
@@ -133,7 +133,7 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
       const Vec2 at = body ? view.camera.to_screen(bodies[number - 1].stand) : lifts;
       const Vec2 away = at - middle;
       texts.push_back(
-          load_in_words(outlook.model, load, outlook.greatest, placement.settings.units));
+          load_in_words(outlook.model, load, outlook.greatest, shown(view.state).units));
       over.push_back(view.overloads(load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6),

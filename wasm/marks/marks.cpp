@@ -101,7 +101,7 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   const std::string text =
       safe ? "A push down here does not tip it"
            : "Tips if pushed down with " +
-                 load_in_words(force, placement.settings.weight, placement.settings.units);
+                 load_in_words(force, placement.settings.weight, shown(view.state).units);
   // The box has the panel's colour, on which the lifting base's dark green could not be read.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)),
             view.uncovered(), view.theme, safe ? view.theme.text : view.theme.amber, text);
@@ -138,10 +138,10 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
 constexpr float gap_in_caption = 10;
 
 // What a method came to: its loads, and so many of its coverage and whether the object can move.
-std::string result_in_words(const Placement& placement, std::size_t further) {
+std::string result_in_words(const Placement& placement, const Units& units, std::size_t further) {
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
-  std::string words = load_in_words(loads.min, loads.max, loads.max, placement.settings.units);
+  std::string words = load_in_words(loads.min, loads.max, loads.max, units);
   if (further > 0) words += " · " + percentage(placement.coverage) + " covered";
   if (further > 1) words += is_held(placement) ? " · held" : " · not held";
   return words;
@@ -154,12 +154,13 @@ std::string name_in_caption(const Placement& placement) {
 
 // How much further both captions have room for: what only one of them said could not be compared.
 std::size_t further_in_captions(const CanvasView& view, float room) {
+  const Units& units = shown(view.state).units;
   const auto fits = [&](const Placement& placement, std::size_t further) {
     const float taken =
         view.layout.wide
             ? 0
             : text_size(Face::strong_label, name_in_caption(placement)).x + gap_in_caption;
-    return taken + text_size(Face::label, result_in_words(placement, further)).x <= room;
+    return taken + text_size(Face::label, result_in_words(placement, units, further)).x <= room;
   };
   std::size_t further = 2;
   for (const std::optional<Placement>* each : {&view.state.placement, &view.state.second})
@@ -176,7 +177,8 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   const Face face = wide ? Face::strong : Face::strong_label;
   const ImVec2 title = text_size(face, name);
   const float beside = title.x + gap_in_caption;  // where the result begins in the same line
-  const std::string result = result_in_words(*view.placement, further_in_captions(view, room));
+  const std::string result =
+      result_in_words(*view.placement, shown(view.state).units, further_in_captions(view, room));
   const ImVec2 text = text_size(Face::label, result);
   const float width = (wide ? std::max(title.x, text.x) : beside + text.x) + 24;
   const double height = wide ? 46 : 28;

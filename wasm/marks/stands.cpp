@@ -91,7 +91,7 @@ void draw_why_unusable(const Painter& painter, const CanvasView& view) {
   if (!why) return;
   draw_word(painter.list(), state.camera.to_screen(state.hover.at), view.uncovered(), view.theme,
             view.theme.text,
-            capitalised(unusable_in_words(*why, settings(state).robot, settings(state).units)));
+            capitalised(unusable_in_words(*why, settings(state).robot, shown(state).units)));
 }
 
 }  // namespace evenlift::view

@@ -11,7 +11,7 @@
 #include "evenlift/capacity.h"
 #include "evenlift/formats.h"
 #include "evenlift/placement.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "page/hand_over.h"
 #include "state/robots_text.h"
 
@@ -27,7 +27,8 @@ struct Task {
       search;  // nothing before the start, and if there is no set of robots
   bool started = false;
   std::optional<Placement> counted = {};  // with a capacity; then nothing is searched for
-  std::optional<FailurePlan> plan = {};   // the count, once it is made
+  double capacity = 0;
+  std::optional<FailurePlan> plan = {};  // the count, once it is made
 };
 std::optional<Task>& task() {
   static std::optional<Task> the_task;
@@ -57,11 +58,12 @@ std::optional<Task> read_task(std::string_view text, std::string_view settings,
   const Result<Vec2> centre = check_centre_of_mass(*polygon, document->centre_of_mass);
   if (!centre) return std::nullopt;
   BalancedProblem problem(*polygon, *centre, document->settings);
-  if (document->settings.capacity) {
+  if (document->shown.capacity) {
     Placement counted(*polygon);
     counted.centre_of_mass = *centre;
     counted.settings = document->settings;
-    return Task{std::move(problem), std::nullopt, false, std::move(counted)};
+    return Task{std::move(problem), std::nullopt, false, std::move(counted),
+                *document->shown.capacity};
   }
   if (robots.empty()) return Task{std::move(problem), std::nullopt};
   auto start = view::read_robots(robots, document->settings.robots, *polygon);
@@ -98,7 +100,7 @@ EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   if (!evenlift::task()) return 1;
   evenlift::Task& task = *evenlift::task();
   if (task.counted) {
-    task.plan = plan_for_failures(*task.counted, *task.counted->settings.capacity);
+    task.plan = plan_for_failures(*task.counted, task.capacity);
     return 1;
   }
   const double end = emscripten_get_now() + milliseconds;

@@ -111,7 +111,7 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
   if (!document) return "problem\t" + document.error().message + '\n';
   const Result<Placement> placement = place(*document);
   if (!placement) return "problem\t" + placement.error().message + '\n';
-  const Result<Trace> trace = make_trace(*placement);
+  const Result<Trace> trace = make_trace(*placement, HistoryLength::whole, document->shown.units);
   if (!trace) return "problem\t" + trace.error().message + '\n';
   const Paper paper(placement->vertices());
   std::string text = "paper\t" + shortest(Paper::width) + '\t' + shortest(Paper::height) + '\t' +

@@ -37,6 +37,7 @@ class Words {
   Words(const Paper& paper, const Trace& trace)
       : paper_(paper),
         placement_(trace.placement),
+        units_(trace.units),
         balanced_(trace.balanced()),
         centre_(paper(trace.centre)) {
     around_.frame = {Vec2(3, 3), Vec2(Paper::width - 3, Paper::height - 3)};
@@ -50,7 +51,7 @@ class Words {
       const Box disc = around(robot.middle, Paper::disc);
       around_.marks.push_back(disc);
       if (robot.load)
-        add(load_in_words(*robot.load, placement_.loads->max, placement_.settings.units), disc,
+        add(load_in_words(*robot.load, placement_.loads->max, units_), disc,
             robot.middle - centre_);
     }
   }
@@ -131,6 +132,7 @@ class Words {
 
   const Paper& paper_;
   const Placement& placement_;
+  const Units& units_;
   bool balanced_;
   Vec2 centre_;
   labels::Surroundings around_;

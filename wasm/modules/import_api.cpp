@@ -85,7 +85,7 @@ EMSCRIPTEN_KEEPALIVE const char* import_outline(int index) {
 // and fit into one; else the polygon in the thesis's format.
 EMSCRIPTEN_KEEPALIVE const char* import_text(int index, int with_settings) {
   const Document& document = shape(index).document;
-  const bool has_unit = document.settings.units.length != LengthUnit::none;
+  const bool has_unit = document.shown.units.length != LengthUnit::none;
   if (with_settings && (imported().has_settings || has_unit)) {
     const Result<std::string> link = encode_link(document);
     if (link) return hand_over(*link);

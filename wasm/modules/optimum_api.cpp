@@ -23,6 +23,7 @@ using view::hand_over;
 namespace {
 
 struct Compared {
+  Shown shown;
   Placement greedy, best;
   Optimum optimum;
   double seconds = 0;    // the time that it could take
@@ -44,12 +45,11 @@ Document with_teams(Document document) {
     settings.teams = std::max<std::uint32_t>(1, settings.robots / 2);
   if (!selects_candidates(settings.method)) settings.method = Method::area;
   settings.goal.reset();
-  settings.step.reset();
   document.moved = {};
   return document;
 }
 
-Compared compare(const Placement& greedy, double seconds) {
+Compared compare(const Placement& greedy, const Shown& shown, double seconds) {
   const double end = emscripten_get_now() + 1000 * seconds;
   bool stopped = false;
   const Stop stop = [&] { return stopped = stopped || emscripten_get_now() >= end; };
@@ -57,17 +57,18 @@ Compared compare(const Placement& greedy, double seconds) {
       widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
                     greedy.requested_teams, greedy.team_candidates, stop, greedy.stands.get());
   Placement best = with_choice(greedy, optimum.taken);
-  return {greedy, std::move(best), std::move(optimum), seconds, stopped};
+  return {shown, greedy, std::move(best), std::move(optimum), seconds, stopped};
 }
 
-std::string row(const std::string& name, const Placement& placement) {
+std::string row(const std::string& name, const ShownPlacement& of) {
+  const Placement& placement = of.placement;
   std::string teams;
   for (const std::uint32_t i : placement.team_candidates)
     teams += (teams.empty() ? "" : ", ") + std::to_string(i + 1);
   const LoadSummary& loads = *placement.loads;
   return line("row", name + '\t' + percentage(placement.coverage, 2) + '\t' +
-                         load_in_words(loads.min, loads.max, loads.max, placement.settings.units) +
-                         '\t' + form_closure_in_words(placement.closure) + '\t' + teams);
+                         load_in_words(loads.min, loads.max, loads.max, of.shown.units) + '\t' +
+                         form_closure_in_words(placement.closure) + '\t' + teams);
 }
 
 std::string how_sure(const Compared& compared) {
@@ -100,9 +101,11 @@ std::string gap(const Compared& compared) {
 std::string in_lines(const Compared& compared, Method asked) {
   const Placement& greedy = compared.greedy;
   const bool proved = compared.optimum.proved;
-  std::string text = row("Greedy, by " + std::string(name(greedy.settings.method)), greedy) +
-                     row(proved ? "The optimum" : "The best that was found", compared.best) +
-                     line("said", gap(compared)) + line("said", how_sure(compared));
+  const Shown& shown = compared.shown;
+  std::string text =
+      row("Greedy, by " + std::string(name(greedy.settings.method)), {greedy, shown}) +
+      row(proved ? "The optimum" : "The best that was found", {compared.best, shown}) +
+      line("said", gap(compared)) + line("said", how_sure(compared));
   if (asked != greedy.settings.method)
     text += line("said", "The method " + std::string(name(asked)) +
                              " does not choose among candidates, so as many teams are chosen by " +
@@ -128,14 +131,17 @@ EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double second
   if (greedy->teams.empty())
     return hand_over(
         line("problem", "no chord through the centre of mass has the minimum load ratio"));
-  last() = compare(*greedy, seconds);
+  last() = compare(*greedy, document->shown, seconds);
   return hand_over(in_lines(*last(), document->settings.method));
 }
 
 // The picture of the greedy choice, or of the best one, as SVG; call only after optimum_compare() had rows.
 EMSCRIPTEN_KEEPALIVE const char* optimum_picture(int best) {
   using namespace evenlift;
-  return hand_over(last() ? placement_sketch(best != 0 ? last()->best : last()->greedy) : "");
+  const std::optional<Compared>& compared = last();
+  if (!compared) return hand_over({});
+  return hand_over(
+      placement_sketch({best != 0 ? compared->best : compared->greedy, compared->shown}));
 }
 
 }  // extern "C"

@@ -31,12 +31,7 @@ namespace {
 std::string open_with_these_settings(std::string_view text) {
   Result<Document> read = read_polygon(text);
   if (!read) return sentence(read.error());
-  Document document = std::move(read).value();
-  document.settings = settings(app().state);
-  document.settings.step.reset();  // it belongs to the former polygon, as does a length
-  document.settings.com_radius = 0;
-  document.settings.no_go.clear();
-  Result<Opened> polygon = opened(std::move(document));
+  Result<Opened> polygon = opened_after(std::move(read).value(), app().state.document);
   if (!polygon) return sentence(polygon.error());
   Commands commands;
   commands.push_back(OpenDocument{std::move(polygon).value()});
@@ -186,7 +181,7 @@ EMSCRIPTEN_KEEPALIVE void page_release_centre() { carry_out({ReleaseCentre{}}); 
 EMSCRIPTEN_KEEPALIVE double page_min_ratio() { return app().state.placed.settings.min_ratio; }
 EMSCRIPTEN_KEEPALIVE double page_weight() { return app().state.placed.settings.weight; }
 EMSCRIPTEN_KEEPALIVE const char* page_weight_unit() {
-  return hand_over(std::string(name(app().state.placed.settings.units.weight)));
+  return hand_over(std::string(name(app().state.placed.shown.units.weight)));
 }
 
 // Whether robots are points that may stand anywhere: they have no size, and no edge is marked.
@@ -199,7 +194,7 @@ EMSCRIPTEN_KEEPALIVE int page_is_drawing() { return app().state.tool == Tool::dr
 
 // The unit of coordinates and distances; "none" without one.
 EMSCRIPTEN_KEEPALIVE const char* page_length_unit() {
-  return hand_over(std::string(name(app().state.placed.settings.units.length)));
+  return hand_over(std::string(name(app().state.placed.shown.units.length)));
 }
 
 // Inserts a vertex in the middle of the edge that begins at this one.

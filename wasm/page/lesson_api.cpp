@@ -45,7 +45,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* 
 // cannot be traced, or if the lesson cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
-  const evenlift::Result<evenlift::Trace> trace = compute_trace(*app().state.placement);
+  const evenlift::Result<evenlift::Trace> trace = compute_trace(*app().state.placement, {});
   std::string found;
   if (!lesson || !trace) return hand_over(std::move(found));
   for (const evenlift::LessonStep& step : lesson->steps)

@@ -26,7 +26,7 @@
 #include "evenlift/output/poses.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "panels/summary.h"
 #include "state/browser.h"
 #include "state/layout.h"
@@ -83,7 +83,7 @@ using evenlift::Document;
 using evenlift::FailurePlan;
 using evenlift::Method;
 using evenlift::Result;
-using evenlift::Settings;
+using evenlift::Shown;
 
 extern "C" {
 
@@ -105,18 +105,18 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* wo
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
   const AppState& state = app().state;
   std::optional<CapacityInJson> capacity;
-  const Settings& settings = state.placement->settings;
+  const Shown& shown = state.placed.shown;
   std::optional<FailurePlan> spare = state.plan_due ? std::nullopt : state.spare;
-  if (settings.capacity && !spare && settings.method != Method::balanced)
-    spare = plan_for_failures(*state.placement, *settings.capacity);
-  if (settings.capacity)
-    capacity = CapacityInJson{*settings.capacity,
+  if (shown.capacity && !spare && state.placement->settings.method != Method::balanced)
+    spare = plan_for_failures(*state.placement, *shown.capacity);
+  if (shown.capacity)
+    capacity = CapacityInJson{*shown.capacity,
                               state.plan && !state.plan_due
                                   ? *state.plan
-                                  : plan_capacity(*state.placement, *settings.capacity),
+                                  : plan_capacity(*state.placement, *shown.capacity),
                               spare};
-  return hand_over(placement_json(*state.placement, true, capacity,
-                                  {settings.com_radius, failing(state) != nullptr}));
+  return hand_over(
+      placement_json({*state.placement, shown}, true, capacity, failing(state) != nullptr));
 }
 
 // Returns why it was refused, or nothing.
@@ -155,18 +155,21 @@ EMSCRIPTEN_KEEPALIVE const char* page_link() {
 // A link without the step of a lesson, so that a challenge begins at its beginning; any other text as it is.
 EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
   Result<Document> document = evenlift::decode_link(text);
-  if (!document || !document->settings.step) return hand_over(text);
-  document->settings.step.reset();
+  if (!document || !document->shown.step) return hand_over(text);
+  document->shown.step.reset();
   return hand_over(link_or_nothing(*document));
 }
 EMSCRIPTEN_KEEPALIVE const char* page_svg() {
   const AppState& state = app().state;
-  return hand_over(placement_svg(*state.placement, link_or_nothing(state.placed)));
+  return hand_over(evenlift::placement_svg({*state.placement, state.placed.shown},
+                                           link_or_nothing(state.placed)));
 }
 // The robots' poses, for a file with this ending: ".csv", ".json" or ".yaml".
 EMSCRIPTEN_KEEPALIVE const char* page_poses(const char* ending) {
   const auto format = evenlift::pose_format_of_file(ending);
-  return hand_over(format ? poses_text(*app().state.placement, *format) : std::string());
+  const AppState& state = app().state;
+  return hand_over(format ? poses_text({*state.placement, state.placed.shown}, *format)
+                          : std::string());
 }
 EMSCRIPTEN_KEEPALIVE const char* page_text() {
   return hand_over(evenlift::write_thesis(app().state.placed));
@@ -268,7 +271,7 @@ EMSCRIPTEN_KEEPALIVE void page_forget_steps() {
 }
 EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const char* link) {
   History::Kept kept;
-  if (edit >= 0 && edit < static_cast<int>(edit_count)) kept.edit = static_cast<Edit>(edit);
+  kept.edit = static_cast<Edit>(edit);
   if (method > 0 && method <= static_cast<int>(std::size(evenlift::all_methods)))
     kept.beside.second_method = evenlift::all_methods[method - 1];
   kept.link = link;

@@ -54,7 +54,7 @@ void draw_need(const Ui& ui) {
 }  // namespace
 
 void draw_capacity(const Ui& ui) {
-  const std::optional<double>& capacity = settings(ui.state).capacity;
+  const std::optional<double>& capacity = shown(ui.state).capacity;
   const float width =
       labelled(ui, "A robot carries",
                "What one robot can lift at most; type it to see how many robots are needed");
@@ -62,15 +62,16 @@ void draw_capacity(const Ui& ui) {
   if (!capacity) return text_field(ui, "capacity", label.c_str(), "capacity", "no limit", width);
   const float clear = ui.control();
   const int by =
-      stepper(ui, "capacity", given_weight(*capacity, settings(ui.state).units), width - clear - 4,
+      stepper(ui, "capacity", given_weight(*capacity, shown(ui.state).units), width - clear - 4,
               {.can_lower = *capacity > 1e-3,
                .can_raise = *capacity < 1e9,
                .label = label.c_str(),
                .setting = "capacity",
                .exact = shortest(*capacity)});
-  if (by != 0) ui.push(SetCapacity{stepped(*capacity, by)});
+  if (by != 0) ui.push(showing(ui.state, &Shown::capacity, stepped(*capacity, by)));
   ImGui::SameLine(0, 4);
-  if (icon_button(ui, "any", Icon::close, true, "No limit", clear)) ui.push(SetCapacity{});
+  if (icon_button(ui, "any", Icon::close, true, "No limit", clear))
+    ui.push(showing(ui.state, &Shown::capacity, std::nullopt));
   draw_need(ui);
 }
 

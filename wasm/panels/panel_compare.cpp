@@ -6,6 +6,7 @@
 #include "evenlift/output/words.h"
 #include "panels/methods.h"
 #include "panels/panels.h"
+#include "panels/summary.h"
 #include "ui/controls.h"
 #include "widgets/dropdown.h"
 #include "widgets/text.h"
@@ -19,14 +20,15 @@ struct Row {
 };
 
 // `failed` robots of the first placement carry nothing.
-std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed) {
+std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed,
+                      const std::string& weight_unit) {
   const auto both = [&](auto value) { return std::array<std::string, 2>{value(a), value(b)}; };
   const auto load = [](auto member) {
     return [member](const Placement& p) {
       return p.loads ? amount((*p.loads).*member, p.loads->max) : std::string("–");
     };
   };
-  const std::string unit = ", " + std::string(name(a.settings.units.weight));
+  const std::string unit = ", " + weight_unit;
   return {
       {"Robots",
        {std::to_string(count_robots(a.teams) - failed), std::to_string(count_robots(b.teams))}},
@@ -89,7 +91,8 @@ void draw_comparison(const Ui& ui) {
   const std::array<std::string, 2> both = {first + (fails ? ", one fails" : ""),
                                            words_of(*ui.state.second_method).label};
   draw_row(ui, {"", both}, Face::label, ui.theme.second_text, both);
-  for (const Row& row : rows(shown_placement(ui.state), *ui.state.second, fails ? 1 : 0))
+  for (const Row& row :
+       rows(shown_placement(ui.state), *ui.state.second, fails ? 1 : 0, weight_unit(ui.state)))
     draw_row(ui, row, Face::strong_label, ui.theme.text, both);
   ImGui::PopStyleVar();
 }

@@ -1,10 +1,10 @@
 // Settings that are seldom needed, behind a row that opens them: where teams may stand and what they are for, which loads are
 // shown, how well the centre of mass is known, units, and how balanced robots keep apart and what they survive.
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "evenlift/output/words.h"
+#include "panels/length_row.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "widgets/buttons.h"
@@ -36,34 +36,22 @@ void draw_model(const Ui& ui) {
   if (ui.state.load_model != LoadModel::plan) draw_block(ui, model_words(ui.state), 3);
 }
 
-// A first step from 0: a round number of about a hundredth of the object.
-double first_length(const Ui& ui) {
-  const double size = ui.state.placement ? ui.state.placement->polygon.diagonal() : 100;
-  return std::pow(10.0, std::floor(std::log10(size / 50)));
-}
-
-// A length one step up or down; below its first step it is 0.
-double stepped_length(const Ui& ui, double length, int by) {
-  const double first = first_length(ui);
-  if (by > 0) return length < first ? first : stepped(length, by);
-  const double lower = length > 0 ? stepped(length, by) : 0;
-  return lower < first ? 0 : lower;
-}
-
-void draw_doubt(const Ui& ui) {
-  const double radius = settings(ui.state).com_radius;
-  const float width =
-      labelled(ui, "C known within",
-               "The centre of mass lies somewhere within this distance of where it is shown");
-  const int by =
-      stepper(ui, "com radius", with_length_unit(plain(radius), settings(ui.state).units), width,
-              {.can_lower = radius > 0,
-               .can_raise = radius < max_coordinate,
-               .label = "Distance within which the centre of mass is known",
-               .setting = "com_radius"});
-  if (by != 0) ui.push(SetComRadius{stepped_length(ui, radius, by)});
-  if (radius > 0) draw_block(ui, doubt_words(ui.state), 5);
-}
+constexpr LengthRow doubt{
+    Setting::com_radius, "C known within",
+    "The centre of mass lies somewhere within this distance of where it is shown",
+    "Distance within which the centre of mass is known"};
+constexpr LengthRow clear{Setting::clear,
+                          "Clear of corners",
+                          "A hold does not rely on robots that are nearer to a corner than this",
+                          "Distance from corners that holds keep",
+                          &Settings::clear,
+                          "As usual: 2 % of the object's radius"};
+constexpr LengthRow apart{Setting::apart,
+                          "Keep apart",
+                          "Robots nearer to each other than this are too near",
+                          "Distance that robots keep apart",
+                          &Settings::apart,
+                          "As usual: 12 % of the object's radius"};
 
 constexpr Choice length_units[] = {{"no unit"}, {"m"}, {"cm"}, {"mm"}, {"in"}};
 constexpr Choice weight_units[] = {{"kg"}, {"t"}, {"N"}, {"lb"}};
@@ -71,7 +59,7 @@ static_assert(std::size(length_units) == std::size(all_length_units));
 static_assert(std::size(weight_units) == std::size(all_weight_units));
 
 void draw_units(const Ui& ui) {
-  Units units = settings(ui.state).units;
+  Units units = shown(ui.state).units;
   const float width = labelled(ui, "Units", "Labels of lengths and weights; no number changes"),
               each = (width - 8) / 2;
   const auto length = dropdown(ui, "length units", "Unit of lengths", length_units,
@@ -81,50 +69,7 @@ void draw_units(const Ui& ui) {
                                static_cast<std::size_t>(units.weight), each);
   if (length) units.length = static_cast<LengthUnit>(*length);
   if (weight) units.weight = static_cast<WeightUnit>(*weight);
-  if (!(units == settings(ui.state).units)) ui.push(SetUnits{units});
-}
-
-// A length that has a usual value, and how it is shown.
-struct UsualLength {
-  std::optional<double> Settings::*member;
-  const char *label, *tip, *about, *setting, *reset, *usual;
-};
-
-void draw_usual_length(const Ui& ui, const UsualLength& row) {
-  Settings changed = settings(ui.state);
-  std::optional<double>& length = changed.*row.member;
-  const float width = labelled(ui, row.label, row.tip), reset = length ? ui.control() : 0;
-  const std::string value = length ? with_length_unit(plain(*length), changed.units) : "usual";
-  const int by = stepper(ui, row.setting, value, width - reset,
-                         {.can_lower = length.value_or(1) > 0,
-                          .can_raise = length.value_or(0) < max_coordinate,
-                          .label = row.about,
-                          .setting = row.setting});
-  if (length) {
-    ImGui::SameLine(0, 0);
-    if (icon_button(ui, row.reset, Icon::close, true, row.usual, ui.control())) {
-      length.reset();
-      ui.push(SetSettings{changed});
-      return;
-    }
-  }
-  if (by == 0) return;
-  length = stepped_length(ui, length.value_or(0), by);
-  ui.push(SetSettings{changed});
-}
-
-void draw_apart(const Ui& ui) {
-  draw_usual_length(
-      ui, {&Settings::apart, "Keep apart", "Robots nearer to each other than this are too near",
-           "Distance that robots keep apart", "apart", "usual apart",
-           "As usual: 12 % of the object's radius"});
-}
-
-void draw_clear(const Ui& ui) {
-  draw_usual_length(ui, {&Settings::clear, "Clear of corners",
-                         "A hold does not rely on robots that are nearer to a corner than this",
-                         "Distance from corners that holds keep", "clear", "usual clear",
-                         "As usual: 2 % of the object's radius"});
+  if (units != shown(ui.state).units) ui.push(showing(ui.state, &Shown::units, units));
 }
 
 void draw_survive(const Ui& ui) {
@@ -161,11 +106,12 @@ void draw_rows(const Ui& ui) {
     draw_goal(ui);
   }
   draw_model(ui);
-  draw_doubt(ui);
-  draw_clear(ui);
+  draw_length(ui, doubt);
+  if (shown(ui.state).com_radius > 0) draw_block(ui, doubt_words(ui.state), 5);
+  draw_length(ui, clear);
   draw_units(ui);
   if (settings(ui.state).method != Method::balanced) return;
-  draw_apart(ui);
+  draw_length(ui, apart);
   draw_survive(ui);
 }
 

@@ -100,20 +100,20 @@ void draw_overlays(const Ui& ui) {
   const float left = ImGui::GetCursorScreenPos().x, width = ImGui::GetContentRegionAvail().x;
   bool first = true;
   for (const Overlay& overlay : overlays) {
-    const bool on = settings(ui.state).overlays.*overlay.shown;
+    const bool on = shown(ui.state).overlays.*overlay.shown;
     const char* label = label_of(settings(ui.state).method, overlay);
     const float wide = text_size(Face::label, label).x + 42;
     if (!first && ImGui::GetItemRectMax().x + 6 + wide <= left + width) ImGui::SameLine(0, 6);
     first = false;
     const char* why_not = why_none(settings(ui.state).method, overlay);
     if (chip(ui, overlay.label, overlay.swatch, label, on && !why_not, !why_not)) {
-      Overlays changed = settings(ui.state).overlays;
-      changed.*overlay.shown = !on;
-      ui.push(Show{changed});
+      Shown changed = shown(ui.state);
+      changed.overlays.*overlay.shown = !on;
+      ui.push(SetShown{changed});
     }
     if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about(ui.state, overlay).c_str());
   }
-  if (settings(ui.state).overlays.tipping) draw_heat_key(ui);
+  if (shown(ui.state).overlays.tipping) draw_heat_key(ui);
 }
 
 }  // namespace evenlift::view

@@ -5,7 +5,8 @@
 
 #include "actions/actions.h"
 #include "evenlift/output/words.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
+#include "panels/length_row.h"
 #include "panels/panels.h"
 #include "state/method.h"
 #include "widgets/buttons.h"
@@ -17,40 +18,26 @@
 namespace evenlift::view {
 namespace {
 
-struct SizeRow {
-  double RobotSize::*value;
-  const char *label, *about, *id, *spoken, *setting;
+constexpr LengthRow rows[] = {
+    {Setting::robot_reach, "Reach",
+     "Of the arm, from the body's rim to where it touches the object", "Reach of a robot's arm"},
+    {Setting::robot_depth, "Hand's depth",
+     "How far the hand goes beneath the object, where it lifts", "Depth of a robot's hand"},
+    {Setting::robot_width, "Hand's width", "Along the edge; it must not stick out at a corner",
+     "Width of a robot's hand"},
+    {Setting::robot_gap, "Gap", "That stays free between two robots", "Gap between two robots"},
 };
-constexpr SizeRow rows[] = {
-    {&RobotSize::reach, "Reach", "Of the arm, from the body's rim to where it touches the object",
-     "robot reach", "Reach of a robot's arm", "robot_reach"},
-    {&RobotSize::depth, "Hand's depth", "How far the hand goes beneath the object, where it lifts",
-     "robot depth", "Depth of a robot's hand", "robot_depth"},
-    {&RobotSize::width, "Hand's width", "Along the edge; it must not stick out at a corner",
-     "robot width", "Width of a robot's hand", "robot_width"},
-    {&RobotSize::gap, "Gap", "That stays free between two robots", "robot gap",
-     "Gap between two robots", "robot_gap"},
-};
-
-double size_of_object(const Ui& ui) {
-  return ui.state.placement ? ui.state.placement->polygon.diagonal() : 100;
-}
-
-// A step of a size: a hundredth of the object, rounded to one digit.
-double step_of(const Ui& ui) {
-  return std::pow(10.0, std::floor(std::log10(size_of_object(ui) / 50)));
-}
 
 // Up to a tenth of the object, which few places have room for; more can be typed.
 void draw_radius(const Ui& ui) {
   Settings changed = settings(ui.state);
-  const double radius = changed.robot.radius, coarse = step_of(ui), step = coarse / 10;
-  const double most = std::floor(size_of_object(ui) / 10 / coarse) * coarse;
-  const Units& units = changed.units;
+  const double radius = changed.robot.radius, size = size_of_object(ui.state),
+               coarse = first_length(size), most = std::floor(size / 10 / coarse) * coarse;
+  const Units& units = shown(ui.state).units;
   const float width = labelled(ui, "Radius", "Of the robot's round body"),
               number = units.length == LengthUnit::none ? 60.0f : 84.0f;
   const SliderResult moved = slider(ui, "radius", "Radius of a robot, as a slider",
-                                    std::min(radius, most), 0, most, step, width - number);
+                                    std::min(radius, most), 0, most, coarse / 10, width - number);
   ImGui::SameLine(0, 0);
   number_field(ui, "robot radius", "Radius of a robot", "robot_radius",
                with_length_unit(plain(moved.changed ? moved.value : radius), units), number,
@@ -60,23 +47,6 @@ void draw_radius(const Ui& ui) {
     ui.push(SetSettings{changed, true});
   }
   if (moved.released) ui.push(EndEdit{});
-}
-
-void draw_row(const Ui& ui, const SizeRow& row) {
-  Settings changed = settings(ui.state);
-  double& value = changed.robot.*(row.value);
-  const float width = labelled(ui, row.label, row.about);
-  const int by = stepper(ui, row.id, with_length_unit(plain(value), changed.units), width,
-                         {.can_lower = value > 0,
-                          .can_raise = value < max_coordinate,
-                          .label = row.spoken,
-                          .setting = row.setting});
-  if (by == 0) return;
-  const double first = step_of(ui);
-  const double stepped_to = by > 0 ? (value < first ? first : stepped(value, by))
-                                   : (value > first ? stepped(value, by) : 0);
-  value = stepped_to < first ? 0 : stepped_to;
-  ui.push(SetSettings{changed});
 }
 
 // Typed for those who do not paint them.
@@ -108,7 +78,7 @@ std::string left_in_words(const Placement& placement) {
 void draw_size_rows(const Ui& ui) {
   const AppState& state = ui.state;
   draw_radius(ui);
-  for (const SizeRow& row : rows) draw_row(ui, row);
+  for (const LengthRow& row : rows) draw_length(ui, row);
   draw_marks_row(ui);
   if (state.placement && state.placement->stands && !state.refusal)
     text_block(Face::label, ui.theme.second_text, left_in_words(*state.placement));

@@ -62,7 +62,7 @@ void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width = labelled(ui, "Weight", "Of the whole object");
   const std::string label = "Weight in " + weight_unit(ui.state);
-  const int by = stepper(ui, "weight", given_weight(changed.weight, changed.units), width,
+  const int by = stepper(ui, "weight", given_weight(changed.weight, shown(ui.state).units), width,
                          {.can_lower = changed.weight > 1e-3,
                           .can_raise = changed.weight < 1e9,
                           .label = label.c_str(),

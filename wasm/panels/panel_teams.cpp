@@ -65,7 +65,7 @@ void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int s
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Outlook& outlook = shown_outlook(ui.state);
   const LoadRange& load = outlook.loads[number];
-  const bool over = settings(ui.state).capacity && load.greatest > *settings(ui.state).capacity;
+  const bool over = shown(ui.state).capacity && load.greatest > *shown(ui.state).capacity;
   const float way = static_cast<float>(side), full = full_bar(c);
   const auto bar = [&](double value, Colour colour) {
     const double share = outlook.greatest > 0 ? value / outlook.greatest : 0;
@@ -140,7 +140,7 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
     const float x = c.middle + way * out;
     list.AddLine(ImVec2(x, top), ImVec2(x, bottom), ui.theme.accent.packed(), 1.5f);
   }
-  const std::string text = "even share " + load_in_words(mean, greatest, settings(ui.state).units);
+  const std::string text = "even share " + load_in_words(mean, greatest, shown(ui.state).units);
   const ImVec2 size = text_size(Face::label, text);
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
 }
@@ -167,7 +167,7 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   draw_number(ui, c, y, number);
   const ImVec2 size = text_size(Face::label, words.at[index]);
   draw_text(list, Face::label, ImVec2(c.left + 32, y - size.y / 2), ui.theme.text, words.at[index]);
-  const std::optional<double>& capacity = settings(ui.state).capacity;
+  const std::optional<double>& capacity = shown(ui.state).capacity;
   const bool over_capacity = capacity && shown_outlook(ui.state).loads[index].greatest > *capacity;
   right_aligned(list, Face::strong_label, c.ratio, y,
                 over_capacity ? ui.theme.amber : ui.theme.text, load_text(ui, index));

@@ -11,7 +11,7 @@
 namespace evenlift::view {
 
 bool is_overloaded(const AppState& state) {
-  const std::optional<double>& capacity = settings(state).capacity;
+  const std::optional<double>& capacity = shown(state).capacity;
   return capacity && state.outlook.greatest > *capacity;
 }
 
@@ -22,22 +22,24 @@ Verdict of_placement(const AppState& state) {
   const bool as_asked =
       !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
   const std::string tips =
-      placement.teams.empty() ? std::string()
-                              : tipping_in_words(state.outlook.robustness,
-                                                 settings(state).com_radius, settings(state).units);
+      placement.teams.empty()
+          ? std::string()
+          : tipping_in_words(state.outlook.robustness, shown(state).com_radius, shown(state).units);
   const bool good = as_asked && placement.coverage >= good_coverage && is_held(placement) &&
                     !is_overloaded(state) && tips.empty();
-  std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(placement);
+  std::string detail =
+      (tips.empty() ? tips : tips + " ") + detail_in_words({placement, shown(state)});
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " So the goal, to hold, is not reached.";
   return {good ? Mood::good : Mood::not_quite,
-          loads_in_words(placement, state.outlook.model, state.outlook.loads), std::move(detail)};
+          loads_in_words({placement, shown(state)}, state.outlook.model, state.outlook.loads),
+          std::move(detail)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
   const bool teams = failure.placement.settings.method != Method::balanced;
   return {mood_of(state, failure.rest), failure_words(state, failure.robot),
-          rest_in_words(failure.placement) +
+          rest_in_words({failure.placement, shown(state)}) +
               (teams ? " The discs number the robots, not the teams, while one fails." : "")};
 }
 
@@ -81,7 +83,7 @@ std::string balanced_in_words(const Placement& placement) {
 }
 
 // What each of the others bears while a robot fails; of many nothing, since nobody could listen to it.
-std::string loads_while_failing(const Failure& failure) {
+std::string loads_while_failing(const Failure& failure, const Units& units) {
   constexpr std::size_t most = 24;
   const std::vector<LoadRange>& loads = failure.outlook.loads;
   std::string text;
@@ -89,9 +91,7 @@ std::string loads_while_failing(const Failure& failure) {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (i == failure.robot) continue;
     text += " Robot " + std::to_string(i + 1) + " carries " +
-            load_in_words(failure.outlook.model, loads[i], failure.outlook.greatest,
-                          failure.placement.settings.units) +
-            ".";
+            load_in_words(failure.outlook.model, loads[i], failure.outlook.greatest, units) + ".";
   }
   return text;
 }
@@ -120,34 +120,35 @@ std::string news_of_drawing(const AppState& state) {
 }  // namespace
 
 std::string need_in_words(const AppState& state) {
-  const std::optional<double>& capacity = settings(state).capacity;
+  const std::optional<double>& capacity = shown(state).capacity;
   if (!capacity || !state.placement) return {};
   const Outlook& outlook = shown_outlook(state);
   std::vector<double> greatest;
   for (const LoadRange& range : outlook.loads) greatest.push_back(range.greatest);
   const Failure* failure = failing(state);
-  return capacity_in_words(*state.placement, *capacity, state.plan ? &*state.plan : nullptr,
+  return capacity_in_words({*state.placement, shown(state)}, *capacity,
+                           state.plan ? &*state.plan : nullptr,
                            overloaded_robots(greatest, *capacity), outlook.model,
                            failure ? std::optional(failure->robot) : std::nullopt,
                            state.spare && !failure ? &*state.spare : nullptr);
 }
 
 std::string overload_in_brief(const AppState& state) {
-  const bool shown = state.placement && !state.refusal && state.tool != Tool::draw &&
-                     !failing(state) && is_overloaded(state);
-  if (!shown) return {};
-  return "A robot can carry " + given_weight(*settings(state).capacity, settings(state).units) +
+  const bool wanted = state.placement && !state.refusal && state.tool != Tool::draw &&
+                      !failing(state) && is_overloaded(state);
+  if (!wanted) return {};
+  return "A robot can carry " + given_weight(*shown(state).capacity, shown(state).units) +
          ": not enough. ";
 }
 
 std::string model_words(const AppState& state) {
   const std::optional<ModelLoads>& models = state.outlook.models;
-  return models ? model_in_words(state.load_model, *models, settings(state).units) : std::string();
+  return models ? model_in_words(state.load_model, *models, shown(state).units) : std::string();
 }
 
 std::string doubt_words(const AppState& state) {
   const std::optional<ModelLoads>& models = state.outlook.models;
-  const Settings& now = settings(state);
+  const Shown& now = shown(state);
   if (!models || now.com_radius == 0) return {};
   const Robustness& robustness = state.outlook.robustness;
   std::string text = doubt_in_words(*models, robustness, now.com_radius, now.units);
@@ -158,7 +159,7 @@ std::string doubt_words(const AppState& state) {
 
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
   if (!rest) return Mood::falls;
-  const std::optional<double>& capacity = settings(state).capacity;
+  const std::optional<double>& capacity = shown(state).capacity;
   const bool overloaded = capacity && rest->greatest_by_springs > *capacity;
   return rest->steady && !overloaded ? Mood::good : Mood::not_quite;
 }
@@ -166,11 +167,11 @@ Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
 std::string failure_words(const AppState& state, std::size_t robot) {
   const std::size_t all = count_robots(state.placement->teams);
   if (state.failure && state.failure->robot == robot)
-    return failure_in_words(robot, all, state.failure->rest, settings(state).capacity,
-                            settings(state).units);
+    return failure_in_words(robot, all, state.failure->rest, shown(state).capacity,
+                            shown(state).units);
   if (robot >= state.failures.size()) return {};
-  return failure_in_words(robot, all, state.failures[robot], settings(state).capacity,
-                          settings(state).units);
+  return failure_in_words(robot, all, state.failures[robot], shown(state).capacity,
+                          shown(state).units);
 }
 
 Verdict verdict(const AppState& state) {
@@ -210,7 +211,8 @@ std::string summary(const AppState& state) {
   std::string text = v.headline;
   if (!v.detail.empty()) text += " " + v.detail;
   if (state.refusal || !state.placement) return text;
-  if (const Failure* failure = failing(state)) return text + loads_while_failing(*failure);
+  if (const Failure* failure = failing(state))
+    return text + loads_while_failing(*failure, shown(state).units);
   for (const std::string& more : {need_in_words(state), model_words(state), doubt_words(state)})
     if (!more.empty()) text += " " + more;
   const Placement& placement = *state.placement;
@@ -226,14 +228,14 @@ std::string summary(const AppState& state) {
   for (std::size_t i = 0; i < named; ++i) {
     const TeamInWords team = team_in_words(placement, i, decimals);
     text += " Team " + std::to_string(i + 1) + " at " + team.at[0] + " and " + team.at[1] + ": " +
-            team.loads[0] + " and " + with_weight_unit(team.loads[1], settings.units) +
+            team.loads[0] + " and " + with_weight_unit(team.loads[1], shown(state).units) +
             ", load ratio " + team.ratio + ".";
   }
   return text;
 }
 
 std::string weight_unit(const AppState& state) {
-  return std::string(name(settings(state).units.weight));
+  return std::string(name(shown(state).units.weight));
 }
 
 std::string link_lacks_in_words(const AppState& state) {
@@ -264,22 +266,23 @@ std::string news(const AppState& state) {
   const bool bar = state.tool != Tool::parts || state.selected;
   if (bar && state.snap.grid) lines += "Points snap to the grid.\n";
   if (bar && state.snap.axis) lines += "Points snap to the axis.\n";
-  for (const auto& [shown, name] : {std::pair(&Overlays::lifting_base, "the lifting base"),
-                                    {&Overlays::chords, "chords"},
-                                    {&Overlays::candidates, "candidates"},
-                                    {&Overlays::clockwise, "free clockwise turns"},
-                                    {&Overlays::counterclockwise, "free counter-clockwise turns"},
-                                    {&Overlays::tipping, "the force that tips"},
-                                    {&Overlays::halo, "how far the centre of mass may be off"}})
-    lines += (settings(state).overlays.*shown ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
+  for (const auto& [overlay, name] : {std::pair(&Overlays::lifting_base, "the lifting base"),
+                                      {&Overlays::chords, "chords"},
+                                      {&Overlays::candidates, "candidates"},
+                                      {&Overlays::clockwise, "free clockwise turns"},
+                                      {&Overlays::counterclockwise, "free counter-clockwise turns"},
+                                      {&Overlays::tipping, "the force that tips"},
+                                      {&Overlays::halo, "how far the centre of mass may be off"}})
+    lines += (shown(state).overlays.*overlay ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
   if (state.second_method)
-    lines += "Compared with " + std::string(name(*state.second_method)) +
-             (state.second ? ": " +
-                                 loads_in_words(*state.second, state.second_outlook.model,
-                                                state.second_outlook.loads) +
-                                 " " + detail_in_words(*state.second)
-                           : ".") +
-             '\n';
+    lines +=
+        "Compared with " + std::string(name(*state.second_method)) +
+        (state.second ? ": " +
+                            loads_in_words({*state.second, shown(state)},
+                                           state.second_outlook.model, state.second_outlook.loads) +
+                            " " + detail_in_words({*state.second, shown(state)})
+                      : ".") +
+        '\n';
   return lines;
 }
 

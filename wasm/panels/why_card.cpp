@@ -76,13 +76,14 @@ void draw_row(const Ui& ui, const Explanation::Row& row) {
 void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
   if (failure.robot == robot) {
     text_block(Face::label, ui.theme.text, failure_words(ui.state, robot));
-    text_block(Face::label, ui.theme.second_text, rest_in_words(failure.placement));
+    text_block(Face::label, ui.theme.second_text,
+               rest_in_words({failure.placement, shown(ui.state)}));
     return;
   }
   const LoadRange& load = failure.outlook.loads[robot];
   draw_row(ui, {"It carries now",
                 failure.rest ? load_in_words(failure.outlook.model, load, failure.outlook.greatest,
-                                             settings(ui.state).units)
+                                             shown(ui.state).units)
                              : std::string("nothing")});
   draw_row(ui, {"Robot " + std::to_string(failure.robot + 1), "fails"});
 }

@@ -28,7 +28,7 @@ struct CanvasView {
   const Outlook& outlook() const { return shown_outlook(state, second); }
   const Failure* failure() const { return second ? nullptr : failing(state); }
   bool overloads(double load) const {
-    const std::optional<double>& capacity = settings(state).capacity;
+    const std::optional<double>& capacity = shown(state).capacity;
     return capacity && load > *capacity;
   }
   bool current() const { return placement && !state.refusal; }

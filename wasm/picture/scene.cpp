@@ -61,7 +61,7 @@ void follow_anew(Scene& scene, const AppState& state, const Placement& placement
 
 void follow(Scene& scene, const AppState& state, const Placement& placement, double now) {
   // Even while the document is refused its overlays are shown, with the last good placement.
-  const Overlays& overlays = state.document.settings.overlays;
+  const Overlays& overlays = shown(state).overlays;
   const bool anew = scene.revision != state.revision;
   if (anew || !(scene.overlays == overlays)) {
     const std::vector<Shape> before = std::move(scene.shapes);

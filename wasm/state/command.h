@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -58,9 +60,18 @@ struct MoveRobot {
 struct ResetRobots {};  // back to where they were found
 
 // The other commands change neither the polygon nor its placement.
-struct Show {
-  Overlays overlays;
+// What is shown: one step of undo, unless only overlays differ.
+struct SetShown {
+  Shown shown;
+  bool live = false;
 };
+template <class Value>
+SetShown showing(const AppState& state, Value Shown::*member, std::type_identity_t<Value> value,
+                 bool live = false) {
+  SetShown changed{shown(state), live};
+  changed.shown.*member = std::move(value);
+  return changed;
+}
 struct SetTool {
   Tool tool;
 };
@@ -150,17 +161,6 @@ struct Fail {
 struct SetLoadModel {
   LoadModel model;
 };
-// Settings that place nothing; each is one step of undo, live ones until EndEdit.
-struct SetCapacity {
-  std::optional<double> capacity;
-};
-struct SetComRadius {
-  double radius;
-  bool live = false;
-};
-struct SetUnits {
-  Units units;
-};
 struct SetMotion {
   bool on;
 };
@@ -223,14 +223,14 @@ struct ShowNotice {
 
 using Command = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-    OpenDocument, SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, Show, SetTool,
+    OpenDocument, SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, SetShown, SetTool,
     GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor,
-    TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetCapacity, SetComRadius,
-    SetUnits, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters,
-    SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain,
-    ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld,
-    SetCamera, FitView, ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen,
-    CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, ShowNotice>;
+    TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetMotion, OpenWalkthrough,
+    CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
+    PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
+    SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen,
+    SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
+    MeasureNotice, CopyLink, TypeValue, OpenDialog, ShowNotice>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -2,43 +2,73 @@
 
 #include <iterator>
 #include <utility>
+#include <variant>
 
 #include "evenlift/link.h"
 
 namespace evenlift::view {
 namespace {
 
-constexpr const char* words[] = {"opened a polygon",
-                                 "drew a polygon",
-                                 "changed settings",
-                                 "changed the number of teams",
-                                 "changed the method",
-                                 "changed the minimum load ratio",
-                                 "changed the weight",
-                                 "changed the seed",
-                                 "moved a vertex",
-                                 "added a vertex",
-                                 "removed a vertex",
-                                 "moved the centre of mass",
-                                 "put the centre of mass back to the centroid",
-                                 "moved, turned or scaled the whole",
-                                 "changed what a robot can carry",
-                                 "changed the comparison",
-                                 "left a lesson",
-                                 "changed the number of robots",
-                                 "changed what the robots are for",
-                                 "changed how well the centre of mass is known",
-                                 "changed where teams may stand",
-                                 "changed the size of the robots",
-                                 "changed what robots may not touch",
-                                 "moved robots by hand",
-                                 "put the robots back",
-                                 "opened a lesson"};
-static_assert(std::size(words) == edit_count);
+// By its number: what it did, or the setting that it changed.
+using What = std::variant<const char*, Setting>;
+constexpr What edits[] = {"opened a polygon",
+                          "drew a polygon",
+                          "changed settings",
+                          Setting::teams,
+                          Setting::method,
+                          Setting::min_ratio,
+                          Setting::weight,
+                          Setting::seed,
+                          "moved a vertex",
+                          "added a vertex",
+                          "removed a vertex",
+                          "moved the centre of mass",
+                          "put the centre of mass back to the centroid",
+                          "moved, turned or scaled the whole",
+                          Setting::capacity,
+                          "changed the comparison",
+                          "left a lesson",
+                          Setting::robots,
+                          Setting::goal,
+                          Setting::com_radius,
+                          Setting::positions,
+                          Setting::robot,
+                          Setting::no_go,
+                          "moved robots by hand",
+                          "put the robots back",
+                          "opened a lesson"};
+static_assert(std::size(edits) == edit_count);
+
+// A number that only another version of the page knows is said to be of some settings.
+What what_of(Edit edit) {
+  const auto number = static_cast<std::size_t>(edit);
+  if (number < edit_count) return edits[number];
+  for (const SettingRow& row : all_settings())
+    if (row.record != 0 && number == edit_of_records + row.record) return row.setting;
+  return what_of(Edit::settings);
+}
 
 }  // namespace
 
-const char* in_words(Edit edit) { return words[static_cast<std::size_t>(edit)]; }
+std::string in_words(Edit edit) {
+  const What what = what_of(edit);
+  const Setting* setting = std::get_if<Setting>(&what);
+  return setting ? "changed " + std::string(row_of(*setting).edit) : std::get<const char*>(what);
+}
+
+Edit edit_of(const SettingRow& row) {
+  for (std::size_t i = 0; i < edit_count; ++i) {
+    const Setting* setting = std::get_if<Setting>(&edits[i]);
+    if (setting && row_of(*setting).edit == row.edit) return static_cast<Edit>(i);
+  }
+  return static_cast<Edit>(edit_of_records + row.record);
+}
+
+Shown seen_as(Shown shown, const Shown& other) {
+  shown.overlays = other.overlays;
+  shown.step = other.step;
+  return shown;
+}
 
 bool is_other_object(Edit edit) {
   return edit == Edit::opened || edit == Edit::drawn || edit == Edit::lesson_opened ||
@@ -51,17 +81,15 @@ History::Entry History::remember(const Document& document, const Beside& beside,
     if (!vertices && !entries->empty() && *entries->back().vertices == document.vertices)
       vertices = entries->back().vertices;
   if (!vertices) vertices = std::make_shared<const Points>(document.vertices);
-  return {std::move(vertices),
-          document.centre_of_mass,
-          document.settings,
-          document.moved,
-          beside,
-          edit,
-          {}};
+  Document rest = document;
+  rest.vertices = Points();
+  return {std::move(vertices), std::move(rest), beside, edit, {}};
 }
 
 Document History::recall(const Entry& entry) {
-  return {*entry.vertices, entry.centre_of_mass, entry.settings, entry.moved};
+  Document document = entry.rest;
+  document.vertices = *entry.vertices;
+  return document;
 }
 
 // The edit leads from one document to the other, so it goes along in both directions.
@@ -97,11 +125,11 @@ std::optional<std::size_t> History::lesson_opened(std::size_t later) const {
 }
 
 std::optional<History::Recalled> History::leave_lesson(const Document& now, const Beside& beside) {
-  const std::optional<std::size_t> edits = lesson_opened();
-  if (!edits) return std::nullopt;
-  const Entry& opening = past_[past_.size() - 1 - *edits];
+  const std::optional<std::size_t> since = lesson_opened();
+  if (!since) return std::nullopt;
+  const Entry& opening = past_[past_.size() - 1 - *since];
   Recalled before{recall(opening), opening.beside, Edit::lesson_left};
-  if (*edits > 0) {
+  if (*since > 0) {
     record(now, beside, Edit::lesson_left);
   } else {
     past_.pop_back();

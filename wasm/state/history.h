@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "evenlift/document.h"
+#include "evenlift/settings.h"
 #include "evenlift/vec.h"
 
 namespace evenlift::view {
 
-// What an edit did. The browser keeps these numbers, so a new one goes to the end.
-enum class Edit : std::uint8_t {
+// What an edit did. The browser keeps these numbers, so a new one goes to the end. A setting that has
+// none here has that of its record in links (SettingRow), counted from `edit_of_records` on.
+enum class Edit : std::uint32_t {
   opened,
   drawn,
   settings,
@@ -43,10 +45,17 @@ enum class Edit : std::uint8_t {
   robots_reset,
   lesson_opened
 };
-inline constexpr std::size_t edit_count = 26;
+inline constexpr std::size_t edit_count = 26, edit_of_records = 100;
 
-// "moved a vertex". O(1).
-const char* in_words(Edit edit);
+// "moved a vertex". O(settings).
+std::string in_words(Edit edit);
+
+// The edit that changes a setting. O(settings).
+Edit edit_of(const SettingRow& row);
+
+// What is shown, with the overlays and the step of another: these are no edit, and undo leaves them.
+// O(1).
+Shown seen_as(Shown shown, const Shown& other);
 
 // Whether another object took the place of the one that was open. O(1).
 bool is_other_object(Edit edit);
@@ -117,9 +126,7 @@ class History {
  private:
   struct Entry {
     std::shared_ptr<const Points> vertices;
-    std::optional<Vec2> centre_of_mass;
-    Settings settings;
-    Moved moved;
+    Document rest;  // without them
     Beside beside;
     Edit edit = Edit::settings;
     std::string link;  // once it was written

@@ -5,6 +5,7 @@
 #include "evenlift/exchange.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
+#include "evenlift/settings.h"
 
 namespace evenlift::view {
 namespace {
@@ -64,19 +65,30 @@ bool waits_for_exchange(const Placement& placement) {
   return exchanges_teams(placement.settings) && !placement.search_ended;
 }
 
-Result<Trace> compute_trace(const Placement& placement, HistoryLength length) {
+Result<Trace> compute_trace(const Placement& placement, const Units& units, HistoryLength length) {
   ++so_far.traces;
-  return make_trace(placement, length);
+  return make_trace(placement, length, units);
 }
 
 Computed computed() { return so_far; }
 
 Result<Opened> opened(Document document) {
   // A lesson shows teams where they were found.
-  if (document.settings.step) document.moved.teams.clear();
+  if (document.shown.step) document.moved.teams.clear();
   Result<Placement> placement = compute_placement(document);
   if (!placement) return placement.error();
   return Opened{std::move(document), std::move(placement).value(), std::nullopt};
+}
+
+Result<Opened> opened_after(Document polygon, const Document& before) {
+  polygon.settings = before.settings;
+  polygon.shown = before.shown;
+  // A step, a length and edges are those of the former polygon.
+  polygon.shown.step.reset();
+  for (const SettingRow& row : all_settings())
+    if (row.changes == Changes::shown && row.is_length) read_setting(row.setting, "0", polygon);
+  polygon.settings.no_go.clear();
+  return opened(std::move(polygon));
 }
 
 Result<Document> parse_document(std::string_view text) {

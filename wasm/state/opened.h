@@ -20,6 +20,9 @@ struct Opened {
 // Places the document, or says why it is refused. Costs as much as place().
 Result<Opened> opened(Document document);
 
+// The same for another polygon, with all of the document before that is not about its own polygon.
+Result<Opened> opened_after(Document polygon, const Document& before);
+
 // Reads and places the document of a link; and of a link or a polygon's text. Returns the first
 // error, if there is one.
 Result<Opened> read_link(std::string_view link);
@@ -44,7 +47,7 @@ Result<Placement> compute_placement(const Document& document,
 
 // Whether its teams are to hold, but were left as the metric selects them. O(1).
 bool waits_for_exchange(const Placement& placement);
-Result<Trace> compute_trace(const Placement& placement,
+Result<Trace> compute_trace(const Placement& placement, const Units& units,
                             HistoryLength length = HistoryLength::whole);
 struct Computed {
   std::uint64_t placements = 0, traces = 0;

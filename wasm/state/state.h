@@ -190,7 +190,8 @@ inline bool by_hand(const AppState& state) {
   return state.placement && state.placement->moved.any();
 }
 
-// The settings in force. O(1).
+// The settings in force, and what is shown. O(1).
 inline const Settings& settings(const AppState& state) { return state.document.settings; }
+inline const Shown& shown(const AppState& state) { return state.document.shown; }
 
 }  // namespace evenlift::view

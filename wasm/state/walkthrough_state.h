@@ -26,13 +26,11 @@ struct Stop {
 };
 struct Script {
   Lesson lesson;
-  std::vector<Stop> stops;             // those whose address is in the trace; at least one
-  std::size_t position = 0;            // the stop that is shown, or was shown last
-  Points vertices;                     // of the polygon that the lesson was written for
-  std::optional<Vec2> centre_of_mass;  // given with it
-  std::size_t depth = 0;  // edits in the history when it was opened; undoing more leaves it
-  Settings own;           // that it was written for
-  bool preview = false;   // it is being written
+  std::vector<Stop> stops;   // those whose address is in the trace; at least one
+  std::size_t position = 0;  // the stop that is shown, or was shown last
+  Document of;               // what the lesson was written for
+  std::size_t depth = 0;     // edits in the history when it was opened; undoing more leaves it
+  bool preview = false;      // it is being written
 };
 
 // A question to the learner about a choice that the next step will show.

@@ -79,8 +79,7 @@ Pick chord_at(const AppState& state, const Placement& placement, const Vec2& scr
 }
 
 Pick candidate_at(const AppState& state, const Placement& placement, const Vec2& screen) {
-  if (!settings(state).overlays.candidates || placement.settings.method == Method::balanced)
-    return {};
+  if (!shown(state).overlays.candidates || placement.settings.method == Method::balanced) return {};
   Nearest nearest{state.screen.touch ? 12.0 : 6.0};
   const Vec2 world = state.camera.to_world(screen);
   for (std::size_t i = 0; i < placement.candidates.size(); ++i) {
@@ -109,13 +108,13 @@ double grip_stands_off(const AppState& state) { return state.screen.finger ? 40 
 }  // namespace
 
 std::optional<Vec2> doubt_grip(const AppState& state) {
-  const bool shown = settings(state).overlays.halo && !state.screen.embed &&
+  const bool there = shown(state).overlays.halo && !state.screen.embed &&
                      state.tool == Tool::parts && !state.refusal && !walkthrough_is_open(state);
-  if (!shown || !state.placement || state.placement->teams.empty()) return std::nullopt;
+  if (!there || !state.placement || state.placement->teams.empty()) return std::nullopt;
   const Vec2 up_and_right(0.70710678, -0.70710678);
   return Vec2(state.camera.to_screen(centre_of_mass(state)) +
               up_and_right *
-                  (settings(state).com_radius * state.camera.scale + grip_stands_off(state)));
+                  (shown(state).com_radius * state.camera.scale + grip_stands_off(state)));
 }
 
 double doubt_for_grip(const AppState& state, const Vec2& screen) {

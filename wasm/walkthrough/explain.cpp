@@ -66,12 +66,13 @@ std::optional<std::uint32_t> step_of_candidate(const Trace& trace, std::uint32_t
                         : trace.find(StepKind::opposite, source - pairs);
 }
 
-void explain_team(Explanation& explanation, const Placement& placement, const Pick& pick,
+void explain_team(Explanation& explanation, const ShownPlacement& of, const Pick& pick,
                   const Trace* trace) {
+  const Placement& placement = of.placement;
   const Team& team = placement.teams[pick.index];
   const TeamInWords words =
       team_in_words(placement, pick.index, coordinate_decimals(placement.vertices()));
-  const Units& units = placement.settings.units;
+  const Units& units = of.shown.units;
   const std::string of_all = " of " + given_weight(placement.settings.weight, units);
   if (pick.kind == Pick::Kind::robot) {
     const auto end = static_cast<std::size_t>(pick.end);
@@ -94,11 +95,12 @@ void explain_team(Explanation& explanation, const Placement& placement, const Pi
 }
 
 // A balanced robot: what it bears, and that the centroid of all is why.
-void explain_balanced(Explanation& explanation, const Placement& placement, const Pick& pick) {
+void explain_balanced(Explanation& explanation, const ShownPlacement& of, const Pick& pick) {
+  const Placement& placement = of.placement;
   const auto robot = static_cast<std::size_t>(pick.end);
   const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   const std::size_t all = words.loads.size();
-  const Units& units = placement.settings.units;
+  const Units& units = of.shown.units;
   const std::string load = with_weight_unit(words.loads[robot], units);
   if (!pick.second) explanation.robot = robot;
   explanation.title = "Robot " + number(robot) + " of " + std::to_string(all);
@@ -112,11 +114,12 @@ void explain_balanced(Explanation& explanation, const Placement& placement, cons
                        "and level.";
 }
 
-void explain_candidate(Explanation& explanation, const Placement& placement, const Pick& pick,
+void explain_candidate(Explanation& explanation, const ShownPlacement& of, const Pick& pick,
                        const Trace* trace) {
+  const Placement& placement = of.placement;
   explanation.title =
       "Candidate " + number(pick.index) + " of " + std::to_string(placement.candidates.size());
-  add_chord(explanation, placement.candidates[pick.index].chord, placement.settings.units);
+  add_chord(explanation, placement.candidates[pick.index].chord, of.shown.units);
   if (!trace) return;
   const auto candidate = static_cast<std::uint32_t>(pick.index);
   explanation.reason = why_not_text(*trace, why_not(*trace, trace->size() - 1, candidate));
@@ -127,21 +130,22 @@ void explain_candidate(Explanation& explanation, const Placement& placement, con
 
 Explanation explain(const AppState& state, const Pick& pick) {
   const Placement& placement = pick.second ? *state.second : *state.placement;
+  const ShownPlacement of(placement, shown(state));
   Explanation explanation;
   explanation.of = pick;
   if (placement.settings.method == Method::balanced) {
-    explain_balanced(explanation, placement, pick);
+    explain_balanced(explanation, of, pick);
     return explanation;
   }
   // A placement whose trace would be too long is explained by its numbers alone.
   const bool moved = !pick.second && by_hand(state);  // and not where the algorithm put them
   std::optional<Result<Trace>> made;
-  if (!moved) made = compute_trace(placement);
+  if (!moved) made = compute_trace(placement, of.shown.units);
   const Trace* trace = made && *made ? &**made : nullptr;
   if (pick.kind == Pick::Kind::candidate)
-    explain_candidate(explanation, placement, pick, trace);
+    explain_candidate(explanation, of, pick, trace);
   else
-    explain_team(explanation, placement, pick, trace);
+    explain_team(explanation, of, pick, trace);
   if (pick.second) explanation.step.reset();  // the walkthrough is the first picture's
   return explanation;
 }

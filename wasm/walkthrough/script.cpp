@@ -44,22 +44,18 @@ void begin_script(AppState& state, Script script) {
   settle_position(walk);
 }
 
-bool same_settings(Settings a, const Settings& b) {
-  a.overlays = b.overlays;
-  a.step = b.step;
-  return a == b;
-}
-
 bool script_is_true(const AppState& state) {
   const std::optional<Script>& script = state.walkthrough.script;
-  return script && script->vertices == state.document.vertices &&
-         script->centre_of_mass == state.document.centre_of_mass;
+  return script && script->of.vertices == state.document.vertices &&
+         script->of.centre_of_mass == state.document.centre_of_mass;
 }
 
 std::string words_of_stop(const AppState& state) {
   const Walkthrough& walk = state.walkthrough;
   if (!walk.script || walk.ask) return {};
-  if (!script_is_true(state) || !same_settings(walk.script->own, settings(state)))
+  const Document& of = walk.script->of;
+  if (!script_is_true(state) || of.settings != settings(state) ||
+      seen_as(of.shown, shown(state)) != shown(state))
     return "You changed the shape or a setting: the lesson's words were about how it was. Undo brings that back.";
   const Stop& stop = walk.script->stops[walk.script->position];
   return stop.step == walk.at ? stop.words : std::string();

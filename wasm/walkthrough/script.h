@@ -18,9 +18,6 @@ void find_stops(Walkthrough& walk);
 // Finds the stop for a step that was not reached from stop to stop.
 void settle_position(Walkthrough& walk);
 
-// Whether settings are the same but for what is shown and the step of the walkthrough. O(1).
-bool same_settings(Settings a, const Settings& b);
-
 // Whether a script is open, and the polygon and its centre of mass are still those that it was written for.
 bool script_is_true(const AppState& state);
 

@@ -82,7 +82,7 @@ void remember(Walkthrough& walk) {
 
 // The step belongs to the document, so that links carry it; but it is no edit that could be undone.
 void publish(AppState& state, std::optional<std::uint32_t> step) {
-  state.document.settings.step = state.placed.settings.step = step;
+  state.document.shown.step = state.placed.shown.step = step;
   browser::document_changed();
 }
 
@@ -126,8 +126,8 @@ void take_over_search(AppState& state) {
 // Traces the placement. During a drag only the start of a search for balanced robots is traced. If that is impossible, says so in a notice and returns false.
 bool trace_it(AppState& state, std::optional<Trace> made = std::nullopt) {
   const HistoryLength length = state.edit_open ? HistoryLength::start : HistoryLength::whole;
-  Result<Trace> trace =
-      made ? Result<Trace>(std::move(*made)) : compute_trace(*state.placement, length);
+  Result<Trace> trace = made ? Result<Trace>(std::move(*made))
+                             : compute_trace(*state.placement, shown(state).units, length);
   if (!trace) {
     show(state, {Notice::Kind::problem, sentence(trace.error()) + "."});
     close_walkthrough(state);
@@ -152,7 +152,7 @@ std::optional<InputError> check_step(std::uint32_t step, const Trace& trace) {
 
 void follow_placement(AppState& state, std::optional<Trace> made) {
   Walkthrough& walk = state.walkthrough;
-  const std::optional<std::uint32_t> wanted = state.document.settings.step;
+  const std::optional<std::uint32_t> wanted = state.document.shown.step;
   if (!wanted) {
     if (walk.trace) close_walkthrough(state);
     return;
@@ -248,7 +248,7 @@ void show_all_steps(AppState& state, bool all) {
   Walkthrough& walk = state.walkthrough;
   walk.all_steps = all;
   if (all && walk.script) walk.aside = std::exchange(walk.script, std::nullopt);
-  if (!all && walk.aside && walk.aside->vertices == state.document.vertices && walk.trace) {
+  if (!all && walk.aside && walk.aside->of.vertices == state.document.vertices && walk.trace) {
     walk.script = std::exchange(walk.aside, std::nullopt);
     find_stops(walk);
     settle_position(walk);
@@ -260,7 +260,7 @@ void show_all_steps(AppState& state, bool all) {
 }
 
 std::optional<InputError> join_script(AppState& state, Script script) {
-  if (state.refusal || !state.placement || state.document.vertices != script.vertices)
+  if (state.refusal || !state.placement || state.document.vertices != script.of.vertices)
     return InputError{ErrorCode::bad_syntax, "it is of another polygon than the link", {}};
   const bool begins = !walkthrough_is_open(state);
   open_walkthrough(state);

@@ -1,4 +1,4 @@
-// The content of a file or a link: a polygon, perhaps its centre of mass, and the settings. A
+// The content of a file or a link: a polygon, perhaps its centre of mass, the settings, and what is shown. A
 // Document is raw input: nothing has been checked except that its numbers are finite.
 #pragma once
 
@@ -41,23 +41,41 @@ inline constexpr Method pair_methods[] = {Method::area, Method::circle, Method::
 
 // The methods that choose teams among the candidates.
 inline constexpr Method candidate_methods[] = {Method::area, Method::circle, Method::distance};
-constexpr bool selects_candidates(Method method) {
-  for (const Method selects : candidate_methods)
-    if (selects == method) return true;
-  return false;
-}
 
-// Whether the scores by which it chooses are lengths; otherwise they are areas.
-constexpr bool scores_are_lengths(Method method) { return method == Method::distance; }
+// What they choose by: how much a candidate's two ends add to the lifting base.
+enum class Metric : std::uint8_t { area, circle, distance };
+
+// The metric of a method; nothing if it does not choose among candidates. O(1).
+constexpr std::optional<Metric> metric_of(Method method) {
+  switch (method) {
+    case Method::area:
+      return Metric::area;
+    case Method::circle:
+      return Metric::circle;
+    case Method::distance:
+      return Metric::distance;
+    case Method::distributed:
+    case Method::random:
+    case Method::balanced:
+      break;
+  }
+  return std::nullopt;
+}
+constexpr bool selects_candidates(Method method) { return metric_of(method).has_value(); }
+
+// Whether the scores by a metric are lengths; otherwise they are areas.
+constexpr bool scores_are_lengths(Metric metric) { return metric == Metric::distance; }
 
 // What the placement is to reach first of all: the widest base, or a firm hold.
 enum class Goal : std::uint8_t { cover, hold };
+inline constexpr Goal all_goals[] = {Goal::cover, Goal::hold};
 std::string_view name(Goal goal);
 std::optional<Goal> goal_from_name(std::string_view text);
 
 // Where a team may stand on two edges that face each other: at the one best place, or anywhere in the
 // range in which its chord is even enough (candidates.h).
 enum class Positions : std::uint8_t { best, range };
+inline constexpr Positions all_positions[] = {Positions::best, Positions::range};
 std::string_view name(Positions positions);
 std::optional<Positions> positions_from_name(std::string_view text);
 
@@ -81,7 +99,7 @@ struct Units {
 std::string_view name(LengthUnit unit);  // "mm", or "none"
 std::string_view name(WeightUnit unit);  // "kg"
 
-// What the picture shows besides the polygon and its robots. The core only stores it.
+// What the picture shows besides the polygon and its robots.
 struct Overlays {
   bool candidates = false;       // candidate chords that were not selected
   bool chords = true;            // the teams' chords
@@ -116,18 +134,17 @@ struct EdgePart {
 // The usual distance that is not relied on, in units of R (closure.h).
 inline constexpr double usual_clear = 0.02;
 
+// What a placement depends on besides the polygon and the centre of mass.
 struct Settings {
   // 1 .. max_teams; none means every candidate ("max"), for methods that choose among candidates.
   std::optional<std::uint32_t> teams = 3;
   Method method = Method::area;
-  double min_ratio = 0.8;  // minimum load ratio, 0 .. 1, both included
-  double weight = 100;     // of the object, min_weight .. max_weight; loads are in its unit
-  std::uint64_t seed = 1;  // for Method::random
-  Overlays overlays;
-  std::optional<std::uint32_t> step;  // of the lesson, if it is open
-  std::uint32_t robots = 6;           // for Method::balanced, least_robots .. most_robots
-  std::optional<Goal> goal;           // none means the usual one of the method, see goal_of()
-  double min_margin = 0.05;           // a hold with this margin is firm, 0 .. 1
+  double min_ratio = 0.8;       // minimum load ratio, 0 .. 1, both included
+  double weight = 100;          // of the object, min_weight .. max_weight; loads are in its unit
+  std::uint64_t seed = 1;       // for Method::random
+  std::uint32_t robots = 6;     // for Method::balanced, least_robots .. most_robots
+  std::optional<Goal> goal;     // none means the usual one of the method, see goal_of()
+  double min_margin = 0.05;     // a hold with this margin is firm, 0 .. 1
   std::optional<double> apart;  // robots should not be nearer to each other, >= 0, in units of
                                 // length; none means 0.12 R
   std::optional<double>
@@ -136,15 +153,22 @@ struct Settings {
               // units of length; none means usual_clear times R
   std::uint32_t survive = 0;  // failures of balanced robots that should leave the object
                               // steady; they take at least 2 survive + 3 robots
-  double com_radius = 0;  // the centre of mass is known only within this distance, 0 .. max_length,
-                          // in units of length; it changes no placement
-  std::optional<double> capacity;  // what one robot can carry, min_weight .. max_weight, in the
-                                   // weight's unit; none means no limit; it changes no placement
-  Units units;
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
   RobotSize robot;
   std::vector<EdgePart> no_go;  // what no robot may touch, at most most_no_go, in any order
   bool operator==(const Settings&) const = default;
+};
+
+// What is shown of a placement and asked about it. None of it changes a placement, so no placement keeps it.
+struct Shown {
+  Overlays overlays;
+  std::optional<std::uint32_t> step;  // of the lesson, if it is open
+  double com_radius = 0;  // the centre of mass is known only within this distance, 0 .. max_length,
+                          // in units of length
+  std::optional<double> capacity;  // what one robot can carry, min_weight .. max_weight, in the
+                                   // weight's unit; none means no limit
+  Units units;
+  bool operator==(const Shown&) const = default;
 };
 
 // The goal of a placement: the one given, or else the usual one. That is to hold for four or more
@@ -184,7 +208,8 @@ struct Moved {
 struct Document {
   Points vertices;                     // in the order given, either orientation
   std::optional<Vec2> centre_of_mass;  // none means the centroid of the area
-  Settings settings;
+  Settings settings = {};
+  Shown shown = {};
   Moved moved = {};
 };
 

@@ -20,10 +20,10 @@
 //   None: each bears the same.
 //
 // First the settings, one to a line. `title` and one of `polygon` (the name of a sample) and `link`
-// (a share link) must be there; `teams`, `metric`, `min-ratio`, `com`, `weight`, `seed`, `robots`,
-// `goal`, `positions`, `robot`, `no-go`, `unit` and `weight-unit` are those of `evenlift place` and override
-// what the link carries, and so do `overlays`; `predict: yes` makes the learner guess. The steps follow in the order in which the lesson shows them, each with its address in
-// brackets and its words. Addresses count from 1, as captions do:
+// (a share link) must be there; the settings that are options of `evenlift place` (settings.h) override what
+// the link carries, and so do `overlays`; `predict: yes` makes the learner guess. The steps follow in the
+// order in which the lesson shows them, each with its address in brackets and its words. Addresses count
+// from 1, as captions do:
 //   KIND or KIND N   a step's kind as `evenlift trace --json` names it, and its number: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           what becomes of that pair of edges
@@ -43,7 +43,7 @@
 
 #include "evenlift/document.h"
 #include "evenlift/result.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/trace.h"
 
 namespace evenlift {

@@ -47,11 +47,11 @@ struct Placement {
 // their end.
 enum class Effort : std::uint8_t { whole, start };
 
-// Checks that settings are in their ranges (settings_text.h) and go together: "max" needs a method
+// Checks that settings are in their ranges (settings.h) and go together: "max" needs a method
 // that chooses among candidates, the goal to hold such a method or balanced robots, and these are
 // enough for the failures that they are to survive; robots with a size, and edges that must not be
 // touched, need a method that looks for places. The error's place names the setting. O(parts of no_go).
-std::optional<InputError> check_settings(const Settings& settings);
+std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
 // The points of the boundary that the robots of all teams touch, in their row. Hands that go beneath
 // the object lift farther inside; otherwise these are the lifting points. O(robots).
@@ -85,5 +85,17 @@ Result<std::vector<Candidate>> candidates_of(const Document& document);
 // must be C. O(n log n) for up to most_robots.
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended);
+
+// A placement and what is shown of it, for those who put it into words, pictures and files; by itself it
+// is shown as usual. It refers to both, so it goes from caller to callee only.
+struct ShownPlacement {
+  ShownPlacement(const Placement& of) : placement(of), shown(usual) {}
+  ShownPlacement(const Placement& of, const Shown& how) : placement(of), shown(how) {}
+  const Placement& placement;
+  const Shown& shown;
+
+ private:
+  static const Shown usual;
+};
 
 }  // namespace evenlift

@@ -20,15 +20,23 @@ constexpr FirstTeam first_team(Positions positions) {
   return positions == Positions::range ? FirstTeam::longest : FirstTeam::even;
 }
 
+// What decides which candidate a team takes, key by key (algorithm.md, Selection).
+enum class Rule : std::uint8_t {
+  longest_even,  // first team: length, ratio, order
+  most_even,     // first team without an even candidate: ratio, length, order
+  score,         // further teams: score, ratio, length, order
+  longest,       // first team with positions anywhere in the range: length, ratio, order
+};
+
 // Chooses teams greedily. Returns indices into `candidates` in the order of choice: `teams` of
-// them, or all if there are fewer. `metric` is area, circle or distance. Geometry decides every
-// tie, so the same shape gets the same teams. It is lazy (M. Minoux, Accelerated greedy algorithms
-// for maximizing submodular set functions, 1978): O(K) for each team that widens H, and O(n) for each
-// end that is evaluated: that is done only if its edge of H has changed and its upper bound could
-// still win. Once no candidate widens H, all further teams together cost O(K log K). With `stands`
-// candidates that collide with a team placed before are passed over.
+// them, or all if there are fewer. Geometry decides every tie, so the same shape gets the same
+// teams. It is lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular set
+// functions, 1978): O(K) for each team that widens H, and O(n) for each end that is evaluated:
+// that is done only if its edge of H has changed and its upper bound could still win. Once no
+// candidate widens H, all further teams together cost O(K log K). With `stands` candidates that
+// collide with a team placed before are passed over.
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
-                                        const std::vector<Candidate>& candidates, Method metric,
+                                        const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first = FirstTeam::even,
                                         const Stands* stands = nullptr);
 
@@ -37,7 +45,7 @@ std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& cent
 // length, distance in units of length. It serves explanations and is slow: O(K n).
 std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
-                           const std::vector<std::uint32_t>& selected, Method metric);
+                           const std::vector<std::uint32_t>& selected, Metric metric);
 
 // The total angle of the directions in [0, pi) whose line through C meets the boundary on both
 // sides of C. Directions along radial edges are excluded. O(n log n).

@@ -30,6 +30,7 @@
 #include "evenlift/failures.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
+#include "evenlift/selection.h"
 #include "evenlift/stands.h"
 
 namespace evenlift {
@@ -124,6 +125,7 @@ struct Trace {
   Placement placement;
   Polygon polygon;
   Vec2 centre = Vec2::Zero();  // the placement's centre of mass
+  Units units;                 // for captions; they change no number
 
   // Chapter 2. The chords of ray i are chords[begins[i] .. begins[i + 1]). Those that were already
   // listed at an earlier ray come first; their `vertex` is their other end.
@@ -186,6 +188,8 @@ struct Trace {
   std::optional<std::uint32_t> chapter_begin(Chapter chapter) const;
   // Whether teams are chosen among candidates: area, circle or distance. O(1).
   bool by_candidates() const;
+  // By what they are chosen, in traces by_candidates() only. O(1).
+  Metric metric() const;
   // The candidates that the metric selects, and the teams there: before any exchange. O(1).
   const std::vector<std::uint32_t>& selected() const {
     return exchanges ? exchanges->start : placement.team_candidates;
@@ -207,7 +211,8 @@ bool centre_is_outside(const Trace& trace);
 // wherever the given robots stand. So it is with teams that were moved by hand. With
 // HistoryLength::start only its start is traced, if that is quick, so that the trace can follow a
 // drag.
-Result<Trace> make_trace(const Placement& placement, HistoryLength length = HistoryLength::whole);
+Result<Trace> make_trace(const Placement& placement, HistoryLength length = HistoryLength::whole,
+                         const Units& units = {});
 
 // The step of `trace` that is nearest to a step of another trace, from before an edit: the step
 // with the same kind and item, else the last of that kind, else the beginning of its chapter or of
@@ -351,12 +356,6 @@ struct Score {
   bool eligible = true;                      // first team, with even candidates: only these
   DecidedBy lost_by = DecidedBy::first_key;  // unless it won
   std::array<EndGain, 2> ends;               // of r1 and r2; of a first team empty
-};
-enum class Rule : std::uint8_t {
-  longest_even,  // first team: length, ratio, order
-  most_even,     // first team without an even candidate: ratio, length, order
-  score,         // further teams: score, ratio, length, order
-  longest,       // first team with positions anywhere in the range: length, ratio, order
 };
 struct TeamScores {
   std::uint32_t team = 0;

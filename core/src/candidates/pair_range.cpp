@@ -76,7 +76,11 @@ double place_towards(const PairRange& range, const Vec2& direction) {
   const double x = first == last ? range.first : first / (first - last);
   const bool ahead = dot(Vec2((1 - x) * range.a0 + x * range.a1), direction) > 0;
   if (ahead) return std::clamp(x, range.first, range.last);
-  return std::fabs(first) < std::fabs(last) ? range.first : range.last;
+  const auto closeness = [&](double place) {
+    const Vec2 offset = offset_at(range, place);
+    return dot(offset, direction) / length(offset);
+  };
+  return closeness(range.first) > closeness(range.last) ? range.first : range.last;
 }
 
 Candidate range_candidate(const Vec2& centre, const PairRange& range, double x) {

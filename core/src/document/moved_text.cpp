@@ -2,7 +2,7 @@
 
 #include "document/stand_settings.h"
 #include "evenlift/numbers.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 
 namespace evenlift {
 namespace {

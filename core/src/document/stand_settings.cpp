@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "evenlift/numbers.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 
 namespace evenlift {
 namespace {
@@ -56,7 +56,7 @@ std::optional<EdgePart> read_part(std::string_view text) {
 
 bool read_size(std::string_view text, double& size) {
   const std::optional<double> value = read_number(text);
-  if (!value || !is_length(*value)) return false;
+  if (!value || !is_in_range(Setting::apart, *value)) return false;
   size = *value + 0.0;  // -0 would be another document
   return true;
 }
@@ -105,7 +105,7 @@ std::string_view refused_part(std::string_view text) {
 
 bool is_robot_size(const RobotSize& robot) {
   for (const NamedSize& size : sizes)
-    if (!is_length(robot.*(size.value))) return false;
+    if (!is_in_range(Setting::apart, robot.*(size.value))) return false;
   return true;
 }
 

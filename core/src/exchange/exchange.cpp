@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "evenlift/selection.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
 #include "exchange/rounds.h"
 #include "grasp/hold_levels.h"
@@ -203,8 +203,9 @@ std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2&
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,
                                              const Stands* stands) {
-  std::vector<std::uint32_t> taken = select_teams(polygon, centre, candidates, settings.method,
-                                                  teams, first_team(settings.positions), stands);
+  std::vector<std::uint32_t> taken =
+      select_teams(polygon, centre, candidates, *metric_of(settings.method), teams,
+                   first_team(settings.positions), stands);
   if (!exchanges_teams(settings)) return taken;
   return exchange_teams(polygon, centre, candidates, std::move(taken),
                         firm_hold(polygon, centre, settings), stands)

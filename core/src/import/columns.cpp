@@ -261,7 +261,7 @@ void ColumnReader::end_shape() {
   if (points_.empty()) return;
   Document document;
   document.vertices = std::exchange(points_, {});
-  document.settings.units.length = unit_;
+  document.shown.units.length = unit_;
   gathering_.add(std::move(document), std::exchange(name_, ""), "points");
 }
 

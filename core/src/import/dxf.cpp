@@ -469,7 +469,7 @@ Result<Import> DxfReader::read() {
         "blocks (INSERT) are not put together: explode them in the CAD program to have them");
   gathering_.import.unit = unit_.name();
   for (ImportedShape& shape : gathering_.import.shapes)
-    shape.document.settings.units.length = unit_.label;
+    shape.document.shown.units.length = unit_.label;
   return gathering_.finish(nothing_found());
 }
 

@@ -4,7 +4,7 @@
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"
 #include "evenlift/polygon.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
 #include "import/readers.h"
@@ -33,14 +33,14 @@ class JsonShapes {
   Result<Import> result_of_evenlift();
   std::optional<InputError> take_setting(Setting setting, Index at, std::string_view value,
                                          Document& document) const;
-  std::string value_text(Index at) const;
-  std::optional<InputError> take_balanced(Document& document) const;
-  std::optional<InputError> take_beyond(Document& document) const;
+  std::string value_text(const SettingRow& row, Index at) const;
+  std::optional<InputError> take_row(const SettingRow& row, Document& document) const;
+  std::optional<InputError> take_teams(Document& document) const;
   std::optional<InputError> take_stands(Document& document) const;
   std::optional<InputError> take_moved(Document& document) const;
   std::optional<InputError> take_doubt(Document& document) const;
   std::optional<InputError> take_settings(Document& document);
-  std::optional<InputError> take_overlays(Index overlays, Settings& settings) const;
+  std::optional<InputError> take_overlays(Index overlays, Overlays& shown) const;
 
   void arrays(Index array);
   bool is_point(Index at) const;
@@ -79,20 +79,12 @@ bool is_true(std::string_view text, std::size_t last) {
   return last >= 3 && text.substr(last - 3, 4) == "true";
 }
 
-std::optional<InputError> JsonShapes::take_overlays(Index overlays, Settings& settings) const {
-  Overlays& o = settings.overlays;
-  const std::pair<std::string_view, bool*> all[] = {{"candidates", &o.candidates},
-                                                    {"chords", &o.chords},
-                                                    {"hull", &o.lifting_base},
-                                                    {"clockwise", &o.clockwise},
-                                                    {"counterclockwise", &o.counterclockwise},
-                                                    {"tipping", &o.tipping},
-                                                    {"halo", &o.halo}};
-  for (const auto& [name, overlay] : all) {
-    const auto at = tree_.member(overlays, name);
+std::optional<InputError> JsonShapes::take_overlays(Index overlays, Overlays& shown) const {
+  for (const NamedOverlay& overlay : all_overlays()) {
+    const auto at = tree_.member(overlays, overlay.name);
     if (!at) continue;
     if (!is(at, Kind::boolean)) return error(*at, ErrorCode::bad_setting, "expected true or false");
-    *overlay = is_true(text_, tree_.offset(*at));
+    shown.*(overlay.shown) = is_true(text_, tree_.offset(*at));
   }
   return std::nullopt;
 }
@@ -105,76 +97,54 @@ std::optional<InputError> JsonShapes::take_setting(Setting setting, Index at,
   return wrong;
 }
 
-std::string JsonShapes::value_text(Index at) const {
-  return tree_.kind(at) == Kind::string   ? std::string(tree_.text(at))
-         : tree_.kind(at) == Kind::number ? shortest(tree_.number(at))
-                                          : std::string();
+// A whole number has all its digits: seeds may have more than a double holds.
+std::string JsonShapes::value_text(const SettingRow& row, Index at) const {
+  if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
+  if (tree_.kind(at) != Kind::number) return {};
+  return row.setting == Setting::seed || row.setting == Setting::step
+             ? whole_text(text_, tree_.offset(at), tree_.number(at))
+             : shortest(tree_.number(at));
 }
 
-// What teams of two were asked for beyond the thesis. All their results name a goal; to cover is the
-// usual one.
-std::optional<InputError> JsonShapes::take_beyond(Document& document) const {
-  const auto take = [&](const char* member, Setting setting) {
-    const auto at = tree_.member(0, member);
-    return is(at, Kind::number) || is(at, Kind::string)
-               ? take_setting(setting, *at, value_text(*at), document)
-               : std::nullopt;
-  };
-  if (auto wrong = take("positions", Setting::positions)) return wrong;
-  if (auto wrong = take("clear", Setting::clear)) return wrong;
-  if (auto wrong = take("goal", Setting::goal)) return wrong;
-  if (document.settings.goal == Goal::hold) return take("min_margin", Setting::min_margin);
-  document.settings.goal.reset();
-  return std::nullopt;
+// A setting that is a member by itself, a number or a word. Null says that it is not set; objects and arrays are
+// results of the same name.
+std::optional<InputError> JsonShapes::take_row(const SettingRow& row, Document& document) const {
+  const auto at = tree_.member(0, row.json.empty() ? row.name : row.json);
+  if (!at || is(at, Kind::null) || is(at, Kind::object) || is(at, Kind::array)) return std::nullopt;
+  return take_setting(row.setting, *at, value_text(row, *at), document);
 }
 
-// What balanced robots were asked for.
-std::optional<InputError> JsonShapes::take_balanced(Document& document) const {
-  const std::pair<const char*, Setting> members[] = {{"requested_robots", Setting::robots},
-                                                     {"goal", Setting::goal},
-                                                     {"min_margin", Setting::min_margin},
-                                                     {"apart", Setting::apart},
-                                                     {"clear", Setting::clear},
-                                                     {"survive", Setting::survive}};
-  for (const auto& [name, setting] : members)
-    if (const auto at = tree_.member(0, name); is(at, Kind::number) || is(at, Kind::string))
-      if (auto wrong = take_setting(setting, *at, value_text(*at), document)) return wrong;
-  // A result always names its goal: the usual one is none, and does not stay with another method.
-  Settings usual = document.settings;
-  usual.goal.reset();
-  if (document.settings.goal == goal_of(usual)) document.settings.goal.reset();
-  return std::nullopt;
-}
-
-// The settings of the members of the object: of a result, and of what `link decode` prints.
-std::optional<InputError> JsonShapes::take_settings(Document& document) {
-  const auto set = [&](Setting setting, Index at, std::string_view value) {
-    return take_setting(setting, at, value, document);
-  };
-  const std::pair<const char*, Setting> members[] = {
-      {"metric", Setting::method}, {"min_ratio", Setting::min_ratio}, {"weight", Setting::weight}};
-  for (const auto& [name, setting] : members)
-    if (const auto at = tree_.member(0, name))
-      if (auto wrong = set(setting, *at, value_text(*at))) return wrong;
-  for (const auto& [name, setting] :
-       {std::pair("seed", Setting::seed), std::pair("step", Setting::step)})
-    if (const auto at = tree_.member(0, name); is(at, Kind::number))
-      if (auto wrong = set(setting, *at, whole_text(text_, tree_.offset(*at), tree_.number(*at))))
-        return wrong;
-  // A result lists the teams that it has, and says how many were asked for. Balanced robots are one team of another kind, and
-  // `max` is a number there: where the results do not tell what was asked for, a member of its own does.
+// A result lists the teams that it has, and says how many were asked for. Balanced robots are one team of another kind, and
+// `max` is a number there: where the results do not tell what was asked for, a member of its own does.
+std::optional<InputError> JsonShapes::take_teams(Document& document) const {
   const bool balanced = document.settings.method == Method::balanced;
   for (const std::string_view name : {"teams", "requested_teams", "teams_asked"})
     if (const auto at = tree_.member(0, name);
         at && !is(at, Kind::array) && !(balanced && name == "requested_teams"))
-      if (auto wrong = set(Setting::teams, *at, value_text(*at))) return wrong;
-  if (auto wrong = balanced ? take_balanced(document) : take_beyond(document)) return wrong;
+      if (auto wrong =
+              take_setting(Setting::teams, *at, value_text(row_of(Setting::teams), *at), document))
+        return wrong;
+  return std::nullopt;
+}
+
+// A result always names its goal. The usual one is none, and does not stay with another method.
+void forget_usual_goal(Settings& settings) {
+  Settings usual = settings;
+  usual.goal.reset();
+  if (settings.goal == goal_of(usual)) settings.goal.reset();
+}
+
+// The settings of the members of the object: of a result, and of what `link decode` prints.
+std::optional<InputError> JsonShapes::take_settings(Document& document) {
+  for (const SettingRow& row : all_settings()) {
+    if (row.changes == Changes::view || row.setting == Setting::teams) continue;
+    if (row.setting == Setting::com) continue;
+    if (auto wrong = take_row(row, document)) return wrong;
+  }
+  if (auto wrong = take_teams(document)) return wrong;
+  forget_usual_goal(document.settings);
   if (const auto at = tree_.member(0, "overlays"); is(at, Kind::object))
-    if (auto wrong = take_overlays(*at, document.settings)) return wrong;
-  for (const auto& [name, setting] :
-       {std::pair("unit", Setting::unit), std::pair("weight_unit", Setting::weight_unit)})
-    if (const auto at = tree_.member(0, name); is(at, Kind::string))
-      if (auto wrong = set(setting, *at, tree_.text(*at))) return wrong;
+    if (auto wrong = take_overlays(*at, document.shown.overlays)) return wrong;
   if (auto wrong = take_stands(document)) return wrong;
   if (auto wrong = take_moved(document)) return wrong;
   return take_doubt(document);
@@ -192,35 +162,29 @@ std::optional<InputError> JsonShapes::take_moved(Document& document) const {
   return std::nullopt;
 }
 
-// The robots' size and the marked edges.
+// The robots' size, an object whose members are named as those of the settings but for what they begin with.
 std::optional<InputError> JsonShapes::take_stands(Document& document) const {
-  const std::pair<const char*, Setting> sizes[] = {{"radius", Setting::robot_radius},
-                                                   {"reach", Setting::robot_reach},
-                                                   {"depth", Setting::robot_depth},
-                                                   {"width", Setting::robot_width},
-                                                   {"gap", Setting::robot_gap}};
   const auto robot = tree_.member(0, "robot");
-  for (const auto& [name, setting] : sizes) {
-    const auto at = is(robot, Kind::object) ? tree_.member(*robot, name) : std::nullopt;
+  if (!is(robot, Kind::object)) return std::nullopt;
+  constexpr std::string_view beginning = "robot_";
+  for (const SettingRow& row : all_settings()) {
+    if (!row.name.starts_with(beginning)) continue;
+    const auto at = tree_.member(*robot, row.name.substr(beginning.size()));
     if (!is(at, Kind::number)) continue;
-    if (auto wrong = take_setting(setting, *at, shortest(tree_.number(*at)), document))
+    if (auto wrong = take_setting(row.setting, *at, shortest(tree_.number(*at)), document))
       return wrong;
   }
-  const auto no_go = tree_.member(0, "no_go");
-  if (!is(no_go, Kind::string)) return std::nullopt;
-  return take_setting(Setting::no_go, *no_go, tree_.text(*no_go), document);
+  return std::nullopt;
 }
 
-// What one robot carries and how well the centre of mass is known: of a link by themselves, of a result within what was
-// found out about them.
+// What one robot carries and how well the centre of mass is known: of a result within what was found out about
+// them.
 std::optional<InputError> JsonShapes::take_doubt(Document& document) const {
   const auto within = [&](const char* object, const char* member) {
     const auto at = tree_.member(0, object);
     return is(at, Kind::object) ? tree_.member(*at, member) : at;
   };
-  for (const auto& [setting, at] : {std::pair(Setting::capacity, tree_.member(0, "capacity")),
-                                    {Setting::capacity, within("capacity", "limit")},
-                                    {Setting::com_radius, tree_.member(0, "com_radius")},
+  for (const auto& [setting, at] : {std::pair(Setting::capacity, within("capacity", "limit")),
                                     {Setting::com_radius, within("robustness", "com_radius")}})
     if (is(at, Kind::number))
       if (auto wrong = take_setting(setting, *at, shortest(tree_.number(*at)), document))

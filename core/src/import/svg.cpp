@@ -430,7 +430,7 @@ Result<Import> SvgReader::read() {
   if (std::optional<InputError> error = children(root, whole, 1)) return *std::move(error);
   const LengthUnit unit = unit_of(root);
   gathering_.import.unit = in_full(unit);
-  for (ImportedShape& shape : gathering_.import.shapes) shape.document.settings.units.length = unit;
+  for (ImportedShape& shape : gathering_.import.shapes) shape.document.shown.units.length = unit;
   return gathering_.finish(nothing_found());
 }
 

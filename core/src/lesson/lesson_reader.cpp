@@ -89,29 +89,29 @@ class Reader {
     const std::string_view key = trimmed(line.substr(0, colon));
     const std::string_view value = trimmed(line.substr(colon + 1));
     if (value.empty()) return refuse("the setting has no value");
-    const Key* known = nullptr;
-    for (const Key& each : keys)
-      if (each.name == key) known = &each;
-    if (!known) return refuse("unknown setting; there are " + names_of_settings());
-    bool& seen = seen_[static_cast<std::size_t>(known - keys)];
-    if (seen) return refuse("the setting is there twice");
-    seen = true;
-    (this->*(known->take))(value, known->setting);
+    if (std::find(seen_.begin(), seen_.end(), key) != seen_.end())
+      return refuse("the setting is there twice");
+    seen_.emplace_back(key);
+    for (const Key& own : keys)
+      if (own.name == key) return (this->*own.take)(value);
+    for (const SettingRow& row : all_settings())
+      if (is_key(row) && hyphened(row.name) == key) return take_setting(value, row.setting);
+    refuse("unknown setting; there are " + names_of_keys());
   }
 
-  void take_title(std::string_view value, Setting) {
+  void take_title(std::string_view value) {
     if (value.size() > max_lesson_title) return refuse("the title is longer than 100 bytes");
     lesson_.title = value;
   }
 
-  void take_polygon(std::string_view value, Setting) {
+  void take_polygon(std::string_view value) {
     for (const char c : value)
       if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'))
         return refuse("a sample's name has small letters, digits and hyphens only");
     lesson_.polygon = value;
   }
 
-  void take_link(std::string_view value, Setting) { lesson_.link = value; }
+  void take_link(std::string_view value) { lesson_.link = value; }
 
   // A setting of the algorithm is read here only to see whether it can be.
   void take_setting(std::string_view value, Setting setting) {
@@ -120,48 +120,33 @@ class Reader {
     lesson_.settings.push_back({setting, std::string(value), line_});
   }
 
-  void take_predict(std::string_view value, Setting) {
+  void take_predict(std::string_view value) {
     if (value != "yes" && value != "no") return refuse("expected yes or no");
     lesson_.predict = value == "yes";
   }
 
+  // What only a lesson has, besides the settings of the program.
   struct Key {
     std::string_view name;
-    void (Reader::*take)(std::string_view value, Setting setting);
-    Setting setting;  // of take_setting
+    void (Reader::*take)(std::string_view value);
   };
-  static constexpr Key keys[] = {
-      {"title", &Reader::take_title, {}},
-      {"polygon", &Reader::take_polygon, {}},
-      {"link", &Reader::take_link, {}},
-      {"teams", &Reader::take_setting, Setting::teams},
-      {"metric", &Reader::take_setting, Setting::method},
-      {"min-ratio", &Reader::take_setting, Setting::min_ratio},
-      {"com", &Reader::take_setting, Setting::com},
-      {"weight", &Reader::take_setting, Setting::weight},
-      {"seed", &Reader::take_setting, Setting::seed},
-      {"robots", &Reader::take_setting, Setting::robots},
-      {"goal", &Reader::take_setting, Setting::goal},
-      {"min-margin", &Reader::take_setting, Setting::min_margin},
-      {"apart", &Reader::take_setting, Setting::apart},
-      {"clear", &Reader::take_setting, Setting::clear},
-      {"survive", &Reader::take_setting, Setting::survive},
-      {"unit", &Reader::take_setting, Setting::unit},
-      {"weight-unit", &Reader::take_setting, Setting::weight_unit},
-      {"positions", &Reader::take_setting, Setting::positions},
-      {"robot", &Reader::take_setting, Setting::robot},
-      {"no-go", &Reader::take_setting, Setting::no_go},
-      {"overlays", &Reader::take_setting, Setting::overlays},
-      {"predict", &Reader::take_predict, {}},
-  };
+  static constexpr Key keys[] = {{"title", &Reader::take_title},
+                                 {"polygon", &Reader::take_polygon},
+                                 {"link", &Reader::take_link},
+                                 {"predict", &Reader::take_predict}};
+  static bool is_key(const SettingRow& row) {
+    return row.option.group != OptionGroup::none || row.setting == Setting::overlays;
+  }
 
-  // All of them, such as "title, polygon and predict".
-  static std::string names_of_settings() {
+  // All of them, such as "title, polygon, teams and overlays".
+  static std::string names_of_keys() {
+    std::vector<std::string> names;
+    for (const Key& own : keys) names.emplace_back(own.name);
+    for (const SettingRow& row : all_settings())
+      if (is_key(row)) names.push_back(hyphened(row.name));
     std::string text;
-    for (std::size_t i = 0; i < std::size(keys); ++i) {
-      if (i > 0) text += i + 1 < std::size(keys) ? ", " : " and ";
-      text += keys[i].name;
-    }
+    for (std::size_t i = 0; i < names.size(); ++i)
+      text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
     return text;
   }
 
@@ -272,7 +257,7 @@ class Reader {
   std::string_view text_;
   std::size_t line_ = 0;
   Lesson lesson_;
-  std::array<bool, std::size(keys)> seen_{};  // by key
+  std::vector<std::string_view> seen_;  // the names that were given
   Part part_;
   bool gap_ = false;                  // an empty line since the last words
   std::optional<std::size_t> asked_;  // the line of the question

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "evenlift/numbers.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "link/payload.h"
 #include "numbers/text_cursor.h"
 
@@ -65,14 +65,14 @@ std::optional<InputError> check_point(const Vec2& point, const Place& place) {
 
 // Links held any finite weight and distance before these were bounded, and they are read for ever. What is
 // out of bounds now is refused where robots are placed.
-std::optional<InputError> check_linked_settings(Settings settings) {
+std::optional<InputError> check_linked_settings(Settings settings, Shown shown) {
   const Settings usual;
   const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
   if (is_positive(settings.weight)) settings.weight = usual.weight;
-  if (is_positive(settings.com_radius)) settings.com_radius = usual.com_radius;
-  if (settings.capacity && is_positive(*settings.capacity)) settings.capacity.reset();
+  if (is_positive(shown.com_radius)) shown.com_radius = 0;
+  if (shown.capacity && is_positive(*shown.capacity)) shown.capacity.reset();
   if (settings.apart && is_positive(*settings.apart)) settings.apart.reset();
-  return check_ranges(settings);
+  return check_ranges(settings, shown);
 }
 
 std::optional<InputError> check_linkable(const Document& document) {
@@ -91,7 +91,7 @@ std::optional<InputError> check_linkable(const Document& document) {
     return InputError{
         ErrorCode::bad_setting, "robots that were moved by hand stand where none can", {}};
   }
-  return check_linked_settings(document.settings);
+  return check_linked_settings(document.settings, document.shown);
 }
 
 // --- A link within a text

@@ -71,8 +71,8 @@ Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale,
 
 // The content of a link.
 struct Content {
-  Settings settings = defaults_of_link_1();
-  QuantizedVertices quantized;  // the vertices, by the scale of the encoding
+  Document settings = defaults_of_links();  // without vertices and centre of mass
+  QuantizedVertices quantized;              // the vertices, by the scale of the encoding
   std::optional<Vec2> centre_of_mass;
   LinkVersion version = LinkVersion::one;
   Records records;  // of version 2
@@ -117,8 +117,7 @@ bool is_finite(const Document& document) {
 
 // The document that was read, without its records.
 Document document_of(const Content& content) {
-  Document document;
-  document.settings = content.settings;
+  Document document = content.settings;
   document.centre_of_mass = content.centre_of_mass;
   document.vertices.reserve(content.quantized.size());
   for (const auto& vertex : content.quantized)
@@ -136,8 +135,8 @@ Digits encode_payload(const Document& document) {
   Digits best;
   bool first = true;
   for (QuantizedPolygon& candidate : likely_encodings(document.vertices)) {
-    Content content{document.settings, std::move(candidate.quantized), document.centre_of_mass,
-                    version_for(document), records_of(document)};
+    Content content{settings_of_link_1(document), std::move(candidate.quantized),
+                    document.centre_of_mass, version_for(document), records_of(document)};
     Digits digits = encode_in(candidate.encoding, content);
     if (first || digits.size() < best.size()) best = std::move(digits);
     first = false;

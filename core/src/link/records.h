@@ -13,35 +13,19 @@
 
 namespace evenlift {
 
-// What a record holds. The tags are fixed for ever; those that no writer knows yet are reserved, so
-// that two later versions never mean different things by one. docs/link-format.md lists them, too.
-enum class Tag : std::uint8_t {
-  end = 0,
-  robots = 1,  // and with it the method balanced
-  goal = 2,
-  min_margin = 3,
-  apart = 4,
-  survive = 5,
-  positions = 6,
-  com_radius = 7,
-  capacity = 8,
-  robot = 9,
-  no_go = 10,
-  units = 11,  // of lengths and of weights, with a comma before the latter
-  halo = 18,   // an overlay, which has no setting of its own
-  moved = 19,  // robots that were moved by hand
-  clear = 20,
-  // Reserved.
-  cargo = 12,
-  holes = 13,
-  regions = 14,
-  com_height = 15,
-  friction = 16,
-  capacities = 17,
-};
+// The number of a record. The numbers are fixed for ever: those of settings stand in their rows
+// (settings.h), and the others here. docs/link-format.md lists all of them, and those that are
+// reserved, so that two later versions never mean different things by one.
+using Tag = std::uint8_t;
+namespace tag {
+inline constexpr Tag end = 0;
+inline constexpr Tag units = 11;  // of lengths and of weights, with a comma before the latter
+inline constexpr Tag halo = 18;   // an overlay, which has no setting of its own
+inline constexpr Tag moved = 19;  // robots that were moved by hand
+}  // namespace tag
 
 struct Record {
-  Tag tag = Tag::end;
+  Tag tag = tag::end;
   std::string payload;
 };
 using Records = std::vector<Record>;
@@ -60,24 +44,20 @@ inline constexpr int widest_tag = 8, widest_length = 20;
 bool is_known(Tag tag);
 
 // The longest payload that a writer makes, in bytes: a number has at most 24. O(1).
-constexpr std::size_t longest_value(Tag tag) {
-  if (tag == Tag::robot) return 5 * 32;
-  if (tag == Tag::moved) return 64 * most_moved_teams;
-  return tag == Tag::no_go ? 64 * most_no_go : 32;
-}
+std::size_t longest_value(Tag tag);
 
 template <class Coder>
 void code_records(Coder& coder, Records& records) {
   for (std::size_t i = 0; !coder.failed(); ++i) {
     const bool given = !Coder::decoding && i < records.size();
-    const auto tag = static_cast<Tag>(
+    const auto number = static_cast<Tag>(
         code_integer(coder, given ? static_cast<std::uint64_t>(records[i].tag) : 0, widest_tag));
-    if (tag == Tag::end || coder.failed()) return;
-    if constexpr (Coder::decoding) records.push_back({tag, {}});
-    if (!is_known(tag)) return;
+    if (number == tag::end || coder.failed()) return;
+    if constexpr (Coder::decoding) records.push_back({number, {}});
+    if (!is_known(number)) return;
     std::string& payload = records[i].payload;
     const std::uint64_t length = code_integer(coder, payload.size(), widest_length);
-    if (length > longest_value(tag)) return coder.fail();
+    if (length > longest_value(number)) return coder.fail();
     payload.resize(static_cast<std::size_t>(length));
     for (char& byte : payload)
       byte = static_cast<char>(coder.code_uniform(static_cast<unsigned char>(byte), 256));

@@ -12,37 +12,46 @@
 
 namespace evenlift {
 
-// The values of settings that a link of version 1 leaves out. They stay as they are even if the
-// defaults of Settings change (test_link.cpp compares the two).
-inline Settings defaults_of_link_1() {
-  Settings settings;
+// The values of settings that a link leaves out. They stay as they are even if the usual values of
+// Settings and Shown change (test_link.cpp compares the two).
+inline Document defaults_of_links() {
+  Document document;
+  Settings& settings = document.settings;
   settings.teams = 3;
   settings.method = Method::area;
   settings.min_ratio = 0.8;
   settings.weight = 100;
   settings.seed = 1;
-  settings.overlays = {false, true, true, true, true, false, false};
-  settings.step = std::nullopt;
-  return settings;
+  settings.goal = std::nullopt;
+  settings.min_margin = 0.05;
+  settings.apart = std::nullopt;
+  settings.clear = std::nullopt;
+  settings.survive = 0;
+  settings.positions = Positions::best;
+  settings.robot = {0, 0, 0, 0, 0};
+  settings.no_go = {};
+  document.shown.overlays = {false, true, true, true, true, false, false};
+  document.shown.step = std::nullopt;
+  document.shown.com_radius = 0;
+  document.shown.capacity = std::nullopt;
+  document.shown.units = {LengthUnit::none, WeightUnit::kg};
+  return document;
 }
 
-// The settings that came after version 1, which records hold if they are needed (records.h).
-inline void forget_later_settings(Settings& settings) {
-  const Settings usual;
-  if (settings.method == Method::balanced) settings.method = usual.method;
-  settings.robots = usual.robots;
-  settings.goal = usual.goal;
-  settings.min_margin = usual.min_margin;
-  settings.apart = usual.apart;
-  settings.clear = usual.clear;
-  settings.survive = usual.survive;
-  settings.positions = usual.positions;
-  settings.com_radius = usual.com_radius;
-  settings.capacity = usual.capacity;
-  settings.units = usual.units;
-  settings.robot = usual.robot;
-  settings.no_go = usual.no_go;
-  settings.overlays.halo = usual.overlays.halo;
+// The settings that version 1 has; those that came later are left at their defaults, since records hold
+// them where they are needed (records.h).
+inline Document settings_of_link_1(const Document& document) {
+  Document first = defaults_of_links();
+  const Settings& settings = document.settings;
+  first.settings.teams = settings.teams;
+  if (settings.method != Method::balanced) first.settings.method = settings.method;
+  first.settings.min_ratio = settings.min_ratio;
+  first.settings.weight = settings.weight;
+  first.settings.seed = settings.seed;
+  first.shown.overlays = document.shown.overlays;
+  first.shown.overlays.halo = false;
+  first.shown.step = document.shown.step;
+  return first;
 }
 
 // Codes a finite number: as a decimal if it has a short one, otherwise as its 64 bits. O(1).
@@ -88,12 +97,16 @@ std::optional<std::uint32_t> code_teams(Coder& coder, std::optional<std::uint32_
   return static_cast<std::uint32_t>(code_integer(coder, teams.value_or(0), widest));
 }
 
-// Codes the settings that differ from their defaults. When decoding, `settings` must hold the
+// Codes the settings that differ from their defaults. When decoding, the document must have the
 // defaults. O(1).
 template <class Coder>
-void code_settings(Coder& coder, Settings& settings) {
-  const Settings usual = defaults_of_link_1();
-  forget_later_settings(settings);
+void code_settings(Coder& coder, Document& document) {
+  const Document defaults = defaults_of_links();
+  const Settings& usual = defaults.settings;
+  document = settings_of_link_1(document);
+  Settings& settings = document.settings;
+  Overlays& overlays = document.shown.overlays;
+  std::optional<std::uint32_t>& step = document.shown.step;
   // Compares bits, because -0 and 0 must be told apart.
   const bool ratio = !same_bits(settings.min_ratio, usual.min_ratio);
   const bool weight = !same_bits(settings.weight, usual.weight);
@@ -102,7 +115,9 @@ void code_settings(Coder& coder, Settings& settings) {
   };
 
   BitModel model{{15, 1}};
-  if (!coder.code_bit(ratio || weight || !(settings == usual), model)) return;
+  if (!coder.code_bit(
+          ratio || weight || !(settings == usual) || !(document.shown == defaults.shown), model))
+    return;
   if (differs(settings.teams != usual.teams)) settings.teams = code_teams(coder, settings.teams);
   if (differs(settings.method != usual.method)) {
     const auto index =
@@ -112,18 +127,18 @@ void code_settings(Coder& coder, Settings& settings) {
   if (differs(ratio)) settings.min_ratio = code_number(coder, settings.min_ratio);
   if (differs(weight)) settings.weight = code_number(coder, settings.weight);
   if (differs(settings.seed != usual.seed)) settings.seed = code_integer(coder, settings.seed, 64);
-  if (differs(!(settings.overlays == usual.overlays))) {
+  if (differs(!(overlays == defaults.shown.overlays))) {
     // Overlays that are at their defaults are not written, so the default mask is free to say that
     // tipping is shown. Then the mask itself follows.
-    const std::uint32_t sign = overlay_mask(usual.overlays),
-                        shown = overlay_mask(settings.overlays);
-    std::uint32_t mask = coder.code_uniform(settings.overlays.tipping ? sign : shown, 32);
+    const std::uint32_t sign = overlay_mask(defaults.shown.overlays),
+                        shown = overlay_mask(overlays);
+    std::uint32_t mask = coder.code_uniform(overlays.tipping ? sign : shown, 32);
     const bool tipping = mask == sign;
     if (tipping) mask = coder.code_uniform(shown, 32);
-    settings.overlays = overlays_of_mask(mask, tipping);
+    overlays = overlays_of_mask(mask, tipping);
   }
-  if (differs(settings.step.has_value())) {
-    settings.step = static_cast<std::uint32_t>(code_integer(coder, settings.step.value_or(0), 32));
+  if (differs(step.has_value())) {
+    step = static_cast<std::uint32_t>(code_integer(coder, step.value_or(0), 32));
   }
 }
 

@@ -46,7 +46,7 @@ class Growing {
 CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   Growing growing(placement.settings.weight, capacity);
   Selector selector(placement.polygon, placement.centre_of_mass, placement.candidates,
-                    placement.settings.method, most_teams_for_capacity,
+                    *metric_of(placement.settings.method), most_teams_for_capacity,
                     first_team(placement.settings.positions), placement.stands.get());
   while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
     if (growing.add(placement.candidates[selector.taken().back()].chord)) break;
@@ -58,11 +58,11 @@ std::uint32_t most_with_room(const Placement& placement) {
   const std::size_t most =
       std::min<std::size_t>(placement.candidates.size(), most_teams_tried(placement.settings));
   if (!placement.stands) return static_cast<std::uint32_t>(most);
-  return static_cast<std::uint32_t>(select_teams(placement.polygon, placement.centre_of_mass,
-                                                 placement.candidates, placement.settings.method,
-                                                 most, first_team(placement.settings.positions),
-                                                 placement.stands.get())
-                                        .size());
+  return static_cast<std::uint32_t>(
+      select_teams(placement.polygon, placement.centre_of_mass, placement.candidates,
+                   *metric_of(placement.settings.method), most,
+                   first_team(placement.settings.positions), placement.stands.get())
+          .size());
 }
 
 // Teams that are exchanged until they hold are others for each number of them.
@@ -167,10 +167,13 @@ CapacityPlan plan_capacity(const Placement& placement, double capacity) {
       return plan_balanced(placement.settings, capacity);
     case Method::random:
       return plan_at_random(placement, capacity);
-    default:
-      return exchanges_teams(placement.settings) ? plan_by_exchange(placement, capacity)
-                                                 : plan_by_candidates(placement, capacity);
+    case Method::area:
+    case Method::circle:
+    case Method::distance:
+      break;
   }
+  return exchanges_teams(placement.settings) ? plan_by_exchange(placement, capacity)
+                                             : plan_by_candidates(placement, capacity);
 }
 
 }  // namespace evenlift

@@ -21,7 +21,6 @@ class Placer {
   // Nothing if so many find no place.
   std::vector<Team> teams(std::uint32_t robots) {
     const Settings& settings = placement_.settings;
-    if (is_balanced()) return balanced(robots);
     const std::size_t number = robots / 2;
     std::vector<Chord> chords;
     switch (settings.method) {
@@ -31,10 +30,11 @@ class Placer {
       case Method::random:
         chords = random_teams(placement_.polygon, placement_.centre_of_mass, number, settings.seed);
         break;
+      case Method::balanced:
+        return balanced(robots);
       case Method::area:
       case Method::circle:
       case Method::distance:
-      case Method::balanced:
         chords = chords_of(placement_.candidates, chosen(number));
     }
     if (chords.size() < number) return {};

@@ -10,7 +10,7 @@
 #include "evenlift/balanced.h"
 #include "evenlift/candidates.h"
 #include "evenlift/placed_robots.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "placement/describe.h"

@@ -8,28 +8,11 @@
 #include "evenlift/exchange.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "placement/describe.h"
 
 namespace evenlift {
 namespace {
-
-// Chooses the chords that the teams take, and notes which candidates they are.
-std::vector<Chord> choose_chords(Placement& placement) {
-  const Polygon& polygon = placement.polygon;
-  const Vec2& centre = placement.centre_of_mass;
-  const std::size_t teams = placement.requested_teams;
-  switch (placement.settings.method) {
-    case Method::distributed:
-      return distributed_teams(polygon, centre, teams);
-    case Method::random:
-      return random_teams(polygon, centre, teams, placement.settings.seed);
-    default:
-      placement.team_candidates = choose_candidates(
-          polygon, centre, placement.candidates, placement.settings, teams, placement.stands.get());
-  }
-  return chords_of(placement.candidates, placement.team_candidates);
-}
 
 // Whether the placement is what its goal asks for.
 bool reaches_goal(const Placement& placement) {
@@ -95,9 +78,31 @@ std::uint32_t requested_teams(const Placement& placement) {
   return placement.settings.teams.value_or(static_cast<std::uint32_t>(placement.candidates.size()));
 }
 
+// Chooses the teams, and notes which candidates they take.
 void choose_teams(Placement& placement, Effort effort) {
-  if (placement.settings.method == Method::balanced) return place_balanced(placement, effort);
-  placement.teams = distribute_weight(choose_chords(placement), placement.settings.weight);
+  const Polygon& polygon = placement.polygon;
+  const Vec2& centre = placement.centre_of_mass;
+  const Settings& settings = placement.settings;
+  const std::size_t teams = placement.requested_teams;
+  std::vector<Chord> chords;
+  switch (settings.method) {
+    case Method::area:
+    case Method::circle:
+    case Method::distance:
+      placement.team_candidates = choose_candidates(polygon, centre, placement.candidates, settings,
+                                                    teams, placement.stands.get());
+      chords = chords_of(placement.candidates, placement.team_candidates);
+      break;
+    case Method::distributed:
+      chords = distributed_teams(polygon, centre, teams);
+      break;
+    case Method::random:
+      chords = random_teams(polygon, centre, teams, settings.seed);
+      break;
+    case Method::balanced:
+      return place_balanced(placement, effort);
+  }
+  placement.teams = distribute_weight(chords, settings.weight);
 }
 
 Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
@@ -142,8 +147,10 @@ std::vector<LiftingPoint> contact_points(const Placement& placement) {
   return contact_points(placement.stands.get(), lifting_points(placement.teams));
 }
 
-std::optional<InputError> check_settings(const Settings& settings) {
-  if (auto error = check_ranges(settings)) return error;
+const Shown ShownPlacement::usual;
+
+std::optional<InputError> check_settings(const Settings& settings, const Shown& shown) {
+  if (auto error = check_ranges(settings, shown)) return error;
   if (settings.method == Method::balanced) return check_balanced(settings);
   if (!stands_anywhere(settings) && !selects_candidates(settings.method))
     return setting_error(
@@ -161,7 +168,7 @@ std::optional<InputError> check_settings(const Settings& settings) {
 }
 
 Result<Placement> place(const Document& document, Effort effort) {
-  if (auto error = check_settings(document.settings)) return *error;
+  if (auto error = check_settings(document.settings, document.shown)) return *error;
   auto polygon = Polygon::create(document.vertices);
   if (!polygon) return polygon.error();
   return place(*std::move(polygon), document.centre_of_mass, document.settings, effort,
@@ -199,7 +206,7 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
 }
 
 Result<std::vector<Candidate>> candidates_of(const Document& document) {
-  if (auto error = check_settings(document.settings)) return *error;
+  if (auto error = check_settings(document.settings, document.shown)) return *error;
   const auto polygon = Polygon::create(document.vertices);
   if (!polygon) return polygon.error();
   const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);

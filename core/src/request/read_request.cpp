@@ -7,7 +7,7 @@
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/request.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"
 

@@ -10,7 +10,7 @@
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "output/json/json_text.h"
 #include "request/read_request.h"
 
@@ -92,18 +92,18 @@ std::string one_member(std::string_view name, std::string_view text) {
 
 std::string placement_answer(const Request& request, const Placement& placement) {
   std::optional<CapacityInJson> capacity;
-  const Settings& settings = placement.settings;
-  if (settings.capacity)
-    capacity = CapacityInJson{*settings.capacity, plan_capacity(placement, *settings.capacity),
-                              plan_for_failures(placement, *settings.capacity)};
-  return placement_json(placement, request.candidates, capacity,
-                        {settings.com_radius, request.failures});
+  const Shown& shown = request.document.shown;
+  if (shown.capacity)
+    capacity = CapacityInJson{*shown.capacity, plan_capacity(placement, *shown.capacity),
+                              plan_for_failures(placement, *shown.capacity)};
+  return placement_json({placement, shown}, request.candidates, capacity, request.failures);
 }
 
-std::string svg_answer(const Request& request, Placement placement) {
-  placement.settings.overlays.candidates |= request.candidates;
+std::string svg_answer(const Request& request, const Placement& placement) {
+  Shown shown = request.document.shown;
+  shown.overlays.candidates |= request.candidates;
   const Result<std::string> link = encode_link(request.document);  // a huge polygon has none
-  return one_member("svg", placement_svg(placement, link ? *link : std::string()));
+  return one_member("svg", placement_svg({placement, shown}, link ? *link : std::string()));
 }
 
 // Everything that needs a placement.
@@ -112,7 +112,8 @@ std::string placed_answer(const Request& request) {
   if (!placement) return error_json(placement.error());
   if (request.command == Command::svg) return svg_answer(request, *placement);
   if (request.command == Command::poses)
-    return one_member("poses", poses_text(*placement, request.pose_format, request.poses));
+    return one_member("poses", poses_text({*placement, request.document.shown}, request.pose_format,
+                                          request.poses));
   return placement_answer(request, *placement);
 }
 

@@ -58,14 +58,14 @@ Surroundings::Surroundings(const Polygon& polygon, const Vec2& centre)
   });
 }
 
-Wedge::Wedge(const Surroundings& surroundings, Method metric, const Vec2& h1, const Vec2& h2)
+Wedge::Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2)
     : surroundings_(&surroundings),
       metric_(metric),
       h1_(h1),
       h2_(h2),
       pseudo_angle1_(pseudo_angle(h1)) {
-  if (metric == Method::area && !surroundings.convex) collect_area();
-  if (metric == Method::distance) collect_outer_vertices();
+  if (metric == Metric::area && !surroundings.convex) collect_area();
+  if (metric == Metric::distance) collect_outer_vertices();
 }
 
 // Only what lies in the triangle h1 h2 p counts in the end. What C does not see between h1 and h2 is
@@ -114,14 +114,11 @@ double Wedge::distance(const Vec2& p) const { return distance_outside(h1_, h2_, 
 
 Gain Wedge::estimate(const Vec2& p) const {
   switch (metric_) {
-    case Method::circle:
+    case Metric::circle:
       return {inscribed_circle_area(h1_, h2_, p), Certainty::exact};
-    case Method::distance:
+    case Metric::distance:
       return {distance_bound(p), Certainty::bound};
-    case Method::area:
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
+    case Metric::area:
       break;
   }
   const double triangle = triangle_area(h1_, h2_, p);
@@ -133,14 +130,11 @@ Gain Wedge::estimate(const Vec2& p) const {
 
 double Wedge::evaluate(const Vec2& p) const {
   switch (metric_) {
-    case Method::circle:
+    case Metric::circle:
       return inscribed_circle_area(h1_, h2_, p);
-    case Method::distance:
+    case Metric::distance:
       return distance_gain(p);
-    case Method::area:
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
+    case Metric::area:
       break;
   }
   return surroundings_->convex ? triangle_area(h1_, h2_, p) : area_gain(p);
@@ -227,22 +221,19 @@ bool Wedge::prepare_close_bounds() {
   if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations)
     return false;
   switch (metric_) {
-    case Method::area:
+    case Metric::area:
       if (!is_convex() || pseudo_angle_from(pseudo_angle1_, pseudo_angle(h2_)) < narrow)
         return false;
       area_bins_.emplace(outside_, h1_, h2_, surroundings_->diameter);
       return true;
-    case Method::distance: {
+    case Metric::distance: {
       Points positions;
       positions.reserve(outer_.size());
       for (const Outer& outer : outer_) positions.push_back(outer.position);
       distance_blocks_.emplace(std::move(positions));
       return true;
     }
-    case Method::circle:  // estimated exactly
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
+    case Metric::circle:  // estimated exactly
       break;
   }
   return false;

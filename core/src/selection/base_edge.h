@@ -39,7 +39,7 @@ class Wedge {
   // The wedge of the edge h1 h2 of H, whose corners are relative to C and counter-clockwise. If H
   // is a segment, each of its two sides is such an edge. O(n) for area and distance, O(1) for
   // circle.
-  Wedge(const Surroundings& surroundings, Method metric, const Vec2& h1, const Vec2& h2);
+  Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2);
 
   const Vec2& h1() const { return h1_; }
   const Vec2& h2() const { return h2_; }
@@ -88,7 +88,7 @@ class Wedge {
   void for_each_arm(const Vec2& p, Visit visit) const;
 
   const Surroundings* surroundings_;
-  Method metric_;
+  Metric metric_;
   Vec2 h1_, h2_;
   double pseudo_angle1_ = 0;  // of h1
 

@@ -1,7 +1,6 @@
 #include "selection/greedy_selector.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -15,17 +14,9 @@
 namespace evenlift {
 namespace {
 
-// Keeps those whose key ties with the largest.
-template <class Key, class Ties>
-void keep_best(std::vector<std::uint32_t>& indices, Key key, Ties ties) {
-  double best = -std::numeric_limits<double>::infinity();
-  for (const std::uint32_t i : indices) best = std::max(best, key(i));
-  std::erase_if(indices, [&](std::uint32_t i) { return !ties(best, key(i)); });
-}
-
 // The floor for score_slack. Rounding the ends of an edge of H turns its line, and a vertex far from a short
 // edge moves a long way about it: by distance the floor grows as the shortest edge shrinks.
-double floor_of(double size, Method metric, const Points& hull) {
+double floor_of(double size, Metric metric, const Points& hull) {
   if (!scores_are_lengths(metric)) return score_floor * size * size;
   double shortest = short_edge * size;
   for (std::size_t i = 0; i < hull.size(); ++i)
@@ -36,7 +27,7 @@ double floor_of(double size, Method metric, const Points& hull) {
 }  // namespace
 
 Selector::Selector(const Polygon& polygon, const Vec2& centre,
-                   const std::vector<Candidate>& candidates, Method metric, std::size_t most_teams,
+                   const std::vector<Candidate>& candidates, Metric metric, std::size_t most_teams,
                    FirstTeam first, const Stands* stands)
     : candidates_(candidates),
       surroundings_(polygon, centre),
@@ -66,7 +57,9 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
 bool Selector::take_next() {
   if (out_ == candidates_.size()) return false;
   if (taken_.empty()) {
-    take(best_first_team());
+    Indices all(candidates_.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    take(best_by(rule_of_first_team(candidates_, first_), std::move(all)));
     return true;
   }
   if (!line_.empty()) {
@@ -75,13 +68,8 @@ bool Selector::take_next() {
     return true;
   }
   Indices leaders = find_leaders();
-  Indices chosen = leaders;
-  keep_best(
-      chosen, [&](Index i) { return candidates_[i].chord.ratio; }, ratios_tie);
-  keep_best(
-      chosen, [&](Index i) { return candidates_[i].length; }, lengths_tie);
   const Points before = hull_;
-  take(chosen.front());
+  take(best_by(Rule::score, leaders));
   if (hull_ == before) line_up(std::move(leaders));
   return true;
 }
@@ -139,23 +127,13 @@ void Selector::sharpen(Index candidate) {
   end.gain = wedges_[end.wedge].sharpen(end.position, end.gain);
 }
 
-Selector::Index Selector::best_first_team() const {
-  const auto ratio = [&](Index i) { return candidates_[i].chord.ratio; };
-  const auto length_of = [&](Index i) { return candidates_[i].length; };
-  Indices allowed;
-  for (Index i = 0; i < candidates_.size(); ++i) {
-    if (first_ == FirstTeam::longest || is_even(candidates_[i].chord)) allowed.push_back(i);
-  }
-  if (!allowed.empty()) {
-    keep_best(allowed, length_of, lengths_tie);
-    keep_best(allowed, ratio, ratios_tie);
-    return allowed.front();
-  }
-  Indices all(candidates_.size());
-  std::iota(all.begin(), all.end(), Index{0});
-  keep_best(all, ratio, ratios_tie);
-  keep_best(all, length_of, lengths_tie);
-  return all.front();
+// The candidate that the rule takes of these.
+Selector::Index Selector::best_by(Rule rule, Indices indices) const {
+  std::erase_if(indices, [&](Index i) { return !is_eligible(rule, candidates_[i]); });
+  for (const Key key : keys_of(rule))
+    keep_best(indices, key, floor_,
+              [&](Index i) { return value_of(key, candidates_[i], bound(i)); });
+  return indices.front();
 }
 
 // The best score of the candidates that are not taken. By lazy greedy selection (greedy_selector.h) the

@@ -1,7 +1,6 @@
 // The greedy choice of teams among candidates (algorithm.md, Selection).
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -10,15 +9,10 @@
 #include "evenlift/document.h"
 #include "evenlift/selection.h"
 #include "evenlift/stands.h"
-#include "evenlift/tolerance.h"
 #include "selection/base_edge.h"
+#include "selection/rules.h"
 
 namespace evenlift {
-
-// Whether a score ties with the best one, which is the largest; `floor` is that of the selector. O(1).
-inline bool scores_tie(double best, double score, double floor) {
-  return score >= best - score_slack(std::fabs(best), floor);
-}
 
 // Chooses by lazy greedy evaluation (M. Minoux, Accelerated greedy algorithms for maximizing
 // submodular set functions, 1978). Each end of a candidate carries an upper bound of its gain, and
@@ -31,7 +25,7 @@ class Selector {
   // `most_teams` is a bound on the number of teams that will be taken. With `stands`, which must outlive
   // it, candidates that collide with a team that is taken drop out.
   Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-           Method metric, std::size_t most_teams = ~std::size_t{0},
+           Metric metric, std::size_t most_teams = ~std::size_t{0},
            FirstTeam first = FirstTeam::even, const Stands* stands = nullptr);
 
   // Takes the best candidate as the next team. False if no candidate is left.
@@ -66,7 +60,7 @@ class Selector {
   // The corners of H, relative to C.
   const Points& base() const { return hull_; }
 
-  // The floor for score_slack: scores that differ by no more always tie. It depends on H.
+  // The floor of ties(): scores that differ by no more always tie. It depends on H.
   double floor() const { return floor_; }
 
  private:
@@ -84,10 +78,12 @@ class Selector {
   };
   enum class State : std::uint8_t { open, taken, dropped };
   bool is_open(Index candidate) const { return states_[candidate] == State::open; }
-  Index best_first_team() const;
+  Index best_by(Rule rule, Indices indices) const;
   double find_best_score();
   Indices find_leaders();
-  bool ties(double best, double score) const { return scores_tie(best, score, floor_); }
+  bool ties(double best, double score) const {
+    return evenlift::ties(Key::score, best, score, floor_);
+  }
   double bound(Index candidate) const {
     return ends_[2 * candidate].gain.value + ends_[2 * candidate + 1].gain.value;
   }
@@ -106,7 +102,7 @@ class Selector {
 
   const std::vector<Candidate>& candidates_;
   Surroundings surroundings_;
-  Method metric_;
+  Metric metric_;
   std::size_t most_teams_;
   FirstTeam first_;
   double near_;   // tau L

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "evenlift/numbers.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/stands.h"
 
 namespace evenlift {

@@ -231,9 +231,9 @@ void trace_exchanges(Trace& trace) {
   const Settings& settings = placement.settings;
   trace.exchanges =
       exchange_teams(trace.polygon, trace.centre, placement.candidates,
-                     select_teams(trace.polygon, trace.centre, placement.candidates,
-                                  settings.method, placement.requested_teams,
-                                  first_team(settings.positions), placement.stands.get()),
+                     select_teams(trace.polygon, trace.centre, placement.candidates, trace.metric(),
+                                  placement.requested_teams, first_team(settings.positions),
+                                  placement.stands.get()),
                      firm_hold(placement), placement.stands.get());
   trace.stages.push_back(teams_on(placement, trace.exchanges->start));
   for (const Exchange& exchange : trace.exchanges->exchanges)
@@ -242,18 +242,19 @@ void trace_exchanges(Trace& trace) {
 
 }  // namespace
 
-Result<Trace> make_trace(const Placement& placement, HistoryLength length) {
+Result<Trace> make_trace(const Placement& placement, HistoryLength length, const Units& units) {
   // The steps are those of teams where they were found.
   if (!placement.moved.teams.empty()) {
     const auto found = place(placement.polygon, placement.centre_of_mass, placement.settings);
     if (!found) return found.error();
-    Result<Trace> trace = make_trace(*found, length);
+    Result<Trace> trace = make_trace(*found, length, units);
     if (trace) trace->moved = placement;
     return trace;
   }
   Trace trace{.placement = placement,
               .polygon = placement.polygon,
               .centre = placement.centre_of_mass,
+              .units = units,
               .rays = {},
               .radial_edges = {},
               .pairs = {},
@@ -321,6 +322,8 @@ std::optional<std::uint32_t> Trace::chapter_begin(Chapter chapter) const {
 }
 
 bool Trace::by_candidates() const { return selects_candidates(placement.settings.method); }
+
+Metric Trace::metric() const { return *metric_of(placement.settings.method); }
 
 std::uint32_t nearest_step(const Trace& trace, const Step& step) {
   if (const auto same = trace.find(step.kind, step.item)) return *same;

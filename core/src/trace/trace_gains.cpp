@@ -14,16 +14,13 @@ class GainScene {
 
   void add(const EndGain& end) {
     if (!end.outside) return;
-    switch (trace_.placement.settings.method) {
-      case Method::circle:
+    switch (trace_.metric()) {
+      case Metric::circle:
         add_triangle(end);
         return add_circle(end);
-      case Method::distance:
+      case Metric::distance:
         return add_arms(end);
-      case Method::area:
-      case Method::distributed:
-      case Method::random:
-      case Method::balanced:
+      case Metric::area:
         add_triangle(end);
         return add_part(end);
     }
@@ -56,7 +53,7 @@ class GainScene {
   void add_arms(const EndGain& end) {
     const Surroundings surroundings(trace_.polygon, trace_.centre);
     const Vec2 h1 = end.h1 - trace_.centre, h2 = end.h2 - trace_.centre, p = end.p - trace_.centre;
-    const Wedge wedge(surroundings, Method::distance, h1, h2);
+    const Wedge wedge(surroundings, Metric::distance, h1, h2);
     for (const Wedge::Arm& arm : wedge.arms(p)) {
       add_arm(FigureKind::arm_before, arm.vertex, h1, h2, arm.before);
       add_arm(FigureKind::arm_after, arm.vertex, arm.up_to_p ? h1 : p, arm.up_to_p ? p : h2,

@@ -18,18 +18,12 @@ struct CapacityInJson {
   std::optional<FailurePlan> if_one_fails;  // if it was asked for
 };
 
-// What is written of doubt and failures beyond what is always there.
-struct RobustnessInJson {
-  double com_radius = 0;  // >= 0; above 0 the loads are also written as ranges
-  bool failures = false;  // what happens if one robot fails, for each of them
-};
-
 // One JSON object, two-space indented, short arrays on one line, ending in a newline; numbers have
 // the fewest digits that read back to the same double; the same bytes on every platform. O(output), besides
 // the costs of placed_robots.h: of model_loads and robustness always, of the others if asked for.
-std::string placement_json(const Placement& placement, bool with_candidates,
+std::string placement_json(const ShownPlacement& of, bool with_candidates,
                            const std::optional<CapacityInJson>& capacity = std::nullopt,
-                           const RobustnessInJson& robustness = {});
+                           bool with_failures = false);
 
 // {"candidates": [{"ends", "ratio", "kind"}]}: the candidates by themselves, with the layout of
 // placement_json. O(candidates).

@@ -44,7 +44,7 @@ struct PoseOptions {
 // Tables and JSON are in the placement's own units. Numbers are written with the fewest digits that
 // read back to the same double. In YAML an object without a unit counts as one in metres, and the
 // first lines say so. The same bytes on every platform. O(n + m).
-std::string poses_text(const Placement& placement, PoseFormat format,
+std::string poses_text(const ShownPlacement& of, PoseFormat format,
                        const PoseOptions& options = {});
 
 }  // namespace evenlift

@@ -43,11 +43,11 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
 
 // What holds while a robot fails, beside failure_in_words(): coverage and closure, or why the others cannot
 // hold the object. `failing` comes from with_failure().
-std::string rest_in_words(const Placement& failing);
+std::string rest_in_words(const ShownPlacement& failing);
 
 // How many robots may fail, and how far C may be off. While one of them fails (`failing`) the robustness is that of the
 // others, of whom it is not counted how many more may fail.
-std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness,
+std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& robustness,
                                    bool failing = false);
 
 }  // namespace evenlift

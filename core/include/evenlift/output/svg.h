@@ -12,10 +12,10 @@ namespace evenlift {
 // so that they are told apart without colour), fitted with a margin; a caption and a <title>/<desc>
 // in words. The same bytes on every platform. With the `link` of its document (link.h), the
 // picture opens again as that document. O(output).
-std::string placement_svg(const Placement& placement, std::string_view link = {});
+std::string placement_svg(const ShownPlacement& of, std::string_view link = {});
 
 // The same picture half as large, with letters and robots of the same size, and without the caption and the link: for pictures beside
 // each other. O(output).
-std::string placement_sketch(const Placement& placement);
+std::string placement_sketch(const ShownPlacement& of);
 
 }  // namespace evenlift

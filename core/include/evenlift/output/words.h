@@ -91,7 +91,7 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // those of another model are `shown`, it begins with "As planned". Where C is known only within a distance and the
 // `ranges` of the plan's loads are given (loads_by), these are said: "6 robots carry 14.9–18.4 kg each, with C
 // known within 3 cm (100 kg in all)." O(m).
-std::string loads_in_words(const Placement& placement, LoadModel shown = LoadModel::plan,
+std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
                            const std::vector<LoadRange>& ranges = {});
 
 // Why there are no teams, and what could help; or that there are fewer than were asked for; else
@@ -103,7 +103,7 @@ std::string coverage_in_words(const Placement& placement);
 
 // "It can still turn clockwise." or what holds it, and how far robots may be off; or which robot must stand
 // exactly, since it is beside a corner. Empty with no team.
-std::string closure_in_words(const Placement& placement);
+std::string closure_in_words(const ShownPlacement& of);
 
 // "turn either way and slide"; empty if nothing is free.
 std::string free_motions_in_words(const Closure& closure);
@@ -116,10 +116,10 @@ bool is_held(const Placement& placement);
 inline constexpr double good_coverage = 0.5;
 
 // The sentences that follow loads_in_words: shortage, coverage and closure; what is wrong comes first.
-std::string detail_in_words(const Placement& placement);
+std::string detail_in_words(const ShownPlacement& of);
 
 // The whole result in a few sentences: loads_in_words and detail_in_words.
-std::string verdict(const Placement& placement, LoadModel shown = LoadModel::plan,
+std::string verdict(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
                     const std::vector<LoadRange>& ranges = {});
 
 // Why a robot cannot stand at a part of the boundary: "a robot of radius 60 mm does not fit here", with
@@ -132,12 +132,12 @@ std::string no_go_in_words(const std::vector<EdgePart>& no_go);
 
 // Which robots carry more than one can, and how many robots are needed if the plan for that is
 // known, and that for any one failing. O(teams).
-std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
+std::string capacity_in_words(const ShownPlacement& of, double capacity, const CapacityPlan* plan,
                               const FailurePlan* if_one_fails = nullptr);
 
 // The same where other robots are overloaded than by plan: those by this model of the loads, or those of the
 // others while the robot `failed` (from 0) fails. The plan knows neither, and the words say so.
-std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
+std::string capacity_in_words(const ShownPlacement& of, double capacity, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
                               const std::optional<std::size_t>& failed = std::nullopt,
                               const FailurePlan* if_one_fails = nullptr);
@@ -148,7 +148,7 @@ struct Fact {
   std::string value;
   const char* about;
 };
-std::vector<Fact> facts_in_words(const Placement& placement);
+std::vector<Fact> facts_in_words(const ShownPlacement& of);
 
 // A team's numbers, with those of its robots in their order. O(robots of the team).
 struct TeamInWords {

@@ -6,7 +6,7 @@
 #include "evenlift/hull.h"
 #include "evenlift/loads.h"
 #include "evenlift/selection.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/stability.h"
 #include "evenlift/tolerance.h"
 #include "experiment/measure/measure_balanced.h"
@@ -74,7 +74,7 @@ std::vector<Measurement> measure_selected(const Subject& subject, Method method,
   std::vector<Measurement> rows;
   Growing placement(subject, settings.weight);
   for (const std::uint32_t i : select_teams(subject.polygon, subject.centre, subject.candidates,
-                                            method, most_teams(subject, settings))) {
+                                            *metric_of(method), most_teams(subject, settings))) {
     placement.add(subject.candidates[i].chord);
     Measurement m = placement.measured();
     m.method = method;
@@ -166,14 +166,15 @@ std::vector<Measurement> measure_random(const Subject& subject,
 }  // namespace
 
 std::optional<InputError> check_settings(const ExperimentSettings& settings) {
-  if (!is_min_ratio(settings.min_ratio)) return setting_error(Setting::min_ratio);
+  if (!is_in_range(Setting::min_ratio, settings.min_ratio))
+    return setting_error(Setting::min_ratio);
   if (settings.samples < 1 || settings.samples > max_samples)
     return bad_setting("samples", "the number of random samples is from 1 to 100000");
   if (settings.most_teams < 1 || settings.most_teams > max_experiment_teams)
     return bad_setting("max_teams", "the greatest number of teams is from 1 to 10000");
   if (settings.most_balanced < least_robots || settings.most_balanced > most_robots)
     return bad_setting("max_balanced", "the greatest number of balanced robots is from 2 to 64");
-  if (!is_weight(settings.weight)) return setting_error(Setting::weight);
+  if (!is_in_range(Setting::weight, settings.weight)) return setting_error(Setting::weight);
   return std::nullopt;
 }
 
@@ -200,9 +201,12 @@ std::vector<Measurement> measure(const Subject& subject, Method method,
       return measure_random(subject, settings);
     case Method::balanced:
       return measure_balanced(subject, settings);
-    default:
-      return measure_selected(subject, method, settings);
+    case Method::area:
+    case Method::circle:
+    case Method::distance:
+      break;
   }
+  return measure_selected(subject, method, settings);
 }
 
 }  // namespace evenlift::experiment

@@ -90,9 +90,12 @@ std::string by(Method method) {
       return "at random";
     case Method::balanced:
       return "in balance";
-    default:
-      return "by " + std::string(name(method));
+    case Method::area:
+    case Method::circle:
+    case Method::distance:
+      break;
   }
+  return "by " + std::string(name(method));
 }
 
 std::string listed(const std::vector<std::string>& items) {

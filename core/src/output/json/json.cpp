@@ -4,10 +4,11 @@
 #include "evenlift/candidates.h"
 #include "evenlift/doubt.h"
 #include "evenlift/placed_robots.h"
-#include "evenlift/settings_text.h"
+#include "evenlift/settings.h"
 #include "evenlift/stands.h"
 #include "output/json/json_text.h"
 #include "output/json/robustness_json.h"
+#include "output/json/settings_json.h"
 
 namespace evenlift {
 namespace {
@@ -107,39 +108,8 @@ std::string capacity_json(const Placement& placement, const CapacityInJson& capa
        {"if_one_fails", failure_plan_json(capacity.if_one_fails)}});
 }
 
-std::string overlays_json(const Overlays& overlays) {
-  return json::object({{"candidates", json::boolean(overlays.candidates)},
-                       {"chords", json::boolean(overlays.chords)},
-                       {"hull", json::boolean(overlays.lifting_base)},
-                       {"clockwise", json::boolean(overlays.clockwise)},
-                       {"counterclockwise", json::boolean(overlays.counterclockwise)},
-                       {"tipping", json::boolean(overlays.tipping)},
-                       {"halo", json::boolean(overlays.halo)}});
-}
-
-// What teams of two were asked for beyond the thesis.
-void add_beyond(std::vector<json::Member>& members, const Settings& settings) {
-  if (settings.positions != Positions::best)
-    members.push_back({"positions", json::text(name(settings.positions))});
-  if (exchanges_teams(settings))
-    members.push_back({"min_margin", json::number(settings.min_margin)});
-}
-
-// Below which distance nothing is relied on: none is the usual one.
-void add_clear(std::vector<json::Member>& members, const Settings& settings) {
-  members.push_back({"clear", settings.clear ? json::number(*settings.clear) : "null"});
-}
-
 void add_moved(std::vector<json::Member>& members, const Moved& moved) {
   if (moved.any()) members.push_back({"moved", json::text(moved_text(moved))});
-}
-
-std::string robot_json(const RobotSize& robot) {
-  return json::object({{"radius", json::number(robot.radius)},
-                       {"reach", json::number(robot.reach)},
-                       {"depth", json::number(robot.depth)},
-                       {"width", json::number(robot.width)},
-                       {"gap", json::number(robot.gap)}});
 }
 
 // Parts of edges, counted from 1, from 0 to 1 along each.
@@ -154,39 +124,24 @@ std::string unusable_json(const Placement& placement) {
   return json::long_array(items, 1);
 }
 
-// What balanced robots were asked for.
-void add_balanced(std::vector<json::Member>& members, const Settings& settings) {
-  members.push_back({"requested_robots", std::to_string(settings.robots)});
-  members.push_back({"min_margin", json::number(settings.min_margin)});
-  members.push_back({"apart", settings.apart ? json::number(*settings.apart) : "null"});
-  members.push_back({"survive", std::to_string(settings.survive)});
-}
-
 // Where robots with a size can stand.
 void add_stands(std::vector<json::Member>& members, const Placement& placement) {
   if (!placement.stands) return;
-  members.push_back({"robot", robot_json(placement.settings.robot)});
+  members.push_back({"robot", json::robot(placement.settings.robot)});
   members.push_back({"no_go", json::text(no_go_text(placement.settings.no_go))});
   members.push_back({"unusable", unusable_json(placement)});
 }
 
 // What was asked for in so far as the results do not say it, so that who opens them again has all of it: how many teams of two,
 // where that is "max" or the robots are balanced, and the overlays; each where it is another than usual.
-void add_asked(std::vector<json::Member>& members, const Settings& settings) {
+void add_asked(std::vector<json::Member>& members, const Settings& settings,
+               const Overlays& overlays) {
   const Settings usual;
   if (!settings.teams)
     members.push_back({"teams_asked", json::text("max")});
   else if (settings.method == Method::balanced && settings.teams != usual.teams)
     members.push_back({"teams_asked", std::to_string(*settings.teams)});
-  if (settings.overlays != usual.overlays)
-    members.push_back({"overlays", overlays_json(settings.overlays)});
-}
-
-// The units, where they are others than usual: what has none is written as it always was.
-void add_units(std::vector<json::Member>& members, const Units& units) {
-  if (units.length != LengthUnit::none) members.push_back({"unit", json::text(name(units.length))});
-  if (units.weight != WeightUnit::kg)
-    members.push_back({"weight_unit", json::text(name(units.weight))});
+  if (overlays != Overlays{}) members.push_back({"overlays", json::overlays(overlays)});
 }
 
 }  // namespace
@@ -195,21 +150,18 @@ std::string candidates_json(const std::vector<Candidate>& candidates) {
   return json::long_object({{"candidates", candidate_list(candidates)}}, 0) + "\n";
 }
 
-std::string placement_json(const Placement& placement, bool with_candidates,
-                           const std::optional<CapacityInJson>& capacity,
-                           const RobustnessInJson& robustness) {
+std::string placement_json(const ShownPlacement& of, bool with_candidates,
+                           const std::optional<CapacityInJson>& capacity, bool with_failures) {
+  const Placement& placement = of.placement;
   const Settings& settings = placement.settings;
+  const Document asked{{}, {}, settings, of.shown, {}};
   const bool robots = !placement.teams.empty();
   const std::optional<ModelLoads> models = robots ? model_loads(placement) : std::nullopt;
   std::vector<json::Member> members = {
       {"polygon", json::points(placement.vertices(), 1)},
       {"centre_of_mass", json::pair(placement.centre_of_mass)},
-      {"metric", json::text(name(settings.method))},
-      {"min_ratio", json::number(settings.min_ratio)},
-      {"weight", json::number(settings.weight)},
-      {"seed", std::to_string(settings.seed)},
   };
-  add_units(members, settings.units);
+  json::add_settings(members, asked, &SettingRow::in_result, Setting::teams, Setting::weight_unit);
   if (with_candidates) members.push_back({"candidates", candidate_list(placement.candidates)});
   members.push_back({"requested_teams", std::to_string(placement.requested_teams)});
   members.push_back({"teams", teams_json(placement.teams)});
@@ -222,18 +174,13 @@ std::string placement_json(const Placement& placement, bool with_candidates,
   members.push_back({"goal_reached", json::boolean(placement.goal_reached)});
   if (settings.method == Method::balanced)
     members.push_back({"search_ended", json::boolean(placement.search_ended)});
-  if (settings.method == Method::balanced)
-    add_balanced(members, settings);
-  else
-    add_beyond(members, settings);
-  add_clear(members, settings);
-  add_asked(members, settings);
+  json::add_settings(members, asked, &SettingRow::in_result, Setting::goal, Setting::failed);
+  add_asked(members, settings, of.shown.overlays);
   add_moved(members, placement.moved);
   add_stands(members, placement);
   if (robots)
-    members.push_back(
-        {"robustness", json::robustness(placement, models, robustness.com_radius, 1)});
-  if (robots && robustness.failures)
+    members.push_back({"robustness", json::robustness(placement, models, of.shown.com_radius, 1)});
+  if (robots && with_failures)
     members.push_back(
         {"failures", json::failures(single_failures(placement),
                                     capacity ? std::optional(capacity->limit) : std::nullopt, 1)});
@@ -242,29 +189,10 @@ std::string placement_json(const Placement& placement, bool with_candidates,
 }
 
 std::string document_json(const Document& document) {
-  const Settings& settings = document.settings;
   std::vector<json::Member> members = {
       {"polygon", json::points(document.vertices, 1)},
-      {"centre_of_mass", document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"},
-      {"teams", settings.teams ? std::to_string(*settings.teams) : json::text("max")},
-      {"metric", json::text(name(settings.method))},
-      {"min_ratio", json::number(settings.min_ratio)},
-      {"weight", json::number(settings.weight)},
-      {"seed", std::to_string(settings.seed)},
-      {"overlays", overlays_json(settings.overlays)},
-      {"step", settings.step ? std::to_string(*settings.step) : "null"},
-      {"com_radius", json::number(settings.com_radius)},
-      {"capacity", settings.capacity ? json::number(*settings.capacity) : "null"},
-      {"robot", robot_json(settings.robot)},
-      {"no_go", json::text(no_go_text(settings.no_go))}};
-  add_units(members, settings.units);
-  if (exchanges_teams(settings) || (settings.method == Method::balanced && settings.goal))
-    members.push_back({"goal", json::text(name(goal_of(settings)))});
-  if (settings.method == Method::balanced)
-    add_balanced(members, settings);
-  else
-    add_beyond(members, settings);
-  add_clear(members, settings);
+      {"centre_of_mass", document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"}};
+  json::add_settings(members, document, &SettingRow::in_document, Setting::teams, Setting::failed);
   add_moved(members, document.moved);
   return json::long_object(members, 0) + "\n";
 }

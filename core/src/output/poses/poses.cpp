@@ -39,21 +39,21 @@ std::string unit_or_nothing(LengthUnit unit) {
   return unit == LengthUnit::none ? std::string() : std::string(name(unit));
 }
 
-std::string as_csv(const std::vector<PlacedRobot>& robots, const Settings& settings) {
+std::string as_csv(const std::vector<PlacedRobot>& robots, const Units& units) {
   std::string text = "robot,team,x,y,heading_deg,load,unit,weight_unit\n";
-  const std::string units = "," + unit_or_nothing(settings.units.length) + "," +
-                            std::string(name(settings.units.weight)) + "\n";
+  const std::string labels =
+      "," + unit_or_nothing(units.length) + "," + std::string(name(units.weight)) + "\n";
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const PlacedRobot& robot = robots[i];
     text += std::to_string(i + 1) + "," + std::to_string(robot.team + 1);
     for (const double value : {robot.at.x(), robot.at.y(), robot.heading_deg, robot.load})
       text += "," + shortest(without_sign(value));
-    text += units;
+    text += labels;
   }
   return text;
 }
 
-std::string as_json(const std::vector<PlacedRobot>& robots, const Settings& settings,
+std::string as_json(const std::vector<PlacedRobot>& robots, const Units& units,
                     const PoseOptions& options) {
   std::vector<std::string> items;
   for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -68,11 +68,11 @@ std::string as_json(const std::vector<PlacedRobot>& robots, const Settings& sett
          {"direction", json::array({number(robot.direction.x()), number(robot.direction.y())})},
          {"load", number(robot.load)}}));
   }
-  const bool has_unit = settings.units.length != LengthUnit::none;
+  const bool has_unit = units.length != LengthUnit::none;
   return json::long_object({{"frame", json::text(options.frame)},
                             {"origin", json::text(name(options.origin))},
-                            {"unit", has_unit ? json::text(name(settings.units.length)) : "null"},
-                            {"weight_unit", json::text(name(settings.units.weight))},
+                            {"unit", has_unit ? json::text(name(units.length)) : "null"},
+                            {"weight_unit", json::text(name(units.weight))},
                             {"robots", json::long_array(items, 1)}},
                            0) +
          "\n";
@@ -125,10 +125,10 @@ std::string vector_in_yaml(std::initializer_list<std::pair<const char*, double>>
   return text + "}";
 }
 
-std::string as_yaml(const std::vector<PlacedRobot>& robots, const Settings& settings,
+std::string as_yaml(const std::vector<PlacedRobot>& robots, const Units& units,
                     const PoseOptions& options) {
   std::string text = "# geometry_msgs/msg/PoseArray, in metres; x of each pose faces the object\n";
-  if (settings.units.length == LengthUnit::none)
+  if (units.length == LengthUnit::none)
     text += "# The object has no unit: its coordinates are taken for metres\n";
   text += "header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: \"" + options.frame + "\"\n";
   text += robots.empty() ? "poses: []\n" : "poses:\n";
@@ -136,11 +136,10 @@ std::string as_yaml(const std::vector<PlacedRobot>& robots, const Settings& sett
     const PlacedRobot& robot = robots[i];
     const auto [z, w] = half_turn(robot.direction);
     text += "  # Robot " + std::to_string(i + 1) + " of team " + std::to_string(robot.team + 1) +
-            " bears " + shortest(robot.load) + " " + std::string(name(settings.units.weight)) +
-            "\n";
+            " bears " + shortest(robot.load) + " " + std::string(name(units.weight)) + "\n";
     text += "  - position: " +
-            vector_in_yaml({{"x", in_metres(robot.at.x(), settings.units.length)},
-                            {"y", in_metres(robot.at.y(), settings.units.length)},
+            vector_in_yaml({{"x", in_metres(robot.at.x(), units.length)},
+                            {"y", in_metres(robot.at.y(), units.length)},
                             {"z", 0}}) +
             "\n    orientation: " + vector_in_yaml({{"x", 0}, {"y", 0}, {"z", z}, {"w", w}}) + "\n";
   }
@@ -168,15 +167,15 @@ bool is_frame_name(std::string_view text) {
          std::all_of(text.begin(), text.end(), is_of_frame);
 }
 
-std::string poses_text(const Placement& placement, PoseFormat format, const PoseOptions& options) {
-  const std::vector<PlacedRobot> robots = robots_from(placement, options.origin);
+std::string poses_text(const ShownPlacement& of, PoseFormat format, const PoseOptions& options) {
+  const std::vector<PlacedRobot> robots = robots_from(of.placement, options.origin);
   switch (format) {
     case PoseFormat::csv:
-      return as_csv(robots, placement.settings);
+      return as_csv(robots, of.shown.units);
     case PoseFormat::json:
-      return as_json(robots, placement.settings, options);
+      return as_json(robots, of.shown.units, options);
     case PoseFormat::yaml:
-      return as_yaml(robots, placement.settings, options);
+      return as_yaml(robots, of.shown.units, options);
   }
   return {};
 }

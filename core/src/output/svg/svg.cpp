@@ -23,10 +23,12 @@ constexpr std::size_t most_labels = 150;
 
 class Drawing {
  public:
-  explicit Drawing(const Placement& placement, double share = 1)
-      : placement_(placement),
-        sized_(robots_with_size(placement)),
-        paper_(extent(placement, sized_), share) {
+  explicit Drawing(const ShownPlacement& of, double share = 1)
+      : of_(of),
+        placement_(of.placement),
+        sized_(robots_with_size(placement_)),
+        paper_(extent(placement_, sized_), share) {
+    const Placement& placement = placement_;
     const auto robots = static_cast<double>(count_robots(placement.teams));
     disc_ = std::clamp(13.5 - robots / 12, 6.5, 13.0);
     number_size_ = 1.15 * disc_;
@@ -40,7 +42,7 @@ class Drawing {
 
   std::string finished(std::string_view link) {
     const std::string drawing = drawn();
-    return document(drawing, make_caption(placement_, shown_, paper_.height, paper_.width), link);
+    return document(drawing, make_caption(of_, seen_, paper_.height, paper_.width), link);
   }
 
   std::string without_caption() { return document(drawn(), {}, {}); }
@@ -49,8 +51,7 @@ class Drawing {
   // Draws step by step: what is drawn tells later steps what to avoid and what to explain.
   std::string drawn() {
     std::string drawing;
-    for (const Shape& shape : make_picture(placement_, placement_.settings.overlays))
-      drawing += drawn(shape);
+    for (const Shape& shape : make_picture(placement_, of_.shown.overlays)) drawing += drawn(shape);
     if (placement_.stands) drawing += stands();
     drawing += slide();
     drawing += robots();
@@ -97,9 +98,9 @@ class Drawing {
                           attribute("fill", object_colour) + attribute("stroke", outline_colour) +
                               attribute("stroke-width", 2));
       case Role::clockwise:
-        return region(shape, true, shown_.clockwise);
+        return region(shape, true, seen_.clockwise);
       case Role::counterclockwise:
-        return region(shape, false, shown_.counterclockwise);
+        return region(shape, false, seen_.counterclockwise);
       case Role::lifting_base:
         return hull(shape);
       case Role::candidate:
@@ -127,14 +128,14 @@ class Drawing {
 
   // With a single team H is a segment, drawn as a broad stroke under its chord.
   std::string hull(const Shape& shape) {
-    shown_.hull = shape.points.size() >= 3;
+    seen_.hull = shape.points.size() >= 3;
     const std::string stroke = attribute("stroke", hull_outline_colour);
     return drawn_path(
-        "hull", paper_(shape.points), shown_.hull,
-        shown_.hull ? attribute("fill", hull_colour) + attribute("fill-opacity", 0.24) + stroke +
-                          attribute("stroke-width", 1.75)
-                    : stroke + attribute("stroke-width", 7) + attribute("stroke-opacity", 0.4) +
-                          attribute("stroke-linecap", "round"));
+        "hull", paper_(shape.points), seen_.hull,
+        seen_.hull ? attribute("fill", hull_colour) + attribute("fill-opacity", 0.24) + stroke +
+                         attribute("stroke-width", 1.75)
+                   : stroke + attribute("stroke-width", 7) + attribute("stroke-opacity", 0.4) +
+                         attribute("stroke-linecap", "round"));
   }
 
   std::string region(const Shape& shape, bool clockwise, bool& shown) const {
@@ -171,17 +172,17 @@ class Drawing {
   // What robots with a size cannot use, and they themselves.
   std::string stands() {
     const Stands& rules = *placement_.stands;
-    shown_.body = rules.has_body();
+    seen_.body = rules.has_body();
     for (const UnusablePart& part : rules.unusable())
-      (part.why == WhyUnusable::no_go ? shown_.no_go : shown_.unusable) = true;
+      (part.why == WhyUnusable::no_go ? seen_.no_go : seen_.unusable) = true;
     return unusable_boundary(placement_, paper_) + bodies(sized_, rules.robot(), paper_);
   }
 
   // From C in a direction in which nothing stops the object.
   std::string slide() {
     const Closure& closure = placement_.closure;
-    shown_.slide = closure.translation_free && closure.translation && !placement_.teams.empty();
-    if (!shown_.slide) return "";
+    seen_.slide = closure.translation_free && closure.translation && !placement_.teams.empty();
+    if (!seen_.slide) return "";
     const Vec2 along(closure.translation->x(), -closure.translation->y());
     const Vec2 centre = paper_(placement_.centre_of_mass);
     const Vec2 tail = centre + along * 14, head = centre + along * 58;
@@ -205,7 +206,7 @@ class Drawing {
   }
 
   bool overloads(const Stand& stand) const {
-    const std::optional<double>& capacity = placement_.settings.capacity;
+    const std::optional<double>& capacity = of_.shown.capacity;
     return capacity && *std::max_element(stand.loads.begin(), stand.loads.end()) > *capacity;
   }
 
@@ -223,7 +224,7 @@ class Drawing {
       around.marks.push_back(body_box(robot, placement_.stands->robot(), paper_));
       around.chords.emplace_back(paper_(robot.at), paper_(robot.stand));
     }
-    const Units& units = placement_.settings.units;
+    const Units& units = of_.shown.units;
     std::vector<labels::Request> requests;
     for (const Stand& stand : stands_) {
       const double width = text_width(load_text(stand, largest_load_, units), label_size_, 0.58);
@@ -240,7 +241,7 @@ class Drawing {
     for (std::size_t i = 0; i < stands_.size(); ++i) {
       if (!places[i]) continue;
       const bool over = overloads(stands_[i]);
-      shown_.overload = shown_.overload || over;
+      seen_.overload = seen_.overload || over;
       out += centred((places[i]->low + places[i]->high) / 2, label_size_,
                      load_text(stands_[i], largest_load_, units),
                      attribute("class", over ? "load overload" : "load") +
@@ -249,6 +250,7 @@ class Drawing {
     return out;
   }
 
+  const ShownPlacement of_;
   const Placement& placement_;
   const std::vector<PlacedRobot> sized_;  // all robots or, if they are points, none
   const Paper paper_;
@@ -259,19 +261,19 @@ class Drawing {
   // Known once they are drawn:
   Points outline_;
   std::vector<labels::Segment> chords_;
-  Shown shown_;
+  Seen seen_;
 };
 
 }  // namespace
 }  // namespace svg
 
-std::string placement_svg(const Placement& placement, std::string_view link) {
-  return svg::Drawing(placement).finished(link);
+std::string placement_svg(const ShownPlacement& of, std::string_view link) {
+  return svg::Drawing(of).finished(link);
 }
 
-std::string placement_sketch(const Placement& placement) {
+std::string placement_sketch(const ShownPlacement& of) {
   constexpr double share = 0.5;
-  return svg::Drawing(placement, share).without_caption();
+  return svg::Drawing(of, share).without_caption();
 }
 
 }  // namespace evenlift

@@ -12,7 +12,9 @@ namespace {
 
 // "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure", and what is known of the robots and
 // of C.
-std::string settings_line(const Placement& placement) {
+std::string settings_line(const ShownPlacement& of) {
+  const Placement& placement = of.placement;
+  const Shown& shown = of.shown;
   const Settings& settings = placement.settings;
   const bool by_ratio = selects_candidates(settings.method);
   std::string line = "Method: " + std::string(name(settings.method));
@@ -22,11 +24,10 @@ std::string settings_line(const Placement& placement) {
                        : count_of(placement.teams.size(), "team", "teams"));
   if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);
   line += " · coverage " + percentage(placement.coverage);
-  if (settings.capacity)
-    line += " · a robot can carry " + given_weight(*settings.capacity, settings.units);
-  if (settings.com_radius > 0)
-    line += " · centre of mass known within " +
-            with_length_unit(plain(settings.com_radius), settings.units);
+  if (shown.capacity) line += " · a robot can carry " + given_weight(*shown.capacity, shown.units);
+  if (shown.com_radius > 0)
+    line +=
+        " · centre of mass known within " + with_length_unit(plain(shown.com_radius), shown.units);
   return line + (placement.closure.form_closure ? " · form closure" : " · no form closure");
 }
 
@@ -35,26 +36,26 @@ struct KeyEntry {
   std::string_view words;
 };
 
-std::vector<KeyEntry> key(const Shown& shown) {
+std::vector<KeyEntry> key(const Seen& seen) {
   const auto swatch = [](const std::string& fill, std::string_view stroke) {
     return element("rect", attribute("x", -9) + attribute("y", -6) + attribute("width", 18) +
                                attribute("height", 12) + attribute("rx", 2) + fill +
                                attribute("stroke", stroke) + attribute("stroke-width", 1.25));
   };
   std::vector<KeyEntry> entries;
-  if (shown.hull)
+  if (seen.hull)
     entries.push_back({swatch(attribute("fill", hull_colour) + attribute("fill-opacity", 0.24),
                               hull_outline_colour),
                        "lifting base"});
-  if (shown.clockwise)
+  if (seen.clockwise)
     entries.push_back(
         {swatch(region_fill(true), clockwise_colour), "can turn clockwise about here"});
-  if (shown.counterclockwise)
+  if (seen.counterclockwise)
     entries.push_back({swatch(region_fill(false), counterclockwise_colour),
                        "can turn counter-clockwise about here"});
-  if (shown.slide) entries.push_back({arrow({-9, 0}, {9, 0}, slide_colour), "can slide this way"});
+  if (seen.slide) entries.push_back({arrow({-9, 0}, {9, 0}, slide_colour), "can slide this way"});
   entries.push_back({centre_mark(Vec2(0, 0), 6), "centre of mass"});
-  if (shown.body)
+  if (seen.body)
     entries.push_back(
         {element("circle", attribute("r", 6) + attribute("fill", body_colour) +
                                attribute("fill-opacity", 0.15) + attribute("stroke", body_colour)),
@@ -63,9 +64,9 @@ std::vector<KeyEntry> key(const Shown& shown) {
     return element("path", path({{-9, 0}, {9, 0}}, false) + attribute("stroke", colour) +
                                attribute("stroke-width", 5));
   };
-  if (shown.no_go) entries.push_back({stroke(no_go_colour), "no robot may touch this"});
-  if (shown.unusable) entries.push_back({stroke(unusable_colour), "no robot fits here"});
-  if (shown.overload)
+  if (seen.no_go) entries.push_back({stroke(no_go_colour), "no robot may touch this"});
+  if (seen.unusable) entries.push_back({stroke(unusable_colour), "no robot fits here"});
+  if (seen.overload)
     entries.push_back({text({-9, 4.5}, 13, "00",
                             attribute("fill", overload_colour) + attribute("font-weight", 600)),
                        "more than a robot can carry"});
@@ -74,7 +75,7 @@ std::vector<KeyEntry> key(const Shown& shown) {
 
 }  // namespace
 
-Caption make_caption(const Placement& placement, const Shown& shown, double top, double width) {
+Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, double width) {
   const std::string dark = attribute("fill", text_colour);
   const std::string grey = attribute("fill", second_text_colour);
   Caption caption;
@@ -86,13 +87,13 @@ Caption make_caption(const Placement& placement, const Shown& shown, double top,
     }
     y += 2;
   };
-  paragraph(loads_in_words(placement), 17, dark + attribute("font-weight", 600));
-  paragraph(detail_in_words(placement), 15, dark);
-  paragraph(settings_line(placement), 13, grey);
+  paragraph(loads_in_words(of), 17, dark + attribute("font-weight", 600));
+  paragraph(detail_in_words(of), 15, dark);
+  paragraph(settings_line(of), 13, grey);
 
   double x = caption_margin;
   y += 24;
-  for (const KeyEntry& entry : key(shown)) {
+  for (const KeyEntry& entry : key(seen)) {
     const double needed = 26 + text_width(entry.words, 13) + 18;
     if (x > caption_margin && x + needed > width) {
       x = caption_margin;

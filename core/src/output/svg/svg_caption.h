@@ -7,7 +7,8 @@
 
 namespace evenlift::svg {
 
-struct Shown {
+// What of the key is in the picture.
+struct Seen {
   bool hull = false, clockwise = false, counterclockwise = false;
   bool no_go = false, unusable = false, body = false, overload = false, slide = false;
 };
@@ -18,7 +19,7 @@ struct Caption {
 };
 
 // Its top is `top` pixels from above, and it is `width` pixels wide.
-Caption make_caption(const Placement& placement, const Shown& shown, double top, double width);
+Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, double width);
 
 // The fill of a region: hatched at +45 degrees (clockwise) or -45, so that they differ without
 // colour too, also where they overlap. `fills` defines them.

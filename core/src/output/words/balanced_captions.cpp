@@ -215,8 +215,8 @@ std::string StepCaptions::settled() const {
 
 std::string StepCaptions::failure() const {
   const std::optional<RestOfRobots>& rest = detail_.balanced->rest_of[item_];
-  const std::string fails = failure_in_words(item_, detail_.balanced->rest_of.size(), rest,
-                                             std::nullopt, placement_.settings.units);
+  const std::string fails =
+      failure_in_words(item_, detail_.balanced->rest_of.size(), rest, std::nullopt, trace_.units);
   if (!rest) return fails + " C is outside of their hull: the object tips over.";
   return fails +
          fill(
@@ -228,7 +228,7 @@ std::string StepCaptions::failure() const {
 
 std::string StepCaptions::failures() const {
   const Robustness known = robustness(placement_);
-  const std::string text = failures_in_words(detail_.balanced->rest_of, placement_.settings.units);
+  const std::string text = failures_in_words(detail_.balanced->rest_of, trace_.units);
   if (known.failures_carried < 2) return text;
   return text +
          fill(known.failures_steady < known.failures_carried
@@ -241,7 +241,7 @@ std::string StepCaptions::pairs() const {
   const Placement& pairs = *trace_.in_pairs;
   const std::size_t teams = pairs.teams.size();
   const double most = pairs.loads->max;
-  const std::string loads = load_in_words(pairs.loads->min, most, most, placement_.settings.units);
+  const std::string loads = load_in_words(pairs.loads->min, most, most, trace_.units);
   const int steady = robustness(pairs).failures_steady;
   return fill(
       "As many robots in pairs, chosen by area, cover # instead of #, and bear # each. But every line through C has one robot of each pair on either side, so # carry any # at once, wherever they stand; #. Balanced robots give no such promise: each set must be looked at.",

@@ -38,8 +38,7 @@ class FigureWords {
   }
   std::string why_unusable() const {
     const Stands& stands = *trace_.placement.stands;
-    return unusable_in_words(stands.unusable()[index_].why, stands.robot(),
-                             trace_.placement.settings.units);
+    return unusable_in_words(stands.unusable()[index_].why, stands.robot(), trace_.units);
   }
 
   std::string chosen() const {
@@ -61,14 +60,11 @@ class FigureWords {
                        {score.exact ? "" : "at most ", score_text(trace_, rule, score.value, 0)});
   }
   std::string gain_area() const {
-    switch (trace_.placement.settings.method) {
-      case Method::area:
+    switch (trace_.metric()) {
+      case Metric::area:
         return fill("Adds # of the object to H", {gain()});
-      case Method::circle:
-      case Method::distance:
-      case Method::distributed:
-      case Method::random:
-      case Method::balanced:
+      case Metric::circle:
+      case Metric::distance:
         break;
     }
     return "Triangle between H and the end";

@@ -141,15 +141,16 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
          (rest->steady ? "." : ", but it can tip.") + overload;
 }
 
-std::string rest_in_words(const Placement& failing) {
+std::string rest_in_words(const ShownPlacement& of) {
+  const Placement& failing = of.placement;
   if (!failing.loads)
     return "The centre of mass is not above what is left of the lifting base, so the object falls.";
-  return coverage_in_words(failing) + " " + closure_in_words(failing);
+  return coverage_in_words(failing) + " " + closure_in_words(of);
 }
 
-std::vector<Fact> robustness_facts(const Placement& placement, const Robustness& robustness,
+std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& robustness,
                                    bool failing) {
-  if (placement.teams.empty()) return {};
+  if (of.placement.teams.empty()) return {};
   // Steady by a hair is nothing to rely on.
   const int carried = robustness.failures_carried, steady = robustness.failures_clear;
   std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);
@@ -163,8 +164,7 @@ std::vector<Fact> robustness_facts(const Placement& placement, const Robustness&
       {"Robots that may fail", may_fail,
        "How many may let go at once, whichever they are, so that the others carry the object, "
        "however much each of them then bears"},
-      {"Centre of mass may be off by",
-       length_in_words(robustness.tipping_distance, placement.settings.units),
+      {"Centre of mass may be off by", length_in_words(robustness.tipping_distance, of.shown.units),
        "Farther off it can tip; nearer it does not, if robots push back and none is overloaded"}};
 }
 

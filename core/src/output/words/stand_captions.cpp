@@ -53,19 +53,19 @@ std::string StepCaptions::stands() const {
     if (!(stands.lost[why] > 0)) continue;
     reasons += (reasons.empty() ? "" : "; ") + lost_in_words(static_cast<WhyUnusable>(why),
                                                              stands.lost[why] / stands.boundary,
-                                                             robot, placement_.settings.units);
+                                                             robot, trace_.units);
   }
   if (!reasons.empty()) text += " " + as_a_sentence(std::move(reasons));
   const double apart = 2 * robot.radius + robot.gap;
   if (apart > 0)
     text += fill(" The middles of two robots stay at least # apart.",
-                 {with_length_unit(plain(apart), placement_.settings.units)});
+                 {with_length_unit(plain(apart), trace_.units)});
   const double clear = robot.radius + robot.gap;
   if (robot.reach > 0)
     text += fill(
         clear > 0 ? " An arm stays # away from the middles of other robots, and arms do not cross."
                   : " Arms do not cross.",
-        {with_length_unit(plain(clear), placement_.settings.units)});
+        {with_length_unit(plain(clear), trace_.units)});
   return text;
 }
 

@@ -10,24 +10,6 @@
 #include "evenlift/tolerance.h"
 
 namespace evenlift {
-namespace {
-
-const char* score_in_words(Method method) {
-  switch (method) {
-    case Method::circle:
-      return "the area of the circles inscribed in the triangles between H and its ends";
-    case Method::distance:
-      return "by how much it reduces the leverage of weight placed on the vertices";
-    case Method::area:
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
-      break;
-  }
-  return "the area of the triangles between H and its two ends, as far as they are in the object";
-}
-
-}  // namespace
 
 Piece StepCaptions::load(double value) const { return weight_text(trace_, value); }
 
@@ -319,7 +301,7 @@ std::string StepCaptions::scores() const {
   const TeamScores& scores = *detail_.scores;
   if (item_ == 0) return first_scores(scores);
   return fill("Team #: how much would each candidate add? Its score is #. ",
-              {counted_from_1(scores.team), score_in_words(placement_.settings.method)}) +
+              {counted_from_1(scores.team), words_of(trace_.metric()).score}) +
          (scores.of_candidate[scores.ranking.front()].value > 0
               ? ranking(scores)
               : "No candidate adds anything any more.");

@@ -34,18 +34,7 @@ const char* aim(const Trace& trace, Rule rule) {
   if (rule == Rule::longest_even) return "is the longest even one";
   if (rule == Rule::longest) return "is the longest one";
   if (rule == Rule::most_even) return "is the most even one";
-  switch (trace.placement.settings.method) {
-    case Method::circle:
-      return "adds the largest inscribed circles";
-    case Method::distance:
-      return "reduces the leverage of weight on the vertices most";
-    case Method::area:
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
-      break;
-  }
-  return "adds the most area";
+  return words_of(trace.metric()).wins;
 }
 
 std::string behind(const Trace& trace, const WhyNot& answer) {

@@ -134,7 +134,7 @@ Piece weight_text(const Trace& trace, double value) {
 }
 
 Piece weight_text(const Trace& trace, double value, double largest) {
-  return {Piece::Kind::load, value, largest, 0, name(trace.placement.settings.units.weight)};
+  return {Piece::Kind::load, value, largest, 0, name(trace.units.weight)};
 }
 
 Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
@@ -145,11 +145,31 @@ std::string robot_of_contact(const Trace& trace, const Contact& contact) {
   return fill("robot # of team #", {counted_from_1(robot), counted_from_1(team)});
 }
 
+MetricWords words_of(Metric metric) {
+  switch (metric) {
+    case Metric::circle:
+      return {"the area of the circles inscribed in the triangles between H and its ends",
+              "adds the largest inscribed circles",
+              "beyond whose ends there is room for the largest circles",
+              "They have an area of #; those of the next best chord have ##."};
+    case Metric::distance:
+      return {"by how much it reduces the leverage of weight placed on the vertices",
+              "reduces the leverage of weight on the vertices most",
+              "that takes most away from the leverage of weight at the vertices",
+              "It takes away #; the next best chord would take ##."};
+    case Metric::area:
+      break;
+  }
+  return {"the area of the triangles between H and its two ends, as far as they are in the object",
+          "adds the most area", "that adds the most area to the lifting base",
+          "It adds an area of #; the next best chord would add ##."};
+}
+
 Piece score_text(const Trace& trace, Rule rule, double value, double other) {
   if (rule == Rule::most_even) return ratio_text(value, other);
   const double size = trace.polygon.diagonal();
-  const bool is_length = rule == Rule::longest_even || rule == Rule::longest ||
-                         scores_are_lengths(trace.placement.settings.method);
+  const bool is_length =
+      rule == Rule::longest_even || rule == Rule::longest || scores_are_lengths(trace.metric());
   return number_unlike(value, other, is_length ? size : 0.1 * size * size);
 }
 

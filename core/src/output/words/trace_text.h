@@ -79,6 +79,13 @@ Piece margin_text(double value);
 // Which robot a contact belongs to: "robot 1 of team 2", or of balanced robots "robot 3".
 std::string robot_of_contact(const Trace& trace, const Contact& contact);
 
+// How the lesson speaks of a metric: what it measures, what the candidate does that wins by it,
+// and of a chord where it is and by how much it is ahead of the next best.
+struct MetricWords {
+  const char *score, *wins, *chord, *gains;
+};
+MetricWords words_of(Metric metric);
+
 // The value of a score in the unit of the trace's metric and rule, told apart from `other`.
 Piece score_text(const Trace& trace, Rule rule, double value, double other);
 

@@ -8,35 +8,12 @@
 namespace evenlift {
 namespace {
 
-// What a metric looks for, and by how much it was found: here, and in the next best.
-struct Aim {
-  const char *chord, *gains;
-};
-Aim aim_of(Method method) {
-  switch (method) {
-    case Method::circle:
-      return {"beyond whose ends there is room for the largest circles",
-              "They have an area of #; those of the next best chord have ##."};
-    case Method::distance:
-      return {"that takes most away from the leverage of weight at the vertices",
-              "It takes away #; the next best chord would take ##."};
-    case Method::area:
-    case Method::distributed:
-    case Method::random:
-    case Method::balanced:
-      break;
-  }
-  return {"that adds the most area to the lifting base",
-          "It adds an area of #; the next best chord would add ##."};
-}
-
 // A score with its unit, told apart from `other`.
 std::string with_unit(const Trace& trace, const TeamScores& scores, double value, double other) {
-  const Settings& settings = trace.placement.settings;
   const std::string number = written(score_text(trace, scores.rule, value, other));
-  const bool length = scores.rule != Rule::score || scores_are_lengths(settings.method);
-  const std::string text = with_length_unit(number, settings.units);
-  return length || settings.units.length == LengthUnit::none ? text : text + "²";
+  const bool length = scores.rule != Rule::score || scores_are_lengths(trace.metric());
+  const std::string text = with_length_unit(number, trace.units);
+  return length || trace.units.length == LengthUnit::none ? text : text + "²";
 }
 
 std::string first_team_is(const TeamScores& scores) {
@@ -49,14 +26,14 @@ std::string first_team_is(const TeamScores& scores) {
 
 std::string further_team_is(const Trace& trace, const TeamScores& scores) {
   return fill("Team # takes the chord #: the wider the base, the harder the object is to tip.",
-              {counted_from_1(scores.team), aim_of(trace.placement.settings.method).chord});
+              {counted_from_1(scores.team), words_of(trace.metric()).chord});
 }
 
 // By how much the chord is the best, or what decided between it and another.
 std::string lead(const Trace& trace, const TeamScores& scores) {
   const std::uint32_t winner = scores.ranking[0], second = scores.ranking[1];
   const Candidate &a = trace.placement.candidates[winner], &b = trace.placement.candidates[second];
-  const Units& units = trace.placement.settings.units;
+  const Units& units = trace.units;
   const double size = trace.polygon.diagonal();
   switch (scores.decided_by) {
     case DecidedBy::ratio:
@@ -81,7 +58,7 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
   if (scores.rule != Rule::score)
     return fill("The next one is # shorter.",
                 {with_unit(trace, scores, best.value - next.value, 0)});
-  return fill(aim_of(trace.placement.settings.method).gains,
+  return fill(words_of(trace.metric()).gains,
               {with_unit(trace, scores, best.value, next.value), next.exact ? "" : "at most ",
                with_unit(trace, scores, next.value, best.value)});
 }

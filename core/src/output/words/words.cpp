@@ -40,11 +40,12 @@ std::string robots_of(const std::vector<std::size_t>& robots) {
   return (robots.size() == 1 ? "robot " : "robots ") + numbers_from_1(robots);
 }
 
-std::string overload_in_words(const Placement& placement, double capacity,
+std::string overload_in_words(const ShownPlacement& of, double capacity,
                               const std::vector<std::size_t>& robots, LoadModel model,
                               const std::optional<std::size_t>& failed) {
+  const Placement& placement = of.placement;
   if (placement.teams.empty()) return {};
-  const std::string limit = given_weight(capacity, placement.settings.units);
+  const std::string limit = given_weight(capacity, of.shown.units);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
   // At best only the greatest load is known, and not whose it is; at worst not all bear their greatest at once.
   if (model == LoadModel::best)
@@ -67,11 +68,12 @@ std::string overload_in_words(const Placement& placement, double capacity,
 
 // The number is counted by plan, with all robots at work and C where it is given; where other loads are shown, that
 // is said.
-std::string need_in_words(const CapacityPlan& plan, const Settings& settings, LoadModel model,
+std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, LoadModel model,
                           const std::optional<std::size_t>& failed) {
+  const Settings& settings = of.placement.settings;
   const std::string presumed = failed                     ? "while none fails, "
                                : model != LoadModel::plan ? "as planned, "
-                               : settings.com_radius > 0  ? "if C is known exactly, "
+                               : of.shown.com_radius > 0  ? "if C is known exactly, "
                                                           : "";
   // Of balanced robots only the weight is counted (plan_capacity).
   const bool balanced = settings.method == Method::balanced;
@@ -80,7 +82,7 @@ std::string need_in_words(const CapacityPlan& plan, const Settings& settings, Lo
                    (balanced ? "it takes " : "this method needs ") +
                    count_of(plan.team_size * plan.teams, "robot", "robots") +
                    (balanced ? ", with " : ", with at most ") +
-                   load_in_words(plan.greatest_load, plan.greatest_load, settings.units) +
+                   load_in_words(plan.greatest_load, plan.greatest_load, of.shown.units) +
                    " each.");
   const std::string tried = std::to_string(plan.team_size * plan.tried);
   if (plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots)
@@ -106,10 +108,10 @@ std::string robot_in_words(const Placement& placement, std::size_t robot) {
 }
 
 // Of a hold that relies on a contact beside a corner.
-std::string near_corner_in_words(const Placement& placement) {
-  const Clearance& clearance = placement.closure.clearance;
-  return "It is held only as long as " + robot_in_words(placement, clearance.point.value_or(0)) +
-         " stands exactly: it is " + promised_length(clearance.distance, placement.settings.units) +
+std::string near_corner_in_words(const ShownPlacement& of) {
+  const Clearance& clearance = of.placement.closure.clearance;
+  return "It is held only as long as " + robot_in_words(of.placement, clearance.point.value_or(0)) +
+         " stands exactly: it is " + promised_length(clearance.distance, of.shown.units) +
          " beside a corner.";
 }
 
@@ -121,16 +123,17 @@ std::string hold_in_words(const Closure& closure) {
 
 }  // namespace
 
-std::string loads_in_words(const Placement& placement, LoadModel shown,
+std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
                            const std::vector<LoadRange>& ranges) {
+  const Placement& placement = of.placement;
   if (!placement.search_ended && placement.teams.empty())
     return "Places for " + std::to_string(placement.settings.robots) + " robots are not found yet.";
   if (placement.teams.empty())
     return placement.settings.method == Method::balanced ? "No robots can be placed."
                                                          : "No team can be placed.";
-  const Units& units = placement.settings.units;
+  const Units& units = of.shown.units;
   const std::string in_all = " (" + given_weight(placement.settings.weight, units) + " in all).";
-  const double com_radius = placement.settings.com_radius;
+  const double com_radius = of.shown.com_radius;
   const LoadSummary& loads = *placement.loads;
   const std::string robots = (shown == LoadModel::plan ? "" : "As planned, ") +
                              std::to_string(count_robots(placement.teams)) + " robots";
@@ -230,14 +233,14 @@ std::string coverage_in_words(const Placement& placement) {
   return "A push down on " + share + " of the object does not tip it.";
 }
 
-std::string closure_in_words(const Placement& placement) {
+std::string closure_in_words(const ShownPlacement& of) {
+  const Placement& placement = of.placement;
   if (placement.teams.empty()) return {};
   const Closure& closure = placement.closure;
-  if (closure.form_closure && !hold_clearly(placement)) return near_corner_in_words(placement);
+  if (closure.form_closure && !hold_clearly(placement)) return near_corner_in_words(of);
   if (closure.form_closure)
     return "The robots' contact alone stops it from sliding or turning. Robots may be off by " +
-           promised_length(closure.clearance.tolerance, placement.settings.units) +
-           " along their edges.";
+           promised_length(closure.clearance.tolerance, of.shown.units) + " along their edges.";
   if (closure.second_order)
     return "It is held, but only by the curvature of the contact (second order).";
   if (!closure.margin)
@@ -261,36 +264,38 @@ bool is_held(const Placement& placement) {
   return placement.closure.form_closure ? hold_clearly(placement) : placement.closure.second_order;
 }
 
-std::string detail_in_words(const Placement& placement) {
-  const std::string coverage = coverage_in_words(placement), closure = closure_in_words(placement);
+std::string detail_in_words(const ShownPlacement& of) {
+  const Placement& placement = of.placement;
+  const std::string coverage = coverage_in_words(placement), closure = closure_in_words(of);
   // What is wrong comes first.
   const bool closure_first = !is_held(placement) && placement.coverage >= good_coverage;
   return joined({shortage_in_words(placement), closure_first ? closure : coverage,
                  closure_first ? coverage : closure});
 }
 
-std::string verdict(const Placement& placement, LoadModel shown,
+std::string verdict(const ShownPlacement& of, LoadModel shown,
                     const std::vector<LoadRange>& ranges) {
-  return joined({loads_in_words(placement, shown, ranges), detail_in_words(placement)});
+  return joined({loads_in_words(of, shown, ranges), detail_in_words(of)});
 }
 
-std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
+std::string capacity_in_words(const ShownPlacement& of, double capacity, const CapacityPlan* plan,
                               const FailurePlan* if_one_fails) {
-  return capacity_in_words(placement, capacity, plan, overloaded_robots(placement, capacity),
+  return capacity_in_words(of, capacity, plan, overloaded_robots(of.placement, capacity),
                            LoadModel::plan, std::nullopt, if_one_fails);
 }
 
-std::string capacity_in_words(const Placement& placement, double capacity, const CapacityPlan* plan,
+std::string capacity_in_words(const ShownPlacement& of, double capacity, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
                               const std::optional<std::size_t>& failed,
                               const FailurePlan* if_one_fails) {
-  return joined(
-      {overload_in_words(placement, capacity, overloaded, model, failed),
-       plan ? need_in_words(*plan, placement.settings, model, failed) : std::string(),
-       if_one_fails ? need_if_one_fails(*if_one_fails, placement.settings.units) : std::string()});
+  return joined({overload_in_words(of, capacity, overloaded, model, failed),
+                 plan ? need_in_words(*plan, of, model, failed) : std::string(),
+                 if_one_fails ? need_if_one_fails(*if_one_fails, of.shown.units) : std::string()});
 }
 
-std::vector<Fact> facts_in_words(const Placement& placement) {
+std::vector<Fact> facts_in_words(const ShownPlacement& of) {
+  const Placement& placement = of.placement;
+  const Units& units = of.shown.units;
   const bool in_pairs = placement.settings.method != Method::balanced;
   std::vector<Fact> facts;
   if (in_pairs)
@@ -302,10 +307,8 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
       {"Coverage", percentage(placement.coverage, 1),
        "Share of the object inside the lifting base: no push down there tips it, if robots "
        "push back and none is overloaded"});
-  facts.push_back({"Mean load", load_in_words(loads.mean, loads.max, placement.settings.units),
-                   "Of all robots"});
-  facts.push_back({"Spread of loads",
-                   load_in_words(loads.spread, loads.max, placement.settings.units),
+  facts.push_back({"Mean load", load_in_words(loads.mean, loads.max, units), "Of all robots"});
+  facts.push_back({"Spread of loads", load_in_words(loads.spread, loads.max, units),
                    "Greatest load less the least"});
   if (in_pairs)
     facts.push_back({"Greatest share in a team", percentage(loads.max_share, 1),
@@ -320,8 +323,7 @@ std::vector<Fact> facts_in_words(const Placement& placement) {
        "The margin of form closure, to compare placements of one object with each other"});
   if (closure.form_closure)
     facts.push_back(
-        {"Robots may be off by",
-         promised_length(closure.clearance.tolerance, placement.settings.units),
+        {"Robots may be off by", promised_length(closure.clearance.tolerance, of.shown.units),
          "Each along its side, all at once in any way, those in inward corners not at all: it is "
          "still in form closure"});
   return facts;

@@ -1,0 +1,425 @@
+#include "evenlift/settings.h"
+
+#include <iterator>
+
+#include "document/setting_values.h"
+#include "document/stand_settings.h"
+#include "evenlift/numbers.h"
+
+namespace evenlift {
+namespace {
+
+// --- The functions of a row, from the path to its member
+
+auto& holder(auto& document, auto Settings::*) { return document.settings; }
+auto& holder(auto& document, auto Shown::*) { return document.shown; }
+auto& holder(auto& document, auto Document::*) { return document; }
+
+template <auto first, auto... rest>
+auto& at(auto& document) {
+  return ((holder(document, first).*first).*....*rest);
+}
+
+template <class Value>
+struct Bare {
+  using type = Value;
+};
+template <class Value>
+struct Bare<std::optional<Value>> {
+  using type = Value;
+};
+
+template <class Value>
+constexpr bool is_plain = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
+
+template <auto... path>
+constexpr SettingRow::Access of() {
+  using Member = std::remove_cvref_t<decltype(at<path...>(std::declval<Document&>()))>;
+  using Value = typename Bare<Member>::type;
+  SettingRow::Access access{
+      [](std::string_view text, const SettingRange& range, Document& document) {
+        return setting_value::take(text, range, at<path...>(document));
+      },
+      [](const Document& document, const SettingRange& range) {
+        return setting_value::text_of(at<path...>(document), range);
+      },
+      [](const Document& document, const SettingRange& range) {
+        return setting_value::is_within(at<path...>(document), range);
+      },
+      nullptr, std::is_arithmetic_v<Value>};
+  if constexpr (is_plain<Value>) access.kind = setting_value::kind_in_words<Value>;
+  return access;
+}
+
+// A part of a robot's size: 0 and -0 would be two documents.
+template <double RobotSize::*part>
+constexpr SettingRow::Access part_of_robot() {
+  SettingRow::Access access = of<&Settings::robot, part>();
+  access.read = [](std::string_view text, const SettingRange&, Document& document) {
+    return read_size(text, document.settings.robot.*part);
+  };
+  return access;
+}
+
+constexpr SettingRow::Access of_the_view = {
+    [](std::string_view, const SettingRange&, Document&) { return false; },
+    [](const Document&, const SettingRange&) { return std::string(); },
+    [](const Document&, const SettingRange&) { return true; }, nullptr};
+
+constexpr SettingRange length{0, max_length}, weight{min_weight, max_weight};
+
+// --- The table
+
+constexpr SettingRow rows[] = {
+    {.setting = Setting::teams,
+     .name = "teams",
+     .subject = "the number of teams",
+     .edit = "the number of teams",
+     .range = {1, max_teams, "max"},
+     .option = {OptionGroup::placement, "N",
+                "teams asked for, or max: every candidate (default 3)"},
+     .in_document = Listed::always,
+     .access = of<&Settings::teams>()},
+    {.setting = Setting::method,
+     .name = "metric",
+     .subject = "the metric",
+     .edit = "the method",
+     .option = {OptionGroup::placement, "NAME",
+                "area (default), circle, distance, distributed, random or balanced"},
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .access = of<&Settings::method>()},
+    {.setting = Setting::min_ratio,
+     .name = "min_ratio",
+     .subject = "the minimum load ratio",
+     .edit = "the minimum load ratio",
+     .range = {0, 1},
+     .option = {OptionGroup::placement, "R", "minimum load ratio, 0 to 1 (default 0.8)"},
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .access = of<&Settings::min_ratio>()},
+    {.setting = Setting::com,
+     .name = "com",
+     .subject = "the centre of mass",
+     .rule = "is two numbers X,Y, or centroid",
+     .option = {OptionGroup::placement, "X,Y",
+                "centre of mass (default the file's, else the centroid)"},
+     .access = of<&Document::centre_of_mass>()},
+    {.setting = Setting::weight,
+     .name = "weight",
+     .subject = "the weight",
+     .edit = "the weight",
+     .changes = Changes::loads,
+     .range = weight,
+     .option = {OptionGroup::placement, "W", "the object's weight (default 100)"},
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .access = of<&Settings::weight>()},
+    {.setting = Setting::seed,
+     .name = "seed",
+     .subject = "the seed",
+     .edit = "the seed",
+     .option = {OptionGroup::placement, "S", "for the metric random (default 1)"},
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .access = of<&Settings::seed>()},
+    {.setting = Setting::overlays,
+     .name = "overlays",
+     .subject = "the overlays",
+     .changes = Changes::shown,
+     .rule =
+         "are none, or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo",
+     .in_document = Listed::always,
+     .access = of<&Shown::overlays>()},
+    {.setting = Setting::step,
+     .name = "step",
+     .subject = "the step",
+     .changes = Changes::shown,
+     .range = {0, 4294967295.0, "none"},
+     .in_document = Listed::always,
+     .access = of<&Shown::step>()},
+    {.setting = Setting::com_radius,
+     .name = "com_radius",
+     .subject = "the radius within which the centre of mass is known",
+     .edit = "how well the centre of mass is known",
+     .changes = Changes::shown,
+     .range = length,
+     .option = {OptionGroup::doubt, "E",
+                "the centre of mass is known within E only: loads as ranges"},
+     .record = 7,
+     .in_document = Listed::always,
+     .is_length = true,
+     .access = of<&Shown::com_radius>()},
+    {.setting = Setting::capacity,
+     .name = "capacity",
+     .subject = "the capacity of a robot",
+     .edit = "what a robot can carry",
+     .changes = Changes::shown,
+     .range = {min_weight, max_weight, "none"},
+     .option = {OptionGroup::doubt, "K",
+                "what one robot can carry: who is overloaded, and how many are needed"},
+     .record = 8,
+     .in_document = Listed::always,
+     .access = of<&Shown::capacity>()},
+    {.setting = Setting::robot,
+     .name = "robot",
+     .subject = "the size of a robot",
+     .edit = "the size of the robots",
+     .rule =
+         "is none, or some of r, reach, depth, width and gap with numbers from 0 to 1000000000, such as r=30,reach=5",
+     .option =
+         {OptionGroup::placement, "r=R,reach=G,...",
+          "the robots' size: r, reach, and depth and width of the hand, and the gap between robots"},
+     .record = 9,
+     .in_document = Listed::always,
+     .access = of<&Settings::robot>()},
+    {.setting = Setting::no_go,
+     .name = "no_go",
+     .subject = "the edges that must not be touched",
+     .edit = "what robots may not touch",
+     .rule =
+         "are none, or at most 1000 edges from 1 or parts of them from 0 to 1, such as 3,5:0.25-0.75",
+     .option = {OptionGroup::placement, "E[:FROM-TO],...",
+                "edges from 1, or parts of them from 0 to 1, that no robot may touch"},
+     .record = 10,
+     .in_document = Listed::always,
+     .access = of<&Settings::no_go>()},
+    {.setting = Setting::unit,
+     .name = "unit",
+     .subject = "the unit of lengths",
+     .changes = Changes::shown,
+     .option = {OptionGroup::units, "U", "label of lengths: m, cm, mm or in (default none)"},
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = of<&Shown::units, &Units::length>()},
+    {.setting = Setting::weight_unit,
+     .name = "weight_unit",
+     .subject = "the unit of weights",
+     .changes = Changes::shown,
+     .option = {OptionGroup::units, "U", "label of weights: kg (default), t, N or lb"},
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = of<&Shown::units, &Units::weight>()},
+    {.setting = Setting::goal,
+     .name = "goal",
+     .subject = "the goal",
+     .edit = "what the robots are for",
+     .option = {OptionGroup::placement, "GOAL",
+                "cover: the widest base; hold: first of all a firm hold"},
+     .record = 2,
+     .in_document = Listed::always,
+     .access = of<&Settings::goal>()},
+    {.setting = Setting::robots,
+     .name = "robots",
+     .subject = "the number of robots",
+     .edit = "the number of robots",
+     .counts_for = CountsFor::balanced,
+     .range = {least_robots, most_robots},
+     .option = {OptionGroup::placement, "M", "number of balanced robots, 2 to 64 (default 6)"},
+     .record = 1,
+     .json = "requested_robots",
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .access = of<&Settings::robots>()},
+    {.setting = Setting::positions,
+     .name = "positions",
+     .subject = "the positions",
+     .edit = "where teams may stand",
+     .counts_for = CountsFor::candidates,
+     .option = {OptionGroup::placement, "WHERE",
+                "best: one place for two edges; range: anywhere in their range"},
+     .record = 6,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = of<&Settings::positions>()},
+    {.setting = Setting::min_margin,
+     .name = "min_margin",
+     .subject = "the margin of a firm hold",
+     .edit = "what the robots are for",
+     .counts_for = CountsFor::firm_hold,
+     .range = {0, 1},
+     .option = {OptionGroup::placement, "F", "the margin of a firm hold (default 0.05)"},
+     .record = 3,
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .access = of<&Settings::min_margin>()},
+    {.setting = Setting::apart,
+     .name = "apart",
+     .subject = "the distance that parts robots",
+     .edit = "what the robots are for",
+     .counts_for = CountsFor::balanced,
+     .range = length,
+     .option = {OptionGroup::placement, "A",
+                "robots nearer than this are too near (default 0.12 of the object's radius)"},
+     .record = 4,
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .is_length = true,
+     .access = of<&Settings::apart>()},
+    {.setting = Setting::survive,
+     .name = "survive",
+     .subject = "the number of failures to survive",
+     .edit = "what the robots are for",
+     .counts_for = CountsFor::balanced,
+     .range = {0, most_survived},
+     .option = {OptionGroup::placement, "F",
+                "failures that balanced robots should survive (default 0)"},
+     .record = 5,
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .access = of<&Settings::survive>()},
+    {.setting = Setting::clear,
+     .name = "clear",
+     .subject = "the distance that is not relied on",
+     .edit = "what the robots are for",
+     .range = length,
+     .option =
+         {OptionGroup::placement, "K",
+          "distances below are not relied on: of contacts from corners, and of the centre of mass "
+          "from the base's edge after a failure (default 0.02 of the object's radius)"},
+     .record = 20,
+     .in_document = Listed::always,
+     .in_result = Listed::always,
+     .is_length = true,
+     .access = of<&Settings::clear>()},
+    {.setting = Setting::robot_radius,
+     .name = "robot_radius",
+     .subject = "the radius of a robot",
+     .range = length,
+     .is_length = true,
+     .access = part_of_robot<&RobotSize::radius>()},
+    {.setting = Setting::robot_reach,
+     .name = "robot_reach",
+     .subject = "the reach of a robot's arm",
+     .range = length,
+     .is_length = true,
+     .access = part_of_robot<&RobotSize::reach>()},
+    {.setting = Setting::robot_depth,
+     .name = "robot_depth",
+     .subject = "the depth of a robot's hand",
+     .range = length,
+     .is_length = true,
+     .access = part_of_robot<&RobotSize::depth>()},
+    {.setting = Setting::robot_width,
+     .name = "robot_width",
+     .subject = "the width of a robot's hand",
+     .range = length,
+     .is_length = true,
+     .access = part_of_robot<&RobotSize::width>()},
+    {.setting = Setting::robot_gap,
+     .name = "robot_gap",
+     .subject = "the gap between robots",
+     .range = length,
+     .is_length = true,
+     .access = part_of_robot<&RobotSize::gap>()},
+    {.setting = Setting::loads,
+     .name = "loads",
+     .subject = "the loads",
+     .changes = Changes::view,
+     .rule = "are those of plan, springs, best or worst",
+     .access = of_the_view},
+    {.setting = Setting::failed,
+     .name = "failed",
+     .subject = "the robot that fails",
+     .changes = Changes::view,
+     .rule = "is its number, a whole number from 1, or none",
+     .access = of_the_view},
+};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < std::size(rows); ++i)
+    if (rows[i].setting != static_cast<Setting>(i)) return false;
+  return std::size(rows) == static_cast<std::size_t>(Setting::end_of_settings);
+}
+static_assert(in_order(), "row_of() finds a setting by its number, and each has a row");
+
+}  // namespace
+
+std::span<const SettingRow> all_settings() { return rows; }
+
+const SettingRow& row_of(Setting setting) { return rows[static_cast<std::size_t>(setting)]; }
+
+std::string_view name(Setting setting) { return row_of(setting).name; }
+
+std::optional<Setting> setting_from_name(std::string_view text) {
+  for (const SettingRow& row : rows)
+    if (row.name == text) return row.setting;
+  return std::nullopt;
+}
+
+std::string hyphened(std::string_view name) {
+  std::string text(name);
+  for (char& c : text)
+    if (c == '_') c = '-';
+  return text;
+}
+
+bool counts(CountsFor placements, const Settings& settings) {
+  const bool balanced = settings.method == Method::balanced;
+  switch (placements) {
+    case CountsFor::all:
+      return true;
+    case CountsFor::candidates:
+      return selects_candidates(settings.method);
+    case CountsFor::firm_hold:
+      return balanced || goal_of(settings) == Goal::hold;
+    case CountsFor::balanced:
+      return balanced;
+  }
+  return true;
+}
+
+bool is_kept(const SettingRow& row, const Settings& settings) {
+  const bool is_theirs =
+      row.counts_for == CountsFor::balanced || row.counts_for == CountsFor::firm_hold;
+  return !is_theirs || counts(row.counts_for, settings);
+}
+
+std::string requirement(Setting setting) {
+  const SettingRow& row = row_of(setting);
+  std::string text(row.subject);
+  if (!row.rule.empty()) return text + " " + std::string(row.rule);
+  text += (row.setting == Setting::positions ? " are " : " is ") + row.access.kind(row.range);
+  return row.range.unset.empty() ? text : text + ", or " + std::string(row.range.unset);
+}
+
+InputError setting_error(Setting setting) { return setting_error(setting, requirement(setting)); }
+
+InputError setting_error(Setting setting, std::string why) {
+  return bad_setting(std::string(name(setting)), std::move(why));
+}
+
+std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document) {
+  const SettingRow& row = row_of(setting);
+  if (!row.access.read(text, row.range, document)) {
+    const std::string_view part = setting == Setting::no_go ? refused_part(text) : "";
+    if (part.empty()) return setting_error(setting);
+    return setting_error(setting, requirement(setting) + (", not \"" + std::string(part) + "\""));
+  }
+  if (row.changes == Changes::stands) document.moved = {};
+  return std::nullopt;
+}
+
+std::string text_of(Setting setting, const Document& document) {
+  const SettingRow& row = row_of(setting);
+  return row.access.text(document, row.range);
+}
+
+std::optional<std::uint64_t> read_failed(std::string_view text) {
+  if (text == "none") return 0;
+  const std::optional<std::uint64_t> number = read_whole(text);
+  return number && *number > 0 ? number : std::nullopt;
+}
+
+std::optional<InputError> check_ranges(const Settings& settings, const Shown& shown) {
+  const Document document{{}, {}, settings, shown, {}};
+  for (const SettingRow& row : rows)
+    if (!row.access.allowed(document, row.range)) return setting_error(row.setting);
+  return std::nullopt;
+}
+
+bool is_in_range(Setting setting, double value) {
+  return setting_value::is_within(value, row_of(setting).range);
+}
+
+}  // namespace evenlift

@@ -1,0 +1,60 @@
+#include "output/json/settings_json.h"
+
+namespace evenlift::json {
+namespace {
+
+// Whether the document's method has any use for a setting; the others are left out.
+bool is_of_use(const SettingRow& row, const Settings& settings) {
+  if (row.setting == Setting::goal)
+    return exchanges_teams(settings) || (settings.method == Method::balanced && settings.goal);
+  return is_kept(row, settings);
+}
+
+std::string value(const SettingRow& row, const Document& document) {
+  switch (row.setting) {
+    case Setting::overlays:
+      return overlays(document.shown.overlays);
+    case Setting::robot:
+      return robot(document.settings.robot);
+    case Setting::goal:
+      return text(name(goal_of(document.settings)));
+    default:
+      break;
+  }
+  const std::string given = text_of(row.setting, document);
+  if (!row.access.is_number) return text(given);
+  if (given.empty() || given == "none") return "null";
+  return given == row.range.unset ? text(given) : given;
+}
+
+}  // namespace
+
+void add_settings(std::vector<Member>& members, const Document& document, Listed SettingRow::*list,
+                  Setting first, Setting last) {
+  const Document usual;
+  for (const SettingRow& row : all_settings()) {
+    if (row.setting < first || row.setting > last || row.*list == Listed::never) continue;
+    if (!is_of_use(row, document.settings)) continue;
+    if (row.*list == Listed::if_changed &&
+        text_of(row.setting, document) == text_of(row.setting, usual))
+      continue;
+    members.push_back({row.json.empty() ? row.name : row.json, value(row, document)});
+  }
+}
+
+std::string overlays(const Overlays& overlays) {
+  std::vector<Member> members;
+  for (const NamedOverlay& overlay : all_overlays())
+    members.push_back({overlay.name, boolean(overlays.*(overlay.shown))});
+  return object(members);
+}
+
+std::string robot(const RobotSize& robot) {
+  return object({{"radius", number(robot.radius)},
+                 {"reach", number(robot.reach)},
+                 {"depth", number(robot.depth)},
+                 {"width", number(robot.width)},
+                 {"gap", number(robot.gap)}});
+}
+
+}  // namespace evenlift::json

@@ -1,0 +1,275 @@
+// The places that name settings and that no compiler reads. What one of them lacks is said in a
+// sentence, and so is a name that does not belong there. CONTRIBUTING.md, "Add a setting", lists them.
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "evenlift/settings.h"
+#include "kit/corpus.h"
+#include "link/records.h"
+
+using namespace evenlift;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+fs::path root() { return fs::path(EVENLIFT_TESTS_DIR).parent_path(); }
+
+// What stands in the file between the two texts.
+std::string part_of(const std::string& file, const std::string& begins, const std::string& ends) {
+  const std::string text = corpus::read_file(root() / file);
+  INFO(file << " has nothing between \"" << begins << "\" and \"" << ends << "\"");
+  const std::size_t begin = text.find(begins);
+  REQUIRE(begin != std::string::npos);
+  const std::size_t end = text.find(ends, begin + begins.size());
+  REQUIRE(end != std::string::npos);
+  return text.substr(begin + begins.size(), end - begin - begins.size());
+}
+
+// The rows of the tables in a text, each without what is before its first cell.
+std::vector<std::string> table_rows(const std::string& text) {
+  std::vector<std::string> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("| ")) rows.push_back(line.substr(2));
+  return rows;
+}
+
+std::string first_cell(const std::string& row) { return row.substr(0, row.find(" |")); }
+
+// What the pattern's first group is wherever it is found.
+Names found(const std::string& text, const std::string& pattern) {
+  const std::regex each(pattern);
+  Names names;
+  for (std::sregex_iterator at(text.begin(), text.end(), each), end; at != end; ++at)
+    names.insert((*at)[1]);
+  return names;
+}
+
+// --- The doors: which settings go through, and by which name
+
+bool any(const SettingRow&) { return true; }
+bool is_option(const SettingRow& row) { return row.option.group != OptionGroup::none; }
+bool is_key(const SettingRow& row) { return is_option(row) || row.setting == Setting::overlays; }
+bool is_length(const SettingRow& row) { return row.is_length; }
+bool is_in_result(const SettingRow& row) { return row.in_result != Listed::never; }
+bool is_of_place_and_link(const SettingRow& row) {
+  return is_option(row) && row.option.group != OptionGroup::placement;
+}
+// Requests and the packages have a member of their own for the centre of mass.
+bool is_asked(const SettingRow& row) {
+  return row.changes != Changes::view && row.setting != Setting::com;
+}
+// A link always tells the number of balanced robots.
+bool has_default(const SettingRow& row) {
+  return row.record != 0 && row.setting != Setting::robots;
+}
+
+std::string as_is(const SettingRow& row) { return std::string(row.name); }
+std::string as_key(const SettingRow& row) { return hyphened(row.name); }
+std::string as_option(const SettingRow& row) { return "--" + hyphened(row.name); }
+std::string as_member(const SettingRow& row) {
+  return std::string(row.json.empty() ? row.name : row.json);
+}
+
+struct Door {
+  std::string file, begins, ends;  // the part of the file; of tables in it the first cells count
+  std::string name;                // a pattern, whose first group is a name
+  std::string lacks;               // what is said of a missing name, which comes in place of %
+  bool (*goes_through)(const SettingRow&);
+  std::string (*called)(const SettingRow&) = as_is;
+  Names others = {};  // names that stand there and are no settings
+};
+
+// These list settings, and nothing else but the others.
+const Door lists[] = {
+    {"docs/cli.md",
+     "## `evenlift place`\n",
+     "\n### ",
+     "`(--[a-z-]+)",
+     "has no row for %",
+     is_option,
+     as_option,
+     {"--loads", "--failures", "--json", "--candidates", "--svg", "--poses", "--frame",
+      "--origin"}},
+    {"docs/lessons.md",
+     "## The settings\n",
+     "\n## ",
+     "`([a-z-]+)`",
+     "has no setting %",
+     is_key,
+     as_key,
+     {"title", "polygon", "link", "predict"}},
+    {"docs/requests.md", "## Settings\n", "\n## ", "`(\\w+)`", "has no row for %", is_asked},
+    {"docs/page.md", "| setting of `set` |", "\n\n", "`(\\w+)`", "has no row for % of set()", any},
+    {"npm/api.js", "settingNames = [", "]", "\"(\\w+)\"", "has no % in settingNames", is_asked},
+    {"npm/evenlift.d.ts",
+     "interface Settings {",
+     "\n}",
+     "\n  (\\w+)\\?:",
+     "has no % in Settings",
+     is_asked,
+     as_is,
+     {"centre_of_mass"}},
+    {"python/src/evenlift/types.py", "class Settings(", "\n\n\n",
+     "\n    (\\w+):", "has no % in Settings", is_asked},
+    {"web/mirror/mirror.js",
+     "lengths = new Set([",
+     "]",
+     "\"([\\w ]+)\"",
+     "has no % among its lengths",
+     is_length,
+     as_is,
+     {"com", "edge length"}},
+};
+
+// These name much besides.
+const Door mentions[] = {
+    {"docs/cli.md", "## `evenlift link`\n", "`decode` prints", "`(--[a-z-]+)`",
+     "does not say that link encode takes %", is_of_place_and_link, as_option},
+    {"docs/cli.md", "### The JSON object\n", "\n## ", "`(\\w+)`",
+     "has no row for % of the JSON object", is_in_result, as_member},
+    {"npm/evenlift.d.ts", "interface Placement {", "\n}",
+     "\n  (\\w+)\\??:", "has no % in Placement", is_in_result, as_member},
+    {"python/src/evenlift/types.py", "class _PlacementDict(", "class PlacementArrays",
+     "\n    (\\w+):", "has no % in PlacementDict", is_in_result, as_member},
+    {"python/src/evenlift/_members.pyi", "class PlacementMembers", "class ExperimentMembers",
+     "\"(\\w+)\"", "has no % in PlacementMembers", is_in_result, as_member},
+    {"core/src/link/settings.h", "defaults_of_links() {", "\n}",
+     "\\.(\\w+) = ", "has no % in defaults_of_links()", has_default},
+};
+
+Names names_at(const Door& door) {
+  const std::string part = part_of(door.file, door.begins, door.ends);
+  std::string cells;
+  for (const std::string& row : table_rows(part)) cells += first_cell(row) + '\n';
+  return found(cells.empty() ? part : cells, door.name);
+}
+
+// The names that should be there; says which of them are not.
+Names check_names_of_settings(const Door& door, const Names& there) {
+  Names due;
+  for (const SettingRow& row : all_settings()) {
+    if (!door.goes_through(row)) continue;
+    const std::string name = door.called(row);
+    due.insert(name);
+    std::string lack = door.lacks;
+    if (!there.contains(name))
+      FAIL_CHECK(door.file << " " << lack.replace(lack.find('%'), 1, name));
+  }
+  return due;
+}
+
+// --- The records of links
+
+// What docs/link-format.md says that each record holds, and for what other numbers are reserved.
+struct Description {
+  std::map<int, std::string> held, reserved;
+};
+
+// "12 … 14, 16".
+std::vector<int> numbers_in(const std::string& cell) {
+  const std::regex range("(\\d+)(?: … (\\d+))?");
+  std::vector<int> numbers;
+  for (std::sregex_iterator at(cell.begin(), cell.end(), range), end; at != end; ++at) {
+    const int first = std::stoi((*at)[1]);
+    const int last = (*at)[2].matched ? std::stoi((*at)[2]) : first;
+    for (int number = first; number <= last; ++number) numbers.push_back(number);
+  }
+  return numbers;
+}
+
+Description described_records() {
+  Description said;
+  for (const std::string& row : table_rows(part_of("docs/link-format.md", "| tag |", "\n\n"))) {
+    const std::string what = first_cell(row.substr(row.find(" | ") + 3));
+    const std::vector<int> numbers = numbers_in(first_cell(row));
+    if (!what.starts_with("reserved")) {
+      for (const int number : numbers) said.held[number] = what;
+      continue;
+    }
+    std::istringstream names(what.substr(what.find("for ") + 4));
+    for (const int number : numbers) std::getline(names >> std::ws, said.reserved[number], ',');
+  }
+  return said;
+}
+
+bool is_of_no_setting(int record) {
+  return record == tag::units || record == tag::halo || record == tag::moved;
+}
+
+void check_reserved(const SettingRow& row, int number, const std::string& name) {
+  const bool is_its_own = row.name == name;
+  if (!is_its_own && row.record != number) return;
+  const std::string start =
+      "docs/link-format.md reserves record " + std::to_string(number) + " for " + name;
+  if (is_its_own && row.record == number)
+    FAIL_CHECK(start << ", which has it now and needs a row");
+  else
+    FAIL_CHECK(start << ", and core/src/document/settings.cpp has record " << int{row.record}
+                     << " for " << row.name);
+}
+
+}  // namespace
+
+TEST_CASE("every setting stands wherever settings are listed, and nothing else does",
+          "[settings][doors]") {
+  for (const Door& door : lists) {
+    const Names there = names_at(door), due = check_names_of_settings(door, there);
+    for (const std::string& name : there)
+      if (!due.contains(name) && !door.others.contains(name))
+        FAIL_CHECK(door.file << " has " << name << " where no setting of that name belongs");
+    for (const std::string& name : door.others)
+      if (!there.contains(name))
+        FAIL_CHECK(door.file << " has no " << name << " any more, which this test expects");
+  }
+  for (const Door& door : mentions) check_names_of_settings(door, names_at(door));
+}
+
+TEST_CASE("every number can be changed in the panels, and every refusal has a test",
+          "[settings][doors]") {
+  const std::string sentences = corpus::read_file(root() / "tests/core/test_settings.cpp");
+  std::string panels;
+  for (const auto& entry : fs::directory_iterator(root() / "wasm/panels"))
+    panels += corpus::read_file(entry.path());
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  for (const SettingRow& row : all_settings()) {
+    const std::string name(row.name);
+    if (row.access.is_number && !has(panels, "Setting::" + name + ",") &&
+        !has(panels, '"' + name + '"'))
+      FAIL_CHECK("wasm/panels has no row for Setting::" << name);
+    if (!has(sentences, requirement(row.setting)))
+      FAIL_CHECK("tests/core/test_settings.cpp has no sentence \"" << requirement(row.setting)
+                                                                   << "\"");
+  }
+}
+
+TEST_CASE("every record of a setting is described under its number, and none that is reserved",
+          "[settings][doors][link]") {
+  const Description said = described_records();
+  const std::string reader = part_of("docs/link_reader.py", "RECORDS = {", "}");
+  Names numbers;
+  for (const SettingRow& row : all_settings()) {
+    for (const auto& [number, name] : said.reserved) check_reserved(row, number, name);
+    if (row.record == 0) continue;
+    const std::string number = std::to_string(row.record), name(row.name);
+    numbers.insert(number);
+    const auto held = said.held.find(row.record);
+    if (held == said.held.end() || !std::regex_search(held->second, std::regex("^" + name + "\\b")))
+      FAIL_CHECK("docs/link-format.md has no row for record " << number << ", " << name);
+    if (reader.find(number + ": (\"" + name + "\"") == std::string::npos)
+      FAIL_CHECK("docs/link_reader.py has no " << number << ": (\"" << name
+                                               << "\", ...) in RECORDS");
+  }
+  for (const auto& [number, what] : said.held)
+    if (!numbers.contains(std::to_string(number)) && !is_of_no_setting(number))
+      FAIL_CHECK("docs/link-format.md has a record " << number << " that no setting has");
+  for (const std::string& number : found(reader, "(\\d+): \\("))
+    if (!numbers.contains(number) && !is_of_no_setting(std::stoi(number)))
+      FAIL_CHECK("docs/link_reader.py has a record " << number << " that no setting has");
+}
