@@ -142,3 +142,48 @@ TEST_CASE("the step about stands is told of balanced robots, too, and has an add
   CHECK(caption(trace, detail).find(" The middles of two robots stay at least ") !=
         std::string::npos);
 }
+
+TEST_CASE("a start that was found at once is no completion, and each of its steps can be shown",
+          "[stands][trace]") {
+  Document document;  // a comb with little room, found by the search for differences
+  document.vertices = {{0, 0},
+                       {1000, 0},
+                       {1000, 939.147},
+                       {957.498, 202.92},
+                       {898.994, 908.911},
+                       {872.679, 151.128},
+                       {809.699, 893.452},
+                       {783.842, 173.133},
+                       {716.303, 945.823},
+                       {686.638, 210.3},
+                       {622.948, 892.596},
+                       {592.057, 192.851},
+                       {545, 966.172},
+                       {455, 892.462},
+                       {411.704, 146.2},
+                       {347.478, 893.304},
+                       {297.867, 205.066},
+                       {247.617, 885.918},
+                       {214.846, 186.857},
+                       {139.221, 907.84},
+                       {87.491, 198.375},
+                       {47.324, 975.56},
+                       {0, 186.42}};
+  document.centre_of_mass = Vec2(285.6743333333333, 623.004);
+  document.settings.method = Method::balanced;
+  document.settings.robots = 8;
+  document.settings.goal = Goal::cover;
+  document.settings.robot = {22.23741862902558, 22.23741862902558, 11.11870931451279,
+                             22.23741862902558, 0};
+  const Trace trace = traced(placed(document));
+  REQUIRE(trace.history.start.size() == 1);
+  CHECK(trace.history.start.front().at_once);
+  CHECK(trace.count(StepKind::rest) == 0);
+  CHECK(trace.count(StepKind::mirror) == 0);
+  CHECK(trace.count(StepKind::completion) == 0);
+  for (std::uint32_t k = 0; k < trace.size(); ++k) {
+    const StepDetail detail = look_at(trace, k);
+    CHECK_FALSE(caption(trace, detail).empty());
+    CHECK_FALSE(figures(trace, detail).empty());
+  }
+}

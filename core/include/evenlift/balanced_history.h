@@ -28,6 +28,8 @@ struct BalancedSet {
   std::vector<LiftingPoint> came;    // the others: two at the ends of an even candidate about the
                                      // point that makes C the centroid of all; if there are three,
                                      // the one on a stand comes first
+  bool at_once = false;  // found as a whole where robots with a size have little room: then
+                         // all of them came, and no chord completes the set
 };
 
 // An exchange that was made.

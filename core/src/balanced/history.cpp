@@ -25,7 +25,7 @@ void note_start(balanced::StartSets sets, BalancedHistory& history) {
   for (auto& set : sets)
     if (set && !set->set.robots.empty())
       history.start.push_back(
-          {std::move(set->set.robots), std::move(set->kept), std::move(set->came)});
+          {std::move(set->set.robots), std::move(set->kept), std::move(set->came), set->at_once});
 }
 
 // The robots with which the first search ended, where it begins once more.

@@ -41,10 +41,9 @@ RatedSet end_of(const Rules& rules, const RatedSet& start) {
   return rules.rated(finish_search(rules, std::move(search)).robots);
 }
 
-// A set that was not made of smaller ones.
 StartSet whole(const Rules& rules, const RatedSet& set) {
   const RatedSet ordered = rules.in_order(set);
-  return {ordered, {}, ordered.robots};
+  return {ordered, {}, ordered.robots, true};
 }
 
 std::optional<StartSets> start_that_leads_farther(const Rules& rules, RatedSet now) {

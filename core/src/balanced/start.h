@@ -12,6 +12,7 @@ namespace evenlift::balanced {
 struct StartSet {
   RatedSet set;
   std::vector<LiftingPoint> kept, came;
+  bool at_once = false;  // on usable intervals (usable_sets.h), not made of a smaller set
 };
 
 // S_0, S_1 ... S_m, by their number of robots; nothing where there is no such set. Where robots have a size and

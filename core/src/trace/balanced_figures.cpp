@@ -66,6 +66,7 @@ void StepFigures::completion() {
 void StepFigures::add_completion() {
   add_even_chords();
   const BalancedDetail& balanced = *detail_.balanced;
+  if (balanced.chords.empty()) return;  // the set was found at once
   const Chord& chosen = balanced.chords[balanced.chosen];
   add(FigureKind::chosen, chosen, balanced.chosen, chosen.ratio);
   rest();

@@ -82,12 +82,15 @@ const BalancedSet* last_set(const Trace& trace) {
 }
 
 // The set of the start whose completion is shown in full: the first one of more than two robots, or
-// else the last.
+// else the last; none if all were found at once.
 const BalancedSet* shown_completion(const Trace& trace) {
-  const std::vector<BalancedSet>& start = trace.history.start;
-  const auto more = std::find_if(start.begin(), start.end(),
-                                 [](const BalancedSet& set) { return set.robots.size() > 2; });
-  return more != start.end() ? &*more : start.empty() ? nullptr : &start.back();
+  const BalancedSet* shown = nullptr;
+  for (const BalancedSet& set : trace.history.start) {
+    if (set.at_once) continue;
+    shown = &set;
+    if (set.robots.size() > 2) break;
+  }
+  return shown;
 }
 
 const BalancedSet* set_after_round(const Trace& trace, std::uint32_t round) {
@@ -97,9 +100,16 @@ const BalancedSet* set_after_round(const Trace& trace, std::uint32_t round) {
   return set;
 }
 
+// The chord about M that was taken. On a large outline the chords that are found are a sample, and it
+// need not be among them.
+Chord chord_taken(const LiftingPoint& r1, const LiftingPoint& r2, const Vec2& middle) {
+  return {r1, r2, length(r1.position - middle), length(r2.position - middle), 1};
+}
+
 // What completes a set: the robots that stay, the point about which a chord was drawn, and the
-// chords that there are about it.
+// chords that there are about it. Nothing completes a set that was found at once.
 void look_at_completion(const Trace& trace, const BalancedSet& set, BalancedDetail& detail) {
+  if (set.at_once) return;
   detail.rest = set.kept;
   if (set.came.size() == 3) {
     detail.stand = set.came[0];
@@ -109,9 +119,11 @@ void look_at_completion(const Trace& trace, const BalancedSet& set, BalancedDeta
   detail.middle = possible.middle;
   detail.chords = std::move(possible.chords);
   const LiftingPoint &r1 = set.came[set.came.size() - 2], &r2 = set.came.back();
-  for (std::uint32_t i = 0; i < detail.chords.size(); ++i)
-    if (same_place(detail.chords[i].r1, r1) && same_place(detail.chords[i].r2, r2))
-      detail.chosen = i;
+  const auto taken = std::find_if(
+      detail.chords.begin(), detail.chords.end(),
+      [&](const Chord& chord) { return same_place(chord.r1, r1) && same_place(chord.r2, r2); });
+  detail.chosen = static_cast<std::uint32_t>(taken - detail.chords.begin());
+  if (taken == detail.chords.end()) detail.chords.push_back(chord_taken(r1, r2, detail.middle));
 }
 
 void look_at_exchange(const Trace& trace, std::size_t move, BalancedDetail& detail) {

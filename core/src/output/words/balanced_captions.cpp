@@ -132,6 +132,10 @@ std::string StepCaptions::start() const {
   const BalancedSet& set = trace_.history.start[item_];
   const std::size_t robots = set.robots.size(), kept = set.kept.size();
   const Piece covers = percent(detail_.balanced->keys.coverage);
+  if (set.at_once)
+    return fill(
+        "# robots, found at once on the parts of the boundary that robots of this size can use, with C as their centroid. They cover # of the object.",
+        {whole(robots), covers});
   if (robots == 2) return "Two robots, at the ends of a chord with C in its middle.";
   if (set.came.size() == 2)
     return fill(
