@@ -35,7 +35,7 @@ Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfR
   }
   const double distance = rest->tipping_distance;
   for (const std::string& cell :
-       {yes_or_no(rest->steady), amount(distance, distance), percentage(rest->coverage, 1),
+       {yes_or_no(rest->clear), amount(distance, distance), percentage(rest->coverage, 1),
         yes_or_no(rest->form_closure),
         rest->greatest_by_plan ? amount(*rest->greatest_by_plan, largest) : std::string("-"),
         amount(rest->greatest_by_springs, largest), amount(rest->least_greatest, largest)})

@@ -154,6 +154,8 @@ export interface Failure {
   robot: number;
   carried: boolean;
   steady: boolean;
+  /** Steady, and the centre of mass is at least `clear` inside. */
+  clear: boolean;
   com_margin: number | null;
   coverage: number | null;
   form_closure: boolean | null;

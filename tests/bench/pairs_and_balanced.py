@@ -1,5 +1,5 @@
 """Prints balanced robots beside pairs, measured over all samples: of how many sets any one robot may fail, so that the
-others carry the object, and so that they keep it steady as well.
+others carry the object, and so that the centre of mass stays `clear` inside their base as well (steady).
 
     python3 tests/bench/pairs_and_balanced.py    EVENLIFT_PROGRAM names the program, build/bin/evenlift if it is not given
 """
@@ -44,5 +44,5 @@ for name, robots, options in ways:
         f"| {name} | {len(whole)} | {mean([100 * r['coverage'] for r in whole]):.0f} % "
         f"| {mean([100 * r['closure']['form_closure'] for r in whole]):.0f} % "
         f"| {mean([r['loads']['spread'] for r in whole]):.1f} kg "
-        f"| {survivors(whole, 'failures_carried'):.0f} % | {survivors(whole, 'failures_steady'):.0f} % |"
+        f"| {survivors(whole, 'failures_carried'):.0f} % | {survivors(whole, 'failures_clear'):.0f} % |"
     )

@@ -38,6 +38,7 @@ void check_rest(const Placement& placement, std::size_t robot,
   CHECK(rest.has_value() == (failures_carried(robots, centre, size) >= 0));
   if (!rest) return;
   CHECK(rest->steady == (failures_steady(robots, centre, size) >= 0));
+  CHECK(rest->clear == (failures_steady(robots, centre, size, firm_hold(placement).clear) >= 0));
   CHECK(rest->coverage ==
         Approx(coverage(polygon, convex_hull(robots, 1e-9 * size))).margin(1e-12));
   const Closure closure = analyse_closure(polygon, centre, points);
@@ -82,7 +83,7 @@ TEST_CASE("without a robot the others have what they would have had without it",
 
 TEST_CASE("any one robot may fail if and only if the object is carried without each of them",
           "[robustness][failures]") {
-  int always_carried = 0, always_steady = 0, not_steady = 0;
+  int always_carried = 0, always_steady = 0, not_steady = 0, by_a_hair = 0;
   for (const std::string& name : corpus::polygon_names()) {
     Document document = corpus::polygon(name);
     document.settings.teams = 3;
@@ -92,13 +93,17 @@ TEST_CASE("any one robot may fail if and only if the object is carried without e
     INFO(name);
     const auto carried = [](const auto& rest) { return rest.has_value(); };
     const auto steady = [](const auto& rest) { return rest && rest->steady; };
+    const auto clear = [](const auto& rest) { return rest && rest->clear; };
     if (failures.empty()) continue;
     CHECK((known.failures_carried >= 1) == std::all_of(failures.begin(), failures.end(), carried));
     CHECK((known.failures_steady >= 1) == std::all_of(failures.begin(), failures.end(), steady));
+    CHECK((known.failures_clear >= 1) == std::all_of(failures.begin(), failures.end(), clear));
+    by_a_hair += known.failures_clear < 1 && known.failures_steady >= 1;
     always_carried += known.failures_carried >= 1;
     ++(known.failures_steady >= 1 ? always_steady : not_steady);
   }
   CHECK(always_carried > 50);
   CHECK(always_steady > 10);
   CHECK(not_steady > 0);
+  CHECK(by_a_hair > 0);
 }

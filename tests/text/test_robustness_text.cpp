@@ -30,7 +30,7 @@ ordered_json json_of(const Placement& placement, const Shown& shown = {}, bool f
 
 RestOfRobots rest(bool steady, double greatest) {
   RestOfRobots rest;
-  rest.steady = steady;
+  rest.steady = rest.clear = steady;
   rest.greatest_by_springs = greatest;
   return rest;
 }
@@ -144,7 +144,7 @@ TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]
   REQUIRE(json["failures"].size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
     const ordered_json& row = json["failures"][i];
-    CHECK(names_in(row) == Names{"robot", "carried", "steady", "com_margin", "coverage",
+    CHECK(names_in(row) == Names{"robot", "carried", "steady", "clear", "com_margin", "coverage",
                                  "form_closure", "margin", "plan_max", "springs_max", "best_max"});
     CHECK(row["robot"] == i);
     CHECK(row["carried"] == true);
@@ -154,6 +154,7 @@ TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]
   for (const ordered_json& row : one_team["failures"]) {
     CHECK(row["carried"] == false);
     CHECK(row["steady"] == false);
+    CHECK(row["clear"] == false);
     for (const char* name : {"com_margin", "coverage", "form_closure", "margin", "plan_max",
                              "springs_max", "best_max"})
       CHECK(row[name].is_null());
@@ -171,6 +172,7 @@ TEST_CASE("a row of failures has the numbers of what is left without that robot"
     const ordered_json& row = json["failures"][i];
     REQUIRE(failures[i]);
     CHECK(row["steady"] == failures[i]->steady);
+    CHECK(row["clear"] == failures[i]->clear);
     CHECK(row["com_margin"] == failures[i]->tipping_distance);
     CHECK(row["coverage"] == failures[i]->coverage);
     CHECK(row["form_closure"] == failures[i]->form_closure);

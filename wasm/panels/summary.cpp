@@ -161,7 +161,7 @@ Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
   if (!rest) return Mood::falls;
   const std::optional<double>& capacity = shown(state).capacity;
   const bool overloaded = capacity && rest->greatest_by_springs > *capacity;
-  return rest->steady && !overloaded ? Mood::good : Mood::not_quite;
+  return rest->clear && !overloaded ? Mood::good : Mood::not_quite;
 }
 
 std::string failure_words(const AppState& state, std::size_t robot) {

@@ -35,6 +35,7 @@ int failures_steady(const Points& robots, const Vec2& centre, double diameter, d
 // What holds of the robots that are left if they still carry the object.
 struct RestOfRobots {
   bool steady = false;
+  bool clear = false;           // steady, and C is at least `inside` inside their hull
   double tipping_distance = 0;  // see doubt.h
   double coverage = 0;          // see stability.h
   bool form_closure = false;    // see closure.h, like the margin
@@ -46,17 +47,19 @@ struct RestOfRobots {
 };
 
 // What happens if one robot fails, for each of them, in their order; nothing where the rest does
-// not carry the object. The teams must be those of a placement on the polygon. For m robots
+// not carry the object. The teams must be those of a placement on the polygon. `inside` is as for
+// failures_steady. For m robots
 // O(n log n + m n + m^2 log m), O(h n + m h n') for the coverage (stability.h), O(m^3) for the margin,
 // and for the least greatest load O(m^4) up to 65 robots, or O(m^2) for each of its some hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon, const Vec2& centre,
                                                          double weight,
-                                                         const std::vector<Team>& teams);
+                                                         const std::vector<Team>& teams,
+                                                         double inside = 0);
 
 // The same of one robot, as find_robot() (loads.h) counts them. The m-th part of the cost, besides
 // O(n log n + h n).
 std::optional<RestOfRobots> single_failure(const Polygon& polygon, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
-                                           std::size_t robot);
+                                           std::size_t robot, double inside = 0);
 
 }  // namespace evenlift

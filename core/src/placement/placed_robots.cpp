@@ -124,12 +124,12 @@ Robustness robustness(const Placement& placement) {
 
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement) {
   return single_failures(placement.polygon, placement.centre_of_mass, placement.settings.weight,
-                         placement.teams);
+                         placement.teams, firm_hold(placement).clear);
 }
 
 std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot) {
   return single_failure(placement.polygon, placement.centre_of_mass, placement.settings.weight,
-                        placement.teams, robot);
+                        placement.teams, robot, firm_hold(placement).clear);
 }
 
 std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot) {

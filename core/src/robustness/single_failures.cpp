@@ -15,10 +15,12 @@ namespace {
 // The robots of all teams in one row, with what does not depend on who fails.
 class Crew {
  public:
-  Crew(const Polygon& polygon, const Vec2& centre, double weight, const std::vector<Team>& teams)
+  Crew(const Polygon& polygon, const Vec2& centre, double weight, const std::vector<Team>& teams,
+       double inside)
       : polygon_(polygon),
         centre_(centre),
         weight_(weight),
+        inside_(inside),
         teams_(teams),
         contacts_(contacts(polygon, lifting_points(teams))),
         positions_(positions(lifting_points(teams))) {
@@ -63,7 +65,7 @@ class Crew {
 
   const Polygon& polygon_;
   Vec2 centre_;
-  double weight_;
+  double weight_, inside_;
   const std::vector<Team>& teams_;
   std::vector<Contact> contacts_;
   Points positions_;
@@ -81,6 +83,7 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
   RestOfRobots rest;
   rest.tipping_distance = tipping_distance(hull, centre_, diameter);
   rest.steady = rest.tipping_distance > 0;
+  rest.clear = rest.steady && rest.tipping_distance >= inside_ - near();
   rest.coverage = coverage_ ? coverage_->of(hull) : 0;
   rest.form_closure = hold.form_closure;
   rest.margin = hold.margin;
@@ -94,8 +97,9 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
 
 std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon, const Vec2& centre,
                                                          double weight,
-                                                         const std::vector<Team>& teams) {
-  const Crew crew(polygon, centre, weight, teams);
+                                                         const std::vector<Team>& teams,
+                                                         double inside) {
+  const Crew crew(polygon, centre, weight, teams, inside);
   std::vector<std::optional<RestOfRobots>> failures;
   for (std::size_t robot = 0; robot < count_robots(teams); ++robot)
     failures.push_back(crew.without(robot));
@@ -104,8 +108,8 @@ std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon,
 
 std::optional<RestOfRobots> single_failure(const Polygon& polygon, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
-                                           std::size_t robot) {
-  return Crew(polygon, centre, weight, teams).without(robot);
+                                           std::size_t robot, double inside) {
+  return Crew(polygon, centre, weight, teams, inside).without(robot);
 }
 
 }  // namespace evenlift

@@ -86,7 +86,7 @@ void StepNumbers::failure() {
   const std::optional<RestOfRobots>& rest = detail_.balanced->rest_of[item_];
   count("carried", rest.has_value());
   if (!rest) return;
-  count("steady", rest->steady);
+  count("steady", rest->clear);
   add("coverage", rest->coverage);
   count("form_closure", rest->form_closure);
   add("greatest", rest->greatest_by_springs);

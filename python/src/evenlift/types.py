@@ -150,6 +150,7 @@ class _Failure(TypedDict):
     robot: int
     carried: bool
     steady: bool
+    clear: bool
     com_margin: Optional[float]
     coverage: Optional[float]
     form_closure: Optional[bool]
@@ -160,7 +161,7 @@ class _Failure(TypedDict):
 
 
 class Failure(_Failure, total=False):
-    """What is left of the lift if `robot`, counted from 0, fails. All after `steady` is None where the others do not carry the object;
+    """What is left of the lift if `robot`, counted from 0, fails. All after `clear` is None where the others do not carry the object;
     the last with a capacity only."""
 
     over_capacity: Optional[bool]

@@ -110,7 +110,7 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
       needed.push_back(i + 1);
       continue;
     }
-    if (!failures[i]->steady) for_steadiness.push_back(i + 1);
+    if (!failures[i]->clear) for_steadiness.push_back(i + 1);
     if (capacity && failures[i]->greatest_by_springs > *capacity) for_capacity.push_back(i + 1);
     greatest = std::max(greatest, failures[i]->greatest_by_springs);
   }
@@ -138,7 +138,7 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
                                    ? " One can carry " + given_weight(*capacity, units) + "."
                                    : std::string();
   return fails + "carried by " + others + ", at most " + load_in_words(greatest, greatest, units) +
-         (rest->steady ? "." : ", but it can tip.") + overload;
+         (rest->clear ? "." : ", but it can tip.") + overload;
 }
 
 std::string rest_in_words(const ShownPlacement& of) {
