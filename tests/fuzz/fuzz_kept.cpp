@@ -41,8 +41,8 @@ void resume_drawing(AppState& state, std::string_view text) {
   Commands commands{SetTool{Tool::draw}};
   for (const Vec2& p : *points) commands.push_back(AddPoint{p});
   apply(state, commands);
-  const std::optional<Points> again = read_drawing(drawing_text(state.drawing));
-  fuzz::require(again.has_value() && testing::same_vertices(*again, state.drawing.points));
+  const std::optional<Points> again = read_drawing(drawing_text(state.view.drawing));
+  fuzz::require(again.has_value() && testing::same_vertices(*again, state.view.drawing.points));
 }
 
 // As page_keep() does.
@@ -53,12 +53,12 @@ void keep_preferences(std::string_view text) {
 
 // What the page would keep now opens the same document.
 void require_kept(const AppState& state) {
-  const Result<Document> from_text = parse_document(write_thesis(state.placed));
-  fuzz::require(from_text.ok() && testing::same_polygon(*from_text, state.placed));
-  const Result<std::string> link = encode_link(state.placed);
+  const Result<Document> from_text = parse_document(write_thesis(last_good(state)));
+  fuzz::require(from_text.ok() && testing::same_polygon(*from_text, last_good(state)));
+  const Result<std::string> link = encode_link(last_good(state));
   if (!link) return;
   const Result<Document> from_link = parse_document(*link);
-  fuzz::require(from_link.ok() && testing::same_document(*from_link, state.placed));
+  fuzz::require(from_link.ok() && testing::same_document(*from_link, last_good(state)));
 }
 
 }  // namespace
@@ -67,14 +67,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<std::string_view> parts = parted(fuzz::text_of(data, size));
   AppState state;
   open_page(state, {parts[0], parts[1], parts[2]}, sample);
-  fuzz::require(state.placement.has_value());
+  fuzz::require(state.derived().placement.has_value());
   keep_preferences(parts[4]);
   require_kept(state);
   resume_drawing(state, parts[3]);
-  fuzz::require(state.placement.has_value());
+  fuzz::require(state.derived().placement.has_value());
   // Everything can be undone, and nothing is left to chance by it.
   Commands undo{Undo{}};
   apply(state, undo);
-  fuzz::require(state.placement.has_value());
+  fuzz::require(state.derived().placement.has_value());
   return 0;
 }

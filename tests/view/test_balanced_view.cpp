@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/update.h"
+#include "derive/robots_text.h"
 #include "edits/open_document.h"
-#include "edits/search.h"
 #include "edits/sight.h"
 #include "evenlift/balanced.h"
 #include "evenlift/link.h"
@@ -14,7 +14,6 @@
 #include "kit/catch.h"
 #include "panels/summary.h"
 #include "state/method.h"
-#include "state/robots_text.h"
 #include "tools/pick.h"
 #include "tools/shorter_way.h"
 #include "view/view_page.h"
@@ -34,36 +33,36 @@ AppState balanced_state(std::uint32_t robots = 6) {
   Document opened_first = document(piano);
   opened_first.settings.method = Method::balanced;
   opened_first.settings.robots = robots;
-  start_with(state, placed(opened_first), std::nullopt);
+  begin(state, placed(opened_first));
   return state;
 }
 
 std::vector<LiftingPoint> standing(const AppState& state) {
-  return lifting_points(state.placement->teams);
+  return lifting_points(state.derived().placement->teams);
 }
 
 // What the search finds in the end.
 std::string last_robots(const AppState& state) {
-  return robots_text(lifting_points(place(state.document)->teams));
+  return robots_text(lifting_points(place(state.work.document())->teams));
 }
 
 }  // namespace
 
 TEST_CASE("the view shows the start of the search and then what it finds", "[view][balanced]") {
   AppState state = balanced_state();
-  REQUIRE(state.search.under_way);
-  CHECK_FALSE(state.placement->search_ended);
+  REQUIRE(state.derived().search.under_way);
+  CHECK_FALSE(state.derived().placement->search_ended);
   CHECK(verdict(state).searching);
-  const double before = state.placement->coverage;
-  const std::uint64_t revision = state.revision;
-  REQUIRE(take_robots(state, state.search.number, last_robots(state), true));
-  CHECK(state.revision > revision);
-  CHECK_FALSE(state.search.under_way);
+  const double before = state.derived().placement->coverage;
+  const std::uint64_t revision = state.derived().revision;
+  REQUIRE(take_robots(state, state.derived().search.number, last_robots(state), true));
+  CHECK(state.derived().revision > revision);
+  CHECK_FALSE(state.derived().search.under_way);
   CHECK_FALSE(verdict(state).searching);
-  CHECK(state.placement->coverage > before);
+  CHECK(state.derived().placement->coverage > before);
   CHECK(robots_text(standing(state)) == last_robots(state));
-  CHECK(state.placement->goal_reached == place(state.document)->goal_reached);
-  CHECK_FALSE(state.history.can_undo());
+  CHECK(state.derived().placement->goal_reached == place(state.work.document())->goal_reached);
+  CHECK_FALSE(state.work.history.can_undo());
 }
 
 TEST_CASE("where the start is slow, nothing is shown until the search has found it",
@@ -72,44 +71,44 @@ TEST_CASE("where the start is slow, nothing is shown until the search has found 
   Document comb = document(asset(EVENLIFT_ASSETS_DIR "/polygons/comb.txt"));
   comb.settings.method = Method::balanced;
   comb.settings.robots = 4;
-  start_with(state, placed(comb), std::nullopt);
-  REQUIRE(state.search.under_way);
-  CHECK(state.placement->teams.empty());
+  begin(state, placed(comb));
+  REQUIRE(state.derived().search.under_way);
+  CHECK(state.derived().placement->teams.empty());
   CHECK(verdict(state).headline == "Places for 4 robots are not found yet.");
   CHECK(verdict(state).detail == "They are being looked for.");
   SECTION("the robots are taken over") {
-    REQUIRE(take_robots(state, state.search.number, last_robots(state), true));
+    REQUIRE(take_robots(state, state.derived().search.number, last_robots(state), true));
     CHECK(robots_text(standing(state)) == last_robots(state));
-    CHECK_FALSE(state.search.under_way);
+    CHECK_FALSE(state.derived().search.under_way);
   }
   SECTION("that there are none is said only at the end") {
-    CHECK_FALSE(take_robots(state, state.search.number, "", false));
-    CHECK(state.search.under_way);
-    REQUIRE(take_robots(state, state.search.number, "", true));
+    CHECK_FALSE(take_robots(state, state.derived().search.number, "", false));
+    CHECK(state.derived().search.under_way);
+    REQUIRE(take_robots(state, state.derived().search.number, "", true));
     CHECK(verdict(state).headline == "No robots can be placed.");
-    CHECK_FALSE(state.search.under_way);
+    CHECK_FALSE(state.derived().search.under_way);
   }
 }
 
 TEST_CASE("what a search finds for another document is dropped", "[view][balanced]") {
   AppState state = balanced_state();
-  const std::uint64_t number = state.search.number;
+  const std::uint64_t number = state.derived().search.number;
   const std::string found = last_robots(state);
-  Settings fewer = state.document.settings;
+  Settings fewer = state.work.document().settings;
   fewer.robots = 5;
   give(state, SetSettings{fewer});
-  CHECK(state.search.number > number);
+  CHECK(state.derived().search.number > number);
   CHECK_FALSE(take_robots(state, number, found, true));
-  CHECK_FALSE(take_robots(state, state.search.number, found, true));  // six of five
+  CHECK_FALSE(take_robots(state, state.derived().search.number, found, true));  // six of five
   CHECK(standing(state).size() == 5);
-  CHECK(state.search.under_way);
+  CHECK(state.derived().search.under_way);
 }
 
 TEST_CASE("texts that are no robots change nothing", "[view][balanced]") {
   AppState state = balanced_state(2);
   // Two robots are found at once.
-  CHECK_FALSE(state.search.under_way);
-  const Polygon& polygon = state.placement->polygon;
+  CHECK_FALSE(state.derived().search.under_way);
+  const Polygon& polygon = state.derived().placement->polygon;
   const std::string good = robots_text(standing(state));
   REQUIRE(read_robots(good, 2, polygon));
   for (const std::string& bad :
@@ -121,72 +120,73 @@ TEST_CASE("texts that are no robots change nothing", "[view][balanced]") {
 
 TEST_CASE("during a drag no search goes on, and one begins after it", "[view][balanced]") {
   AppState state = balanced_state();
-  const std::uint64_t number = state.search.number;
-  const Vec2 to = state.document.vertices[0] + Vec2(1, 1);
+  const std::uint64_t number = state.derived().search.number;
+  const Vec2 to = state.work.document().vertices[0] + Vec2(1, 1);
   give(state, MoveVertex{0, to});
-  REQUIRE(state.edit_open);
-  CHECK_FALSE(state.search.under_way);
-  CHECK_FALSE(state.placement->search_ended);
+  REQUIRE(state.work.edit_open);
+  CHECK_FALSE(state.derived().search.under_way);
+  CHECK_FALSE(state.derived().placement->search_ended);
   give(state, EndEdit{});
-  CHECK(state.search.under_way);
-  CHECK(state.search.number == number + 1);
+  CHECK(state.derived().search.under_way);
+  CHECK(state.derived().search.number == number + 1);
 }
 
 TEST_CASE("what changes no placement leaves the search alone", "[view][balanced]") {
   AppState state = balanced_state();
-  const std::uint64_t number = state.search.number;
+  const std::uint64_t number = state.derived().search.number;
   give(state, showing(state, &Shown::capacity, 20.0));
   give(state, Compare{Method::area});
   give(state, Compare{std::nullopt});
   give(state, showing(state, &Shown::overlays, {}));
-  CHECK(state.search.number == number);
-  CHECK(state.search.under_way);
+  CHECK(state.derived().search.number == number);
+  CHECK(state.derived().search.under_way);
 }
 
 TEST_CASE("how many balanced robots it takes if any one may fail is taken over when it is counted",
           "[view][balanced][capacity]") {
   AppState state = balanced_state();
   give(state, showing(state, &Shown::capacity, 20.0));
-  begin_count(state);
-  CHECK_FALSE(state.search.counting);  // they have not settled
-  take_robots(state, state.search.number, last_robots(state), true);
-  begin_count(state);
-  REQUIRE(state.search.counting);
+  conclude(state);
+  CHECK_FALSE(state.derived().search.counting);  // they have not settled
+  take_robots(state, state.derived().search.number, last_robots(state), true);
+  conclude(state);
+  REQUIRE(state.derived().search.counting);
   CHECK_FALSE(verdict(state).searching);
-  const std::uint64_t number = state.search.number;
-  const FailurePlan plan = plan_for_failures(*state.placement, 20);
+  const std::uint64_t number = state.derived().search.number;
+  const FailurePlan plan = plan_for_failures(*state.derived().placement, 20);
   SECTION("texts that are no count change nothing") {
     for (const char* bad : {"", " ", "x", "9 ", "9 x", "9 nan", "65", "9 20 9", "-9 20", "09 20"})
       CHECK_FALSE(take_robots(state, number, bad, true));
-    CHECK(state.search.counting);
-    CHECK_FALSE(state.spare);
-    stop_search(state, number);  // nobody asks again, and no notice speaks of a search
-    begin_count(state);
-    CHECK(state.search.number == number);
-    CHECK(state.notice.text.empty());
+    CHECK(state.derived().search.counting);
+    CHECK_FALSE(state.derived().spare);
+    take_robots(state, number,
+                std::nullopt);  // nobody asks again, and no notice speaks of a search
+    conclude(state);
+    CHECK(state.derived().search.number == number);
+    CHECK(state.session.notice.text.empty());
   }
   SECTION("it is shown, and kept while it can have stayed the same") {
     REQUIRE(take_robots(state, number, plan_text(plan), true));
-    CHECK(state.spare == plan);
+    CHECK(state.derived().spare == plan);
     CHECK(need_in_words(state).find("If any one may fail: ") != std::string::npos);
     Settings fewer = settings(state);
     fewer.robots = 5;
     give(state, SetSettings{fewer});
-    take_robots(state, state.search.number, last_robots(state), true);
-    begin_count(state);
-    CHECK(state.spare == plan);
-    CHECK_FALSE(state.search.counting);
+    take_robots(state, state.derived().search.number, last_robots(state), true);
+    conclude(state);
+    CHECK(state.derived().spare == plan);
+    CHECK_FALSE(state.derived().search.counting);
   }
   SECTION("another capacity and a drag drop it") {
     give(state, showing(state, &Shown::capacity, 25.0));
     CHECK_FALSE(take_robots(state, number, plan_text(plan), true));
-    begin_count(state);
-    REQUIRE(state.search.number == number + 1);
-    give(state, MoveVertex{0, state.document.vertices[0] + Vec2(1, 1)});
-    begin_count(state);
-    CHECK_FALSE(state.search.counting);
+    conclude(state);
+    REQUIRE(state.derived().search.number == number + 1);
+    give(state, MoveVertex{0, state.work.document().vertices[0] + Vec2(1, 1)});
+    conclude(state);
+    CHECK_FALSE(state.derived().search.counting);
     CHECK_FALSE(take_robots(state, number + 1, plan_text(plan), true));
-    CHECK_FALSE(state.spare);
+    CHECK_FALSE(state.derived().spare);
   }
   for (const FailurePlan& each : {plan, FailurePlan{false, 0, 0, 17}})
     CHECK(read_plan(plan_text(each)) == each);
@@ -194,19 +194,20 @@ TEST_CASE("how many balanced robots it takes if any one may fail is taken over w
 
 TEST_CASE("the second method is searched for, too", "[view][balanced]") {
   AppState state;
-  start_with(state, placed(document(piano)), std::nullopt);
-  CHECK_FALSE(state.search.under_way);
+  begin(state, placed(document(piano)));
+  CHECK_FALSE(state.derived().search.under_way);
   give(state, Compare{Method::balanced});
-  REQUIRE(state.second);
-  REQUIRE(state.search.under_way);
-  Document other = state.document;
+  REQUIRE(state.derived().second);
+  REQUIRE(state.derived().search.under_way);
+  Document other = state.work.document();
   other.settings.method = Method::balanced;
   const Result<Placement> whole = place(other);
-  REQUIRE(take_robots(state, state.search.number, robots_text(lifting_points(whole->teams)), true));
-  CHECK(state.second->coverage == whole->coverage);
-  CHECK(state.placement->settings.method == Method::area);
+  REQUIRE(take_robots(state, state.derived().search.number,
+                      robots_text(lifting_points(whole->teams)), true));
+  CHECK(state.derived().second->coverage == whole->coverage);
+  CHECK(state.derived().placement->settings.method == Method::area);
   give(state, Compare{std::nullopt});
-  CHECK_FALSE(state.search.under_way);
+  CHECK_FALSE(state.derived().search.under_way);
 }
 
 TEST_CASE("another method takes what it can have of the settings", "[view][balanced]") {
@@ -229,34 +230,35 @@ TEST_CASE("every key of a number changes the robots of balanced ones", "[view][b
   Commands commands;
   action(ActionId::more_teams).run(state, commands);
   apply(state, commands);
-  CHECK(state.placement->settings.robots == 7);
-  CHECK(state.placement->settings.teams == 3);
+  CHECK(state.derived().placement->settings.robots == 7);
+  CHECK(state.derived().placement->settings.teams == 3);
   for (int i = 0; i < 9; ++i) {
     action(ActionId::fewer_teams).run(state, commands);
     apply(state, commands);
   }
-  CHECK(state.placement->settings.robots == 2);
+  CHECK(state.derived().placement->settings.robots == 2);
 }
 
 TEST_CASE("balanced robots have no chords and no candidates to press", "[view][balanced]") {
   AppState state = balanced_state();
-  state.document.shown.overlays.candidates = true;
+  state.work.show().overlays.candidates = true;
   frame_view(state);
-  const Vec2 centre = state.placement->centre_of_mass;
+  const Vec2 centre = state.derived().placement->centre_of_mass;
   REQUIRE(standing(state).size() == 6);
   for (const LiftingPoint& robot : standing(state)) {
     const Vec2 between = centre + (robot.position - centre) * 0.6;
-    CHECK(pick_explained(state, state.camera.to_screen(between)).kind == Pick::Kind::none);
-    CHECK(pick_explained(state, state.camera.to_screen(robot.position)).kind == Pick::Kind::robot);
+    CHECK(pick_explained(state, state.view.camera.to_screen(between)).kind == Pick::Kind::none);
+    CHECK(pick_explained(state, state.view.camera.to_screen(robot.position)).kind ==
+          Pick::Kind::robot);
   }
 }
 
 TEST_CASE("one of three balanced robots is moved by hand, and the others follow",
           "[view][balanced]") {
   AppState state = balanced_state(3);
-  take_robots(state, state.search.number, last_robots(state), true);
+  take_robots(state, state.derived().search.number, last_robots(state), true);
   const std::string found = robots_text(standing(state));
-  const Points& vertices = state.placement->vertices();
+  const Points& vertices = state.derived().placement->vertices();
   const std::vector<LiftingPoint> before = standing(state);
   const std::uint32_t edge = before[0].edge;
   const Vec2 along = vertices[(edge + 1) % vertices.size()] - vertices[edge];
@@ -268,53 +270,53 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
     CHECK((now[i].position - before[i].position).norm() > 0);
     sum += now[i].position;
   }
-  const double size = state.placement->polygon.diagonal();
-  CHECK((sum / 3 - state.placement->centre_of_mass).norm() < 1e-9 * size);
-  CHECK(state.placement->loads->spread == 0);
-  CHECK(state.history.undoes() == Edit::robots_moved);
+  const double size = state.derived().placement->polygon.diagonal();
+  CHECK((sum / 3 - state.derived().placement->centre_of_mass).norm() < 1e-9 * size);
+  CHECK(state.derived().placement->loads->spread == 0);
+  CHECK(state.work.history.undoes() == Edit::robots_moved);
   CHECK(link_lacks_in_words(state).empty());
-  CHECK_FALSE(state.search.under_way);
+  CHECK_FALSE(state.derived().search.under_way);
   // A drag is one step of undo.
   give(state, MoveRobot{0, before[0].position + along * 0.03});
   give(state, EndEdit{});
   const std::string moved = robots_text(standing(state));
   give(state, MoveRobot{0, before[0].position + along * 0.04});
   give(state, EndEdit{});
-  CHECK(state.history.depth() == 2);
+  CHECK(state.work.history.depth() == 2);
   give(state, Undo{});
   CHECK(robots_text(standing(state)) == moved);
-  CHECK_FALSE(state.search.under_way);
+  CHECK_FALSE(state.derived().search.under_way);
   // Their weight is another, and they stay where they are.
   Settings heavier = settings(state);
   heavier.weight = 300;
   give(state, SetSettings{heavier});
   CHECK(robots_text(standing(state)) == moved);
-  CHECK(state.placement->loads->max == Approx(100));
+  CHECK(state.derived().placement->loads->max == Approx(100));
   give(state, Undo{});
   // The link brings them back.
   AppState again;
-  start_with(again, placed(decode_link(*encode_link(state.placed)).value()), std::nullopt);
+  begin(again, placed(decode_link(*encode_link(last_good(state))).value()));
   CHECK(robots_text(standing(again)) == moved);
   CHECK(by_hand(again));
-  CHECK_FALSE(again.search.under_way);
+  CHECK_FALSE(again.derived().search.under_way);
 
   give(state, ResetRobots{});
   CHECK_FALSE(by_hand(state));
   give(state, Undo{});
   CHECK(robots_text(standing(state)) == moved);
   give(state, Redo{});
-  take_robots(state, state.search.number, last_robots(state), true);
+  take_robots(state, state.derived().search.number, last_robots(state), true);
   CHECK(robots_text(standing(state)) == found);
 }
 
 TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balanced]") {
   AppState state = balanced_state(3);
-  const Points& piano_outline = state.placement->vertices();
-  const Vec2 far_out = state.placement->centre_of_mass * 0.4 + piano_outline[0] * 0.6;
+  const Points& piano_outline = state.derived().placement->vertices();
+  const Vec2 far_out = state.derived().placement->centre_of_mass * 0.4 + piano_outline[0] * 0.6;
   give(state, MoveCentre{far_out});
   give(state, EndEdit{});
-  const Vec2 centre = state.placement->centre_of_mass;
-  const Points& vertices = state.placement->vertices();
+  const Vec2 centre = state.derived().placement->centre_of_mass;
+  const Points& vertices = state.derived().placement->vertices();
   std::size_t stopped = 0, moved = 0;
   give(state, SetHeld{{Pick::Kind::robot, 0, 1, standing(state)[1].position}});
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -324,26 +326,26 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
     ++(stays ? stopped : moved);
     Vec2 sum = Vec2::Zero();
     for (const LiftingPoint& robot : standing(state)) sum += robot.position;
-    CHECK((sum / 3 - centre).norm() < 1e-9 * state.placement->polygon.diagonal());
+    CHECK((sum / 3 - centre).norm() < 1e-9 * state.derived().placement->polygon.diagonal());
     if (!stays) CHECK(standing(state)[1].position == vertices[i]);
     // The outline is shown as closed to the robot up to where it is wanted.
-    CHECK(state.closed_to.has_value() == stays);
-    if (stays) CHECK(state.closed_to->position == vertices[i]);
+    CHECK(state.view.closed_to.has_value() == stays);
+    if (stays) CHECK(state.view.closed_to->position == vertices[i]);
   }
   CHECK(moved > 0);
   CHECK(stopped > 0);
   give(state, SetHeld{});
-  CHECK_FALSE(state.closed_to);
+  CHECK_FALSE(state.view.closed_to);
 
   // Whoever moves it by keys is told in words.
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    state.notice = {};
+    state.session.notice = {};
     const std::vector<LiftingPoint> before = standing(state);
     give(state, MoveRobot{1, vertices[i]});
     const bool stays = robots_text(standing(state)) == robots_text(before);
-    CHECK((state.notice.text.find("Robot 2 cannot go there: ") == 0) ==
+    CHECK((state.session.notice.text.find("Robot 2 cannot go there: ") == 0) ==
           (stays && standing(state)[1].position != vertices[i]));
-    CHECK_FALSE(state.closed_to);
+    CHECK_FALSE(state.view.closed_to);
   }
 }
 
@@ -367,10 +369,10 @@ TEST_CASE("two balanced robots and teams cannot be taken", "[view][balanced]") {
   CHECK(takes(balanced_state(3)));
   CHECK_FALSE(takes(balanced_state(2)));
   AppState teams;
-  start_with(teams, placed(document(piano)), std::nullopt);
+  begin(teams, placed(document(piano)));
   CHECK_FALSE(takes(teams));
   AppState embedded = balanced_state(3);
-  embedded.screen.embed = true;
+  embedded.session.screen.embed = true;
   CHECK_FALSE(takes(embedded));
 }
 
@@ -387,8 +389,8 @@ TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
     const Vec2 before = standing(state)[0].position;
     action(id).run(state, commands);
     apply(state, commands);
-    REQUIRE(state.explanation);
-    CHECK(state.explanation->of.at == standing(state)[0].position);
+    REQUIRE(state.derived().explanation);
+    CHECK(state.derived().explanation->of.at == standing(state)[0].position);
     moved += standing(state)[0].position != before;
   }
   // Across the edge on which it stands there is no way.
@@ -406,10 +408,10 @@ TEST_CASE("the summary names each balanced robot", "[view][balanced]") {
 TEST_CASE("the lesson of balanced robots searches to the end, and nobody searches beside",
           "[view][balanced][walkthrough]") {
   AppState state = balanced_state();
-  REQUIRE(state.search.under_way);
+  REQUIRE(state.derived().search.under_way);
   give(state, OpenWalkthrough{});
   REQUIRE(walkthrough_is_open(state));
-  CHECK_FALSE(state.search.under_way);
+  CHECK_FALSE(state.derived().search.under_way);
   CHECK(robots_text(standing(state)) == last_robots(state));
   CHECK(timeline(state).count <= most_main_steps);
   // To the end, with words at each step.
@@ -417,35 +419,35 @@ TEST_CASE("the lesson of balanced robots searches to the end, and nobody searche
     CHECK(summary(state).find("Step " + std::to_string(step + 1) + " of ") != std::string::npos);
     give(state, MoveSteps{1});
   }
-  CHECK(state.walkthrough.detail.step.kind == StepKind::result);
+  CHECK(state.view.walkthrough.detail.step.kind == StepKind::result);
 }
 
 TEST_CASE("during a drag the lesson traces the start, and after it the whole search",
           "[view][balanced][walkthrough]") {
   AppState state = balanced_state();
   give(state, OpenWalkthrough{});
-  const Vec2 corner = state.document.vertices[0];
+  const Vec2 corner = state.work.document().vertices[0];
   give(state, MoveVertex{0, corner + Vec2(1, 1)});
   REQUIRE(walkthrough_is_open(state));
-  CHECK(state.walkthrough.trace->count(StepKind::exchange) == 0);
-  CHECK(state.walkthrough.trace->history.found);
+  CHECK(state.view.walkthrough.trace->count(StepKind::exchange) == 0);
+  CHECK(state.view.walkthrough.trace->history.found);
   give(state, EndEdit{});
-  CHECK(state.walkthrough.trace->count(StepKind::settled) == 1);
-  CHECK(state.placement->search_ended);
-  CHECK_FALSE(state.search.under_way);
+  CHECK(state.view.walkthrough.trace->count(StepKind::settled) == 1);
+  CHECK(state.derived().placement->search_ended);
+  CHECK_FALSE(state.derived().search.under_way);
   CHECK(robots_text(standing(state)) == last_robots(state));
 }
 
 TEST_CASE("a press on the edge asks why no robot stands there", "[view][balanced][walkthrough]") {
   AppState state = balanced_state();
   give(state, OpenWalkthrough{});
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   give(state, GoToStep{walk.trace->size() - 1});
   const Vec2 robot = standing(state)[0].position;
   give(state, AskWhy{robot});
   CHECK(walk.why_taken);
   CHECK(walk.why.find("Robot 1 ") == 0);
-  const Vec2 middle = (state.document.vertices[0] + state.document.vertices[1]) / 2;
+  const Vec2 middle = (state.work.document().vertices[0] + state.work.document().vertices[1]) / 2;
   give(state, AskWhy{middle});
   CHECK_FALSE(walk.why_taken);
   CHECK(walk.why.find("With a robot here ") == 0);
@@ -460,9 +462,9 @@ TEST_CASE("a learner guesses which chord two balanced robots take",
   AppState state;
   Document guitar = document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"));
   guitar.settings.method = Method::balanced;
-  start_with(state, placed(guitar), std::nullopt);
+  begin(state, placed(guitar));
   give(state, OpenWalkthrough{});
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   give(state, SetPredict{true});
   give(state, GoToStep{*walk.trace->find(StepKind::mirror, 0)});
   give(state, MoveSteps{1});

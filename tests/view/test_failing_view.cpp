@@ -4,12 +4,11 @@
 #include <string>
 #include <utility>
 
-#include "edits/outlook.h"
-#include "edits/search.h"
+#include "derive/outlook.h"
+#include "derive/robots_text.h"
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
 #include "panels/summary.h"
-#include "state/robots_text.h"
 #include "tools/pick.h"
 #include "view/view_page.h"
 
@@ -25,11 +24,11 @@ AppState state_of(Method method) {
   AppState state;
   Document shown = document(piano);
   shown.settings.method = method;
-  start_with(state, placed(shown), std::nullopt);
+  begin(state, placed(shown));
   return state;
 }
 
-std::size_t robots(const AppState& state) { return count_robots(state.placement->teams); }
+std::size_t robots(const AppState& state) { return count_robots(state.derived().placement->teams); }
 
 }  // namespace
 
@@ -38,27 +37,28 @@ TEST_CASE("a robot that fails is left out of the base and of the loads, with eve
   for (const Method method : all_methods) {
     AppState state = state_of(method);
     INFO(name(method));
-    const Points base = state.placement->lifting_base;
-    REQUIRE(state.failures.size() == robots(state));
+    const Points base = state.derived().placement->lifting_base;
+    REQUIRE(state.derived().failures.size() == robots(state));
     for (std::size_t robot = 0; robot < robots(state); ++robot) {
       give(state, Fail{robot});
       REQUIRE(failing(state));
       const Placement& shown = shown_placement(state);
-      CHECK(shown.coverage < state.placement->coverage);
+      CHECK(shown.coverage < state.derived().placement->coverage);
       CHECK(verdict(state).headline ==
-            failure_in_words(robot, robots(state), state.failures[robot]));
+            failure_in_words(robot, robots(state), state.derived().failures[robot]));
       CHECK(verdict(state).detail.starts_with(rest_in_words(shown)));
       const Outlook& outlook = shown_outlook(state);
       double sum = 0;
       for (const LoadRange& load : outlook.loads) sum += load.greatest;
       CHECK(outlook.loads[robot].greatest == 0);
-      CHECK(shown.loads.has_value() == state.failures[robot].has_value());
+      CHECK(shown.loads.has_value() == state.derived().failures[robot].has_value());
       if (!shown.loads) continue;
       CHECK(std::abs(sum - 100) < 1e-9);
-      CHECK(outlook.greatest == state.failures[robot]->greatest_by_springs);
-      CHECK(std::abs(shown.coverage - state.failures[robot]->coverage) < 1e-12);
-      CHECK(shown.closure.form_closure == state.failures[robot]->form_closure);
-      CHECK(outlook.robustness.tipping_distance == state.failures[robot]->tipping_distance);
+      CHECK(outlook.greatest == state.derived().failures[robot]->greatest_by_springs);
+      CHECK(std::abs(shown.coverage - state.derived().failures[robot]->coverage) < 1e-12);
+      CHECK(shown.closure.form_closure == state.derived().failures[robot]->form_closure);
+      CHECK(outlook.robustness.tipping_distance ==
+            state.derived().failures[robot]->tipping_distance);
     }
     give(state, Fail{});
     CHECK_FALSE(failing(state));
@@ -68,7 +68,7 @@ TEST_CASE("a robot that fails is left out of the base and of the loads, with eve
 
 TEST_CASE("letting a robot fail places nothing and is no step of undo", "[view][failing]") {
   AppState state = state_of(Method::area);
-  const std::uint64_t before = computed().placements, revision = state.revision;
+  const std::uint64_t before = computed().placements, revision = state.derived().revision;
   const std::uint64_t traces = computed().traces;
   give(state, Fail{2});
   give(state, Fail{4});
@@ -77,8 +77,8 @@ TEST_CASE("letting a robot fail places nothing and is no step of undo", "[view][
   give(state, Fail{});
   CHECK(computed().placements == before);
   CHECK(computed().traces == traces);
-  CHECK(state.revision > revision);
-  CHECK_FALSE(state.history.can_undo());
+  CHECK(state.derived().revision > revision);
+  CHECK_FALSE(state.work.history.can_undo());
 }
 
 TEST_CASE("a change of settings, of the polygon or by undo brings the robot back",
@@ -88,15 +88,15 @@ TEST_CASE("a change of settings, of the polygon or by undo brings the robot back
     give(state, Fail{1});
     REQUIRE(failing(state));
     give(state, std::move(command));
-    return !failing(state) && state.failures.size() == robots(state);
+    return !failing(state) && state.derived().failures.size() == robots(state);
   };
   Settings fewer = settings(state);
   fewer.teams = 2;
   CHECK(fails_until(SetSettings{fewer}));
   CHECK(fails_until(Undo{}));
-  CHECK(fails_until(MoveVertex{0, state.document.vertices[0] + Vec2(1, 1)}));
+  CHECK(fails_until(MoveVertex{0, state.work.document().vertices[0] + Vec2(1, 1)}));
   give(state, EndEdit{});
-  CHECK(fails_until(MoveCentre{state.placement->centre_of_mass + Vec2(1, 1)}));
+  CHECK(fails_until(MoveCentre{state.derived().placement->centre_of_mass + Vec2(1, 1)}));
   give(state, EndEdit{});
   // What places nothing leaves it alone.
   give(state, Fail{1});
@@ -116,13 +116,13 @@ TEST_CASE("a lesson shows no failure", "[view][failing]") {
 
 TEST_CASE("better places that a search finds bring the robot back", "[view][failing][balanced]") {
   AppState state = state_of(Method::balanced);
-  REQUIRE(state.search.under_way);
+  REQUIRE(state.derived().search.under_way);
   give(state, Fail{0});
   REQUIRE(failing(state));
-  const std::string found = robots_text(lifting_points(place(state.document)->teams));
-  REQUIRE(take_robots(state, state.search.number, found, true));
+  const std::string found = robots_text(lifting_points(place(state.work.document())->teams));
+  REQUIRE(take_robots(state, state.derived().search.number, found, true));
   CHECK_FALSE(failing(state));
-  CHECK(state.failures.size() == 6);
+  CHECK(state.derived().failures.size() == 6);
 }
 
 TEST_CASE("keys let one robot after another fail, and Esc brings all back", "[view][failing]") {
@@ -141,7 +141,7 @@ TEST_CASE("keys let one robot after another fail, and Esc brings all back", "[vi
   CHECK(failing(state)->robot == 2);
   page.press({"Escape"});
   CHECK_FALSE(failing(state));
-  CHECK_FALSE(state.explanation);
+  CHECK_FALSE(state.derived().explanation);
 }
 
 TEST_CASE("a press on the ground brings the robot back, and one on a robot opens its card",
@@ -150,13 +150,13 @@ TEST_CASE("a press on the ground brings the robot back, and one on a robot opens
   page.frame();
   AppState& state = page.app.state;
   give(state, Fail{0});
-  page.click(state.placement->teams[1].robots[0].point.position);
+  page.click(state.derived().placement->teams[1].robots[0].point.position);
   CHECK(failing(state));
-  REQUIRE(state.explanation);
-  CHECK(state.explanation->robot == 2);
+  REQUIRE(state.derived().explanation);
+  CHECK(state.derived().explanation->robot == 2);
   page.click(Vec2(300, 250));  // beside the L
   CHECK_FALSE(failing(state));
-  CHECK_FALSE(state.explanation);
+  CHECK_FALSE(state.derived().explanation);
 }
 
 TEST_CASE("while a robot fails the verdict has the row's sign, and says what the discs number",
@@ -165,7 +165,7 @@ TEST_CASE("while a robot fails the verdict has the row's sign, and says what the
   for (std::size_t i = 0; i < robots(state); ++i) {
     give(state, Fail{i});
     REQUIRE(failing(state));
-    CHECK(verdict(state).mood == mood_of(state, state.failures[i]));
+    CHECK(verdict(state).mood == mood_of(state, state.derived().failures[i]));
     CHECK(verdict(state).detail.ends_with(
         "The discs number the robots, not the teams, while one fails."));
   }
@@ -174,12 +174,13 @@ TEST_CASE("while a robot fails the verdict has the row's sign, and says what the
 TEST_CASE("what happens if a robot fails is said and has its sign", "[view][failing]") {
   AppState state = state_of(Method::area);
   for (std::size_t i = 0; i < robots(state); ++i) {
-    CHECK(failure_words(state, i) == failure_in_words(i, robots(state), state.failures[i]));
-    CHECK(mood_of(state, state.failures[i]) == Mood::good);
+    CHECK(failure_words(state, i) ==
+          failure_in_words(i, robots(state), state.derived().failures[i]));
+    CHECK(mood_of(state, state.derived().failures[i]) == Mood::good);
   }
   give(state, showing(state, &Shown::capacity, 25.0));
   const auto overloaded =
-      std::count_if(state.failures.begin(), state.failures.end(),
+      std::count_if(state.derived().failures.begin(), state.derived().failures.end(),
                     [&](const auto& rest) { return mood_of(state, rest) == Mood::not_quite; });
   CHECK(overloaded > 0);
   CHECK(mood_of(state, std::nullopt) == Mood::falls);
@@ -190,12 +191,12 @@ TEST_CASE("too many robots are not looked at each", "[view][failing]") {
   Document many = document(piano);
   many.settings.method = Method::distributed;
   many.settings.teams = 64;
-  start_with(state, placed(many), std::nullopt);
-  CHECK(state.failures.size() == most_failures_known);
+  begin(state, placed(many));
+  CHECK(state.derived().failures.size() == most_failures_known);
   Settings more = settings(state);
   more.teams = 65;
   give(state, SetSettings{more});
-  CHECK(state.failures.empty());
+  CHECK(state.derived().failures.empty());
   give(state, Fail{129});  // but one of them can still fail
   REQUIRE(failing(state));
   CHECK(verdict(state).headline.find("Robot 130 fails: ") == 0);
@@ -213,7 +214,10 @@ TEST_CASE("the verdict's tip says what loads and stability presume of the robots
   CHECK(presumed_in_words(state).find("sudden") != std::string::npos);
   give(state, Fail{});
   CHECK(presumed_in_words(state) == presumed);
-  state.placement->teams.clear();  // then the verdict says nothing of robots
+  Settings large = settings(state);
+  large.robot.radius = 1e5;
+  give(state, SetSettings{large});
+  REQUIRE(state.derived().placement->teams.empty());  // then the verdict says nothing of robots
   CHECK(presumed_in_words(state).empty());
 }
 
@@ -222,27 +226,29 @@ TEST_CASE("a doubt makes the program's ranges, and sentences that say how far th
   AppState state = state_of(Method::area);
   CHECK(doubt_words(state).empty());
   give(state, showing(state, &Shown::com_radius, 20));
-  CHECK(state.placed.shown.com_radius == 20);
-  const ModelLoads models = *model_loads(*state.placement);
+  CHECK(shown(state).com_radius == 20);
+  const ModelLoads models = *model_loads(*state.derived().placement);
   REQUIRE(models.springs.same_within > 20);
-  const auto expected = load_ranges(planned_loads(state.placement->teams), models.springs, 20);
+  const auto expected =
+      load_ranges(planned_loads(state.derived().placement->teams), models.springs, 20);
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    CHECK(state.outlook.loads[i].least == expected[i].least);
-    CHECK(state.outlook.loads[i].greatest == expected[i].greatest);
+    CHECK(state.derived().outlook.loads[i].least == expected[i].least);
+    CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
   }
-  CHECK(summary(state).find(doubt_in_words(models, robustness(*state.placement), 20)) !=
+  CHECK(summary(state).find(doubt_in_words(models, robustness(*state.derived().placement), 20)) !=
         std::string::npos);
-  CHECK(verdict(state).headline ==
-        loads_in_words({*state.placement, shown(state)}, LoadModel::plan, state.outlook.loads));
+  CHECK(verdict(state).headline == loads_in_words({*state.derived().placement, shown(state)},
+                                                  LoadModel::plan, state.derived().outlook.loads));
   const double beyond = models.springs.same_within * 1.5;
   give(state, showing(state, &Shown::com_radius, beyond));
-  const auto wider = load_ranges(planned_loads(state.placement->teams), models.springs, beyond);
+  const auto wider =
+      load_ranges(planned_loads(state.derived().placement->teams), models.springs, beyond);
   for (std::size_t i = 0; i < wider.size(); ++i) {
-    CHECK(state.outlook.loads[i].least == wider[i].least);
-    CHECK(state.outlook.loads[i].greatest == wider[i].greatest);
+    CHECK(state.derived().outlook.loads[i].least == wider[i].least);
+    CHECK(state.derived().outlook.loads[i].greatest == wider[i].greatest);
   }
-  CHECK(state.history.depth() == 2);
-  const double tips = robustness(*state.placement).tipping_distance;
+  CHECK(state.work.history.depth() == 2);
+  const double tips = robustness(*state.derived().placement).tipping_distance;
   CHECK(verdict(state).detail.find("It can tip") == std::string::npos);
   give(state, showing(state, &Shown::com_radius, tips * 1.1));
   CHECK(verdict(state).mood == Mood::not_quite);
@@ -261,13 +267,13 @@ TEST_CASE("the grip of the doubt is there with the halo only, and its drag is on
   give(state, showing(state, &Shown::overlays, {.halo = true}));
   REQUIRE(doubt_grip(state));
   const std::uint64_t before = computed().placements;
-  const Vec2 from = state.camera.to_world(*doubt_grip(state));
-  const Vec2 centre = state.placement->centre_of_mass, out = (from - centre).normalized();
+  const Vec2 from = state.view.camera.to_world(*doubt_grip(state));
+  const Vec2 centre = state.derived().placement->centre_of_mass, out = (from - centre).normalized();
   page.drag(from, from + out * 40);
-  CHECK(std::abs(shown(state).com_radius - 40) < 1.5 / state.camera.scale);
+  CHECK(std::abs(shown(state).com_radius - 40) < 1.5 / state.view.camera.scale);
   CHECK(computed().placements == before);
-  CHECK(state.history.depth() == 1);
-  page.drag(state.camera.to_world(*doubt_grip(state)), centre);
+  CHECK(state.work.history.depth() == 1);
+  page.drag(state.view.camera.to_world(*doubt_grip(state)), centre);
   CHECK(shown(state).com_radius == 0);
 }
 
@@ -275,7 +281,7 @@ TEST_CASE("units are labels: words follow, and nothing is placed anew", "[view][
   AppState state = state_of(Method::area);
   give(state, showing(state, &Shown::com_radius, 20));
   give(state, showing(state, &Shown::capacity, 25.0));
-  const std::vector<Team> before = state.placement->teams;
+  const std::vector<Team> before = state.derived().placement->teams;
   const std::string usual = summary(state);
   REQUIRE(usual.find("\u00A0kg") != std::string::npos);
   give(state, showing(state, &Shown::units, {LengthUnit::mm, WeightUnit::lb}));
@@ -284,24 +290,24 @@ TEST_CASE("units are labels: words follow, and nothing is placed anew", "[view][
   CHECK(labelled.find("\u00A0lb") != std::string::npos);
   CHECK(labelled.find("20\u00A0mm") != std::string::npos);
   CHECK(labelled.find("kg") == std::string::npos);
-  REQUIRE(state.placement->teams.size() == before.size());
+  REQUIRE(state.derived().placement->teams.size() == before.size());
   for (std::size_t t = 0; t < before.size(); ++t)
-    CHECK(state.placement->teams[t].robots[0].load == before[t].robots[0].load);
+    CHECK(state.derived().placement->teams[t].robots[0].load == before[t].robots[0].load);
   give(state, showing(state, &Shown::units, {}));
   CHECK(summary(state) == usual);
   give(state, OpenWalkthrough{});
   give(state, showing(state, &Shown::units, {LengthUnit::mm, WeightUnit::lb}));
-  CHECK(state.walkthrough.trace->units == shown(state).units);  // for the captions to come
+  CHECK(state.view.walkthrough.trace->units == shown(state).units);  // for the captions to come
 }
 
 TEST_CASE("the loads of each model are shown, and what they presume is said", "[view][failing]") {
   AppState state = state_of(Method::area);
-  const ModelLoads models = *model_loads(*state.placement);
+  const ModelLoads models = *model_loads(*state.derived().placement);
   for (const LoadModel model : all_load_models) {
     give(state, SetLoadModel{model});
-    const auto expected = loads_by(model, *state.placement, models, 0);
+    const auto expected = loads_by(model, *state.derived().placement, models, 0);
     for (std::size_t i = 0; i < expected.size(); ++i)
-      CHECK(state.outlook.loads[i].greatest == expected[i].greatest);
+      CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
     CHECK(model_words(state) == model_in_words(model, models));
     // The headline tells the plan's loads: beside others it says so.
     CHECK(verdict(state).headline.starts_with("As planned, ") == (model != LoadModel::plan));
@@ -312,14 +318,15 @@ TEST_CASE("while a robot fails, a capacity speaks of the others by their numbers
           "[view][failing][capacity]") {
   AppState state = state_of(Method::area);
   give(state, showing(state, &Shown::capacity, 16.0));
-  REQUIRE(state.plan);
+  REQUIRE(state.derived().plan);
   give(state, Fail{1});
   REQUIRE(failing(state));
   const std::string words = need_in_words(state);
   CHECK(words.find("the other 5 robots") != std::string::npos);
   CHECK(words.find("team") == std::string::npos);
-  CHECK(words.find(state.plan->possible ? "While none fails, this method needs"
-                                        : "While none fails, not even") != std::string::npos);
+  CHECK(words.find(state.derived().plan->possible
+                       ? "While none fails, this method needs"
+                       : "While none fails, not even") != std::string::npos);
   give(state, Fail{});
   CHECK(need_in_words(state).find("While none fails") == std::string::npos);
 }

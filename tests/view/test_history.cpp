@@ -179,21 +179,21 @@ TEST_CASE("capacity and comparison are steps of undo and redo", "[view][history]
   run(Compare{Method::circle});
   run(showing(state, &Shown::capacity, 30));
   run(showing(state, &Shown::capacity, 30));  // no change, no step
-  CHECK(state.history.depth() == 3);
+  CHECK(state.work.history.depth() == 3);
   run(Undo{});
   CHECK(shown(state).capacity == 20.0);
-  CHECK(state.plan == plan_capacity(*state.placement, 20));
-  CHECK(state.second_method == Method::circle);
-  CHECK(state.second);
+  CHECK(state.derived().plan == plan_capacity(*state.derived().placement, 20));
+  CHECK(state.work.second_method == Method::circle);
+  CHECK(state.derived().second);
   run(Undo{});
-  CHECK_FALSE(state.second_method);
-  CHECK_FALSE(state.second);
+  CHECK_FALSE(state.work.second_method);
+  CHECK_FALSE(state.derived().second);
   run(Undo{});
   CHECK_FALSE(shown(state).capacity);
-  CHECK_FALSE(state.plan);
+  CHECK_FALSE(state.derived().plan);
   for (int i = 0; i < 3; ++i) run(Redo{});
   CHECK(shown(state).capacity == 30.0);
-  CHECK(state.second_method == Method::circle);
+  CHECK(state.work.second_method == Method::circle);
 }
 
 TEST_CASE("the list of keys has each key of the table once, group after group", "[view][keys]") {
@@ -220,26 +220,26 @@ TEST_CASE("the drawing makes room for what the page lays over it", "[view][layou
   AppState& state = page.app.state;
   for (const auto& [width, height] :
        {std::pair{320, 568}, {390, 844}, {844, 390}, {820, 1180}, {1440, 900}, {3840, 2160}}) {
-    state.screen.width = width;
-    state.screen.height = height;
+    state.session.screen.width = width;
+    state.session.screen.height = height;
     const Layout before = layout(state);
     const Rect seat = card_seat(state);
     CHECK(seat.width() > 200);
-    state.screen.foot = 100;
+    state.session.screen.foot = 100;
     CHECK(layout(state).free.bottom == before.free.bottom - 100);
     // Above a card the margins around the polygon shrink with the room that is left, but half of it is the polygon's.
     const Rect room = layout(state).room, free = layout(state).free;
     CHECK(room.bottom <= free.bottom - std::min(48.0, free.height() / 4));
     CHECK(room.bottom - room.top >= free.height() / 2);
-    state.screen.foot = 0;
-    state.screen.window_left = 440;
+    state.session.screen.foot = 0;
+    state.session.screen.window_left = 440;
     CHECK(layout(state).room.width() >= std::min(before.room.width(), 90.0));
     if (before.wide) CHECK(card_seat(state).left >= std::min(440.0, before.room.width() - 120));
-    state.screen.window_left = 0;
-    state.screen.window_foot = height / 2.0;  // the card stands above the window
+    state.session.screen.window_left = 0;
+    state.session.screen.window_foot = height / 2.0;  // the card stands above the window
     CHECK(layout(state).free.bottom <= height / 2.0);
     CHECK(card_seat(state).bottom <= height / 2.0);
-    state.screen.window_foot = 0;
+    state.session.screen.window_foot = 0;
     CHECK(layout(state).free == before.free);
   }
 }

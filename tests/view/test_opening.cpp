@@ -22,7 +22,7 @@ std::string link_of(const std::string& text) {
   return encode_link(parse_document(text).value()).value();
 }
 
-std::size_t corners(const AppState& state) { return state.placement->vertices().size(); }
+std::size_t corners(const AppState& state) { return state.derived().placement->vertices().size(); }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ TEST_CASE("without work or a link the page opens on the sample, with nothing to 
   AppState state;
   CHECK(open_page(state, {}, sample).empty());
   CHECK(corners(state) == 6);
-  CHECK_FALSE(state.history.can_undo());
+  CHECK_FALSE(state.work.history.can_undo());
 }
 
 TEST_CASE("a link is opened one undo after the work", "[view][opening]") {
@@ -50,12 +50,12 @@ TEST_CASE("a link that cannot be read leaves the work open, with its draft, and 
   const std::string draft = link_of(unliftable);
   CHECK_FALSE(open_page(state, {"nonsense", square, draft}, sample).empty());
   CHECK(corners(state) == 4);
-  CHECK(state.refusal.has_value());
+  CHECK(state.derived().refusal.has_value());
 }
 
 TEST_CASE("damaged work is passed over for the sample", "[view][opening]") {
   AppState state;
   CHECK(open_page(state, {{}, "(0,0)\nnonsense", "nonsense"}, sample).empty());
   CHECK(corners(state) == 6);
-  CHECK_FALSE(state.refusal.has_value());
+  CHECK_FALSE(state.derived().refusal.has_value());
 }

@@ -30,7 +30,7 @@ AppState state_in_ranges(std::optional<Goal> goal = {}) {
   Document opened_first = document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"));
   opened_first.settings.positions = Positions::range;
   opened_first.settings.goal = goal;
-  start_with(state, placed(opened_first), std::nullopt);
+  begin(state, placed(opened_first));
   return state;
 }
 
@@ -40,7 +40,7 @@ Vec2 turned(const Vec2& from_centre, double tangent) {
 }
 
 Vec2 place_of(const AppState& state, std::size_t team, std::size_t robot) {
-  return state.placement->teams[team].robots[robot].point.position;
+  return state.derived().placement->teams[team].robots[robot].point.position;
 }
 
 }  // namespace
@@ -50,29 +50,32 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   const Pick pick{Pick::Kind::robot, 1, 0, place_of(state, 1, 0)};
   REQUIRE(can_take_robot(state, pick));
   const std::string before = summary(state);
-  const auto range = range_of(state.placement->polygon, state.placement->centre_of_mass,
-                              chord_of(state.placement->teams[1]), 0.8);
+  const auto range =
+      range_of(state.derived().placement->polygon, state.derived().placement->centre_of_mass,
+               chord_of(state.derived().placement->teams[1]), 0.8);
   REQUIRE(range);
   const Vec2 other = place_of(state, 0, 0), was = place_of(state, 1, 0);
   for (const double s : {0.1, 0.5, 0.9}) {
-    const Chord wanted = chord_at(state.placement->centre_of_mass, *range, place_at(*range, s));
-    give(state, MoveRobot{2, wanted.r1.edge == state.placement->teams[1].robots[0].point.edge
-                                 ? wanted.r1.position
-                                 : wanted.r2.position});
+    const Chord wanted =
+        chord_at(state.derived().placement->centre_of_mass, *range, place_at(*range, s));
+    give(state,
+         MoveRobot{2, wanted.r1.edge == state.derived().placement->teams[1].robots[0].point.edge
+                          ? wanted.r1.position
+                          : wanted.r2.position});
     REQUIRE(by_hand(state));
-    const Team& team = state.placement->teams[1];
+    const Team& team = state.derived().placement->teams[1];
     CHECK(team.ratio == Approx(wanted.ratio).epsilon(1e-9));
     CHECK(team.ratio >= 0.8 - 1e-9);
     CHECK(team.robots[0].load + team.robots[1].load ==
-          Approx(state.placement->settings.weight / 3).epsilon(1e-12));
+          Approx(state.derived().placement->settings.weight / 3).epsilon(1e-12));
     CHECK(place_of(state, 0, 0) == other);
   }
-  CHECK(state.history.undoes() == Edit::robots_moved);
+  CHECK(state.work.history.undoes() == Edit::robots_moved);
   CHECK(link_lacks_in_words(state).empty());
   CHECK(explain(state, pick).reason.empty());
   // Far beyond an end of its range it stops there.
-  give(state, MoveRobot{2, state.placement->centre_of_mass + Vec2(1e-3, 1e6)});
-  CHECK(state.placement->teams[1].ratio >= 0.8 - 1e-9);
+  give(state, MoveRobot{2, state.derived().placement->centre_of_mass + Vec2(1e-3, 1e6)});
+  CHECK(state.derived().placement->teams[1].ratio >= 0.8 - 1e-9);
   give(state, EndEdit{});
   const Vec2 last = place_of(state, 1, 0);
   give(state, ResetRobots{});
@@ -83,7 +86,7 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   CHECK(place_of(state, 1, 0) == last);
   give(state, Undo{});
   CHECK(place_of(state, 1, 0) == was);
-  CHECK_FALSE(state.history.can_undo());
+  CHECK_FALSE(state.work.history.can_undo());
   give(state, Redo{});
   CHECK(place_of(state, 1, 0) == last);
   // Another edit puts them back, and undo brings them again.
@@ -94,7 +97,7 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   give(state, Undo{});
   CHECK(place_of(state, 1, 0) == last);
   AppState again;
-  start_with(again, placed(decode_link(*encode_link(state.placed)).value()), std::nullopt);
+  begin(again, placed(decode_link(*encode_link(last_good(state))).value()));
   CHECK(place_of(again, 1, 0) == last);
 }
 
@@ -106,23 +109,24 @@ TEST_CASE("a team of robots with a size goes where they can stand, and not into 
     opened.settings.positions = Positions::range;
     opened.settings.teams = 4;
     opened.settings.robot = {20, 0, depth, 20, 60};
-    start_with(state, placed(opened), std::nullopt);
-    const std::size_t teams = state.placement->teams.size();
+    begin(state, placed(opened));
+    const std::size_t teams = state.derived().placement->teams.size();
     REQUIRE(teams == 4);
-    const Vec2 c = state.placement->centre_of_mass;
+    const Vec2 c = state.derived().placement->centre_of_mass;
     int moved = 0, closed = 0;
     for (std::size_t team = 0; team < teams; ++team) {
       for (int step = 1; step <= 40; ++step) {
         const Vec2 was = place_of(state, team, 0);
-        state.held = {Pick::Kind::robot, team, 0, was};
+        state.view.held = {Pick::Kind::robot, team, 0, was};
         give(state, MoveRobot{2 * team, c + turned(was - c, step <= 20 ? 0.05 : -0.05)});
-        const std::vector<LiftingPoint> robots = lifting_points(state.placement->teams);
-        CHECK_FALSE(state.placement->stands->any_collide(robots));
-        for (const LiftingPoint& robot : robots) CHECK(state.placement->stands->can_lift(robot));
-        CHECK(state.placement->teams[team].ratio >= 0.8 - 2e-9);
+        const std::vector<LiftingPoint> robots = lifting_points(state.derived().placement->teams);
+        CHECK_FALSE(state.derived().placement->stands->any_collide(robots));
+        for (const LiftingPoint& robot : robots)
+          CHECK(state.derived().placement->stands->can_lift(robot));
+        CHECK(state.derived().placement->teams[team].ratio >= 0.8 - 2e-9);
         moved += place_of(state, team, 0) != was;
-        closed += state.closed_to.has_value();
-        state.held = {};
+        closed += state.view.closed_to.has_value();
+        state.view.held = {};
       }
     }
     CHECK(moved > 10);
@@ -133,13 +137,14 @@ TEST_CASE("a team of robots with a size goes where they can stand, and not into 
 TEST_CASE("steps are those of teams where they were found", "[view][ranges]") {
   AppState state = state_in_ranges();
   const Vec2 was = place_of(state, 1, 0);
-  give(state, MoveRobot{2, was + 0.01 * (state.placement->centre_of_mass - was) + Vec2(3, 3)});
+  give(state,
+       MoveRobot{2, was + 0.01 * (state.derived().placement->centre_of_mass - was) + Vec2(3, 3)});
   REQUIRE(by_hand(state));
   give(state, OpenWalkthrough{});
   CHECK_FALSE(by_hand(state));
   CHECK(place_of(state, 1, 0) == was);
-  CHECK(state.history.undoes() == Edit::robots_reset);
-  CHECK(state.walkthrough.trace->count(StepKind::range) > 3);
+  CHECK(state.work.history.undoes() == Edit::robots_reset);
+  CHECK(state.view.walkthrough.trace->count(StepKind::range) > 3);
   // Undo leaves the lesson, in which they would stand elsewhere.
   give(state, Undo{});
   CHECK(by_hand(state));
@@ -148,24 +153,23 @@ TEST_CASE("steps are those of teams where they were found", "[view][ranges]") {
 
 TEST_CASE("teams at their best places stay where they are", "[view][ranges]") {
   AppState state;
-  start_with(state, placed(document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"))),
-             std::nullopt);
+  begin(state, placed(document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"))));
   CHECK_FALSE(can_take_robot(state, {Pick::Kind::robot, 1, 0, place_of(state, 1, 0)}));
-  give(state, MoveRobot{2, state.placement->centre_of_mass});
+  give(state, MoveRobot{2, state.derived().placement->centre_of_mass});
   CHECK_FALSE(by_hand(state));
 }
 
 TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "[view][ranges]") {
   AppState state = state_in_ranges(Goal::hold);
-  CHECK(state.placement->goal_reached);
+  CHECK(state.derived().placement->goal_reached);
   give(state, OpenWalkthrough{});
-  const Trace& trace = *state.walkthrough.trace;
+  const Trace& trace = *state.view.walkthrough.trace;
   REQUIRE(trace.count(StepKind::swap) > 0);
   for (std::uint32_t i = 0; i < trace.count(StepKind::swap); ++i) {
     give(state, GoToStep{*trace.find(StepKind::swap, i)});
-    CHECK(state.walkthrough.known.swaps == i + 1);
-    CHECK_FALSE(state.walkthrough.caption.empty());
-    CHECK(state.walkthrough.base.size() >= 3);
+    CHECK(state.view.walkthrough.known.swaps == i + 1);
+    CHECK_FALSE(state.view.walkthrough.caption.empty());
+    CHECK(state.view.walkthrough.base.size() >= 3);
   }
   const std::uint32_t moved = trace.exchanges->exchanges.back().teams[0];
   const Explanation card = explain(state, {Pick::Kind::robot, moved, 0, place_of(state, moved, 0)});
@@ -178,28 +182,28 @@ TEST_CASE("a few exchanges are predicted, and a wrong guess is told what it woul
   give(state, OpenWalkthrough{});
   give(state, ShowAllSteps{true});
   give(state, SetPredict{true});
-  const Trace& trace = *state.walkthrough.trace;
+  const Trace& trace = *state.view.walkthrough.trace;
   const std::uint32_t first = *trace.find(StepKind::swap, 0);
   give(state, GoToStep{first - 1});
   std::array<std::size_t, question_kind_count> asked{};
   bool wrong = true;
   for (std::uint32_t step = first; step < *trace.find(StepKind::held, 0);) {
     give(state, MoveSteps{1});
-    const auto& ask = state.walkthrough.ask;
+    const auto& ask = state.view.walkthrough.ask;
     if (ask) {
       CHECK(ask->step == step);
-      CHECK(state.walkthrough.at == step - 1);
+      CHECK(state.view.walkthrough.at == step - 1);
       CHECK(ask->choices.size() > 1);
       CHECK_FALSE(ask->text.empty());
       ++asked[static_cast<std::size_t>(ask->question.kind)];
       const std::uint32_t answer = ask->question.answer;
       const std::uint32_t other = ask->choices[0] == answer ? ask->choices[1] : ask->choices[0];
       give(state, Guess{wrong ? other : answer});
-      CHECK(state.walkthrough.was_right != wrong);
-      CHECK((state.walkthrough.verdict.size() > 20) == wrong);
+      CHECK(state.view.walkthrough.was_right != wrong);
+      CHECK((state.view.walkthrough.verdict.size() > 20) == wrong);
       wrong = !wrong;
     }
-    CHECK(state.walkthrough.at == step);
+    CHECK(state.view.walkthrough.at == step);
     ++step;
   }
   const auto of_teams = asked[static_cast<std::size_t>(QuestionKind::leaving_team)],
@@ -215,39 +219,39 @@ TEST_CASE("among many candidates teams are exchanged when a drag ends, and not b
   comb.vertices = *generate(Family::comb, 200, 1);
   comb.settings.goal = Goal::hold;
   AppState state;
-  start_with(state, placed(comb), std::nullopt);
+  begin(state, placed(comb));
   const auto taken = [](const Document& document) {
     return evenlift::place(document)->team_candidates;
   };
-  CHECK_FALSE(waits_for_exchange(*state.placement));
+  CHECK_FALSE(waits_for_exchange(*state.derived().placement));
   const Vec2 to = comb.vertices[0] + Vec2(-1, -1);
   give(state, MoveVertex{0, to});
   comb.vertices[0] = to;
-  CHECK(waits_for_exchange(*state.placement));
-  CHECK(state.placement->settings.goal == Goal::hold);
-  CHECK(state.placement->goal_reached == state.placement->closure.form_closure);
+  CHECK(waits_for_exchange(*state.derived().placement));
+  CHECK(state.derived().placement->settings.goal == Goal::hold);
+  CHECK(state.derived().placement->goal_reached == state.derived().placement->closure.form_closure);
   Document selected = comb;
   selected.settings.goal = Goal::cover;
-  CHECK(state.placement->team_candidates == taken(selected));
+  CHECK(state.derived().placement->team_candidates == taken(selected));
   // The steps of the lesson are those of the teams on the screen.
   give(state, OpenWalkthrough{});
-  CHECK(state.walkthrough.trace->count(StepKind::swap) == 0);
+  CHECK(state.view.walkthrough.trace->count(StepKind::swap) == 0);
   give(state, EndEdit{});
-  CHECK_FALSE(waits_for_exchange(*state.placement));
-  CHECK(state.placement->team_candidates == taken(comb));
+  CHECK_FALSE(waits_for_exchange(*state.derived().placement));
+  CHECK(state.derived().placement->team_candidates == taken(comb));
   CHECK(taken(comb) != taken(selected));
-  CHECK(state.walkthrough.trace->count(StepKind::swap) > 0);
-  CHECK(state.notice.text.empty());
+  CHECK(state.view.walkthrough.trace->count(StepKind::swap) > 0);
+  CHECK(state.session.notice.text.empty());
 }
 
 TEST_CASE("few candidates are exchanged during a drag, too", "[view][ranges]") {
   AppState state = state_in_ranges(Goal::hold);
-  const Vec2 to = state.document.vertices[0] + Vec2(1, 1);
+  const Vec2 to = state.work.document().vertices[0] + Vec2(1, 1);
   give(state, MoveVertex{0, to});
-  CHECK_FALSE(waits_for_exchange(*state.placement));
-  CHECK(state.placement->goal_reached);
+  CHECK_FALSE(waits_for_exchange(*state.derived().placement));
+  CHECK(state.derived().placement->goal_reached);
   give(state, EndEdit{});
-  CHECK(state.placement->goal_reached);
+  CHECK(state.derived().placement->goal_reached);
 }
 
 TEST_CASE("teams that would be exchanged for minutes are not, and a notice says so",
@@ -257,9 +261,9 @@ TEST_CASE("teams that would be exchanged for minutes are not, and a notice says 
   comb.settings.goal = Goal::hold;
   comb.settings.teams = 8;
   AppState state;
-  start_with(state, placed(comb), std::nullopt);
-  CHECK(waits_for_exchange(*state.placement));
-  CHECK(state.notice.text.find("So many teams are not exchanged here") == 0);
+  begin(state, placed(comb));
+  CHECK(waits_for_exchange(*state.derived().placement));
+  CHECK(state.session.notice.text.find("So many teams are not exchanged here") == 0);
 }
 
 TEST_CASE("a robot is dragged along its range with the pointer, and drawn with its range",
@@ -273,21 +277,21 @@ TEST_CASE("a robot is dragged along its range with the pointer, and drawn with i
   // A vertex is taken before the robot that stands on it, so one is taken that stands on none.
   const AppState& state = page.app.state;
   const auto stands_apart = [&](const Vec2& at) {
-    const Points& vertices = state.placement->vertices();
+    const Points& vertices = state.derived().placement->vertices();
     return std::all_of(vertices.begin(), vertices.end(), [&](const Vec2& v) {
-      return length(state.camera.to_screen(v) - state.camera.to_screen(at)) > 20;
+      return length(state.view.camera.to_screen(v) - state.view.camera.to_screen(at)) > 20;
     });
   };
   std::size_t team = 0;
   while (team < 3 && !stands_apart(place_of(state, team, 0))) ++team;
   REQUIRE(team < 3);
-  const Vec2 at = place_of(state, team, 0), c = state.placement->centre_of_mass;
+  const Vec2 at = place_of(state, team, 0), c = state.derived().placement->centre_of_mass;
   // Around C, to one side and to the other: one of the two ways is open.
   for (const double turn : {0.05, -0.05})
     page.drag(place_of(state, team, 0), c + (at - c) + turn * left_normal(at - c));
   CHECK(by_hand(state));
-  CHECK(state.document.vertices == document.vertices);
-  CHECK(state.placement->teams[team].ratio >= 0.8 - 1e-9);
+  CHECK(state.work.document().vertices == document.vertices);
+  CHECK(state.derived().placement->teams[team].ratio >= 0.8 - 1e-9);
   CHECK(length(place_of(state, team, 0) - at) > 0);
   page.open(document);
   CHECK_FALSE(by_hand(page.app.state));
@@ -302,21 +306,21 @@ TEST_CASE("a robot on a vertex is taken there while its card is open", "[view][r
   page.open(document);
   page.frame();
   const AppState& state = page.app.state;
-  const Vec2 corner = place_of(state, 0, 0), c = state.placement->centre_of_mass;
+  const Vec2 corner = place_of(state, 0, 0), c = state.derived().placement->centre_of_mass;
   REQUIRE(std::find(document.vertices.begin(), document.vertices.end(), corner) !=
           document.vertices.end());
   const Vec2 to = corner + 0.3 * left_normal(corner - c);
   // Without the card it is the vertex that goes along.
   page.drag(corner, corner + Vec2(-8, -8));
   CHECK_FALSE(by_hand(state));
-  CHECK(state.document.vertices != document.vertices);
+  CHECK(state.work.document().vertices != document.vertices);
   page.open(document);
   page.frame();
   page.click(corner);
-  REQUIRE(state.explanation);
+  REQUIRE(state.derived().explanation);
   page.drag(corner, to);
-  CHECK(state.document.vertices == document.vertices);
+  CHECK(state.work.document().vertices == document.vertices);
   CHECK(by_hand(state));
   CHECK(length(place_of(state, 0, 0) - corner) > 10);
-  CHECK(state.history.undoes() == Edit::robots_moved);
+  CHECK(state.work.history.undoes() == Edit::robots_moved);
 }

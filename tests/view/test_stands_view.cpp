@@ -34,11 +34,11 @@ TEST_CASE("a click of the brush marks a whole edge, a second one takes the mark 
   give(page, SetTool{Tool::mark});
   page.click({200, 0});
   CHECK(marks(page) == "1");
-  REQUIRE(page.app.state.placement->stands);
-  CHECK(page.app.state.placement->stands->usable(0).empty());
+  REQUIRE(page.app.state.derived().placement->stands);
+  CHECK(page.app.state.derived().placement->stands->usable(0).empty());
   page.click({200, 0});
   CHECK(marks(page) == "none");
-  CHECK_FALSE(page.app.state.placement->stands);
+  CHECK_FALSE(page.app.state.derived().placement->stands);
 }
 
 TEST_CASE("a drag of the brush marks what it passes and erases marks, each as one step of undo",
@@ -67,10 +67,10 @@ TEST_CASE("off the boundary the brush pans, and marks nothing", "[view][stands]"
   Page page;
   page.frame();
   give(page, SetTool{Tool::mark});
-  const Vec2 before = page.app.state.camera.to_screen({0, 0});
+  const Vec2 before = page.app.state.view.camera.to_screen({0, 0});
   page.drag({80, 80}, {120, 80});
   CHECK(marks(page) == "none");
-  CHECK(page.app.state.camera.to_screen({0, 0}) != before);
+  CHECK(page.app.state.view.camera.to_screen({0, 0}) != before);
 }
 
 TEST_CASE("marks stay where they are if a vertex is added or removed", "[view][stands]") {
@@ -114,7 +114,7 @@ TEST_CASE(
   for (const Method method : {Method::distributed, Method::random}) {
     give(page, SetMethod{method});
     CHECK(now().robot == evenlift::RobotSize{});
-    CHECK_FALSE(page.app.state.refusal);
+    CHECK_FALSE(page.app.state.derived().refusal);
   }
   give(page, InsertVertex{0, {100, 0}});  // the marked edge gets the next number
   give(page, SetMethod{Method::balanced});
@@ -135,7 +135,7 @@ TEST_CASE(
   CHECK(now().robot == evenlift::RobotSize{});
   give(page, SetSettings{changed});
   give(page, SetMethod{Method::random});
-  Result<Opened> again = opened(Document{page.app.state.document});
+  Result<Opened> again = opened(Document{page.app.state.work.document()});
   REQUIRE(again);
   give(page, OpenDocument{std::move(again).value()});
   give(page, SetMethod{Method::area});
@@ -151,17 +151,17 @@ TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][s
   const Layout places = layout(state);
   const Scene scene;
   const auto vertices = [&](double radius_in_pixels) {
-    Camera camera = state.camera;
+    Camera camera = state.view.camera;
     camera.scale = radius_in_pixels / 8;
     ImDrawList list(ImGui::GetDrawListSharedData());
     list._ResetForNewFrame();
     const Rect window{-1e4, -1e4, 1e4, 1e4};
-    const CanvasView view{state, theme(state), places, &*state.placement,
+    const CanvasView view{state, theme(state), places, &*state.derived().placement,
                           scene, camera,       window, false};
     draw_stands(Painter(list, camera, window), view);
     return list.VtxBuffer.Size;
   };
-  const double mark = static_cast<double>(mark_radius(state.placement->teams));
+  const double mark = static_cast<double>(mark_radius(state.derived().placement->teams));
   CHECK(vertices(mark - 1) < 200);  // what cannot be used of the boundary
   CHECK(vertices(mark + 1) > vertices(mark - 1) + 6 * 64);
 }
@@ -169,15 +169,15 @@ TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][s
 TEST_CASE("every frame with robots of a size can be drawn", "[view][stands]") {
   for (const Method method : {Method::area, Method::balanced}) {
     Page page;
-    page.app.state.robot_open = true;
+    page.app.state.view.robot_open = true;
     Settings changed = with_method(settings(page.app.state), method, 3);
     changed.robot = {12, 8, 20, 16, 3};
     changed.no_go = {{1, 0, 0.5}};
     give(page, SetSettings{changed});
-    CHECK_FALSE(page.app.state.refusal);
-    REQUIRE(page.app.state.placement->stands);
-    REQUIRE_FALSE(page.app.state.placement->teams.empty());
-    for (const PlacedRobot& robot : placed_robots(*page.app.state.placement))
+    CHECK_FALSE(page.app.state.derived().refusal);
+    REQUIRE(page.app.state.derived().placement->stands);
+    REQUIRE_FALSE(page.app.state.derived().placement->teams.empty());
+    for (const PlacedRobot& robot : placed_robots(*page.app.state.derived().placement))
       CHECK(length(robot.stand - robot.contact) == Approx(20));
     for (int x = 0; x < 400; x += 7) page.frame(page.at({static_cast<double>(x), 0}));
     give(page, SetTool{Tool::mark});

@@ -73,7 +73,7 @@ TEST_CASE("every panel draws for every sample on every kind of screen, and then 
     page.open(document(asset(path)));
     for (const auto& [width, height] : {std::pair{1280, 800}, {844, 390}, {390, 844}}) {
       for (const bool embed : {false, true}) {
-        Screen& screen = page.app.state.screen;
+        Screen& screen = page.app.state.session.screen;
         screen.width = width;
         screen.height = height;
         screen.embed = embed;
@@ -118,17 +118,17 @@ TEST_CASE("triangulation of a large star and of nonsense ends soon", "[view]") {
 TEST_CASE("a drag of a vertex is one step of undo", "[view]") {
   Page page;
   page.frame();
-  const Points before = page.app.state.document.vertices;
+  const Points before = page.app.state.work.document().vertices;
   page.drag({400, 150}, {430, 190});
   const AppState& state = page.app.state;
-  CHECK(length(state.document.vertices[2] - Vec2(430, 190)) < 2);
-  CHECK(state.selected == 2u);
-  CHECK_FALSE(state.edit_open);
+  CHECK(length(state.work.document().vertices[2] - Vec2(430, 190)) < 2);
+  CHECK(state.view.selected == 2u);
+  CHECK_FALSE(state.work.edit_open);
   page.press({"z", true});
-  CHECK(state.document.vertices == before);
-  CHECK_FALSE(state.history.can_undo());
+  CHECK(state.work.document().vertices == before);
+  CHECK_FALSE(state.work.history.can_undo());
   page.press({"z", true, true});
-  CHECK(length(state.document.vertices[2] - Vec2(430, 190)) < 2);
+  CHECK(length(state.work.document().vertices[2] - Vec2(430, 190)) < 2);
 }
 
 TEST_CASE("a refused polygon keeps the last good placement, link and reason", "[view]") {
@@ -143,28 +143,29 @@ TEST_CASE("a refused polygon keeps the last good placement, link and reason", "[
   // On the way there the polygon is accepted, further on its edges cross.
   std::string last_link, last_json;
   for (int i = 1; i <= 12; ++i) {
-    held.at = state.camera.to_screen(Vec2(400, 150) + (Vec2(75, 350) - Vec2(400, 150)) * i / 12);
+    held.at =
+        state.view.camera.to_screen(Vec2(400, 150) + (Vec2(75, 350) - Vec2(400, 150)) * i / 12);
     held.moved = 4.0 * i;
     page.frame(held);
-    if (state.refusal) continue;
-    last_link = encode_link(state.document).value();
-    last_json = placement_json(place(state.document).value(), true);
+    if (state.derived().refusal) continue;
+    last_link = encode_link(state.work.document()).value();
+    last_json = placement_json(place(state.work.document()).value(), true);
   }
   held.down = false;
   held.released = true;
   page.frame(held);
   REQUIRE_FALSE(last_link.empty());
-  REQUIRE(state.refusal);
-  CHECK(state.refusal->code == ErrorCode::edges_cross);
-  CHECK(state.refusal->place.kind == Place::Kind::edge);
+  REQUIRE(state.derived().refusal);
+  CHECK(state.derived().refusal->code == ErrorCode::edges_cross);
+  CHECK(state.derived().refusal->place.kind == Place::Kind::edge);
   CHECK(verdict(state).mood == Mood::refused);
   CHECK(verdict(state).headline.find("cross") != std::string::npos);
-  CHECK(encode_link(state.placed).value() == last_link);
-  REQUIRE(state.placement);
-  CHECK(placement_json(*state.placement, true) == last_json);
+  CHECK(encode_link(last_good(state)).value() == last_link);
+  REQUIRE(state.derived().placement);
+  CHECK(placement_json(*state.derived().placement, true) == last_json);
   for (int i = 0; i < 3; ++i) page.frame();
   page.press({"z", true});
-  CHECK_FALSE(state.refusal);
+  CHECK_FALSE(state.derived().refusal);
   CHECK(verdict(state).mood != Mood::refused);
 }
 
@@ -177,39 +178,39 @@ TEST_CASE(
   p.pressed = p.down = p.double_pressed = true;
   page.frame(p);
   const AppState& state = page.app.state;
-  REQUIRE(state.document.vertices.size() == 7);
-  CHECK(state.held.kind == Pick::Kind::vertex);
-  CHECK(state.held.index == 1);
+  REQUIRE(state.work.document().vertices.size() == 7);
+  CHECK(state.view.held.kind == Pick::Kind::vertex);
+  CHECK(state.view.held.index == 1);
   p.pressed = p.double_pressed = p.down = false;
   page.frame(p);
   page.press({"Delete"});
-  CHECK(state.document.vertices.size() == 6);
+  CHECK(state.work.document().vertices.size() == 6);
 }
 
 TEST_CASE("the last three vertices stay", "[view]") {
   Page page("(0,0)\n(10,0)\n(0,10)\n");
   page.app.commands = {SelectVertex{0}, RemoveVertex{0}};
   settle(page.app);
-  CHECK(page.app.state.document.vertices.size() == 3);
-  CHECK_FALSE(page.app.state.notice.text.empty());
+  CHECK(page.app.state.work.document().vertices.size() == 3);
+  CHECK_FALSE(page.app.state.session.notice.text.empty());
 }
 
 TEST_CASE("the centre of mass can be dragged and given back", "[view]") {
   Page page;
   page.frame();
-  const Vec2 centroid = page.app.state.placement->centre_of_mass;
+  const Vec2 centroid = page.app.state.derived().placement->centre_of_mass;
   page.drag(centroid, centroid + Vec2(20, 10));
-  REQUIRE(page.app.state.document.centre_of_mass);
+  REQUIRE(page.app.state.work.document().centre_of_mass);
   page.app.commands = {ReleaseCentre{}};
   settle(page.app);
-  CHECK(page.app.state.placement->centre_of_mass == centroid);
+  CHECK(page.app.state.derived().placement->centre_of_mass == centroid);
 }
 
 TEST_CASE("a centre of mass on a vertex is what is taken hold of there", "[view]") {
   Page page("CoM:(150,150)\n" + l_shape);
   page.frame();
   const AppState& state = page.app.state;
-  const Vec2 there = state.camera.to_screen({150, 150});
+  const Vec2 there = state.view.camera.to_screen({150, 150});
   CHECK(pick(state, there).kind == Pick::Kind::centre);
   CHECK(pick_to_hold(state, there).kind == Pick::Kind::centre);
 }
@@ -217,9 +218,9 @@ TEST_CASE("a centre of mass on a vertex is what is taken hold of there", "[view]
 TEST_CASE("a vertex that does not exist cannot be selected", "[view]") {
   Page page;
   give(page.app.state, SelectVertex{5});
-  CHECK(page.app.state.selected == 5u);
+  CHECK(page.app.state.view.selected == 5u);
   give(page.app.state, SelectVertex{6});
-  CHECK_FALSE(page.app.state.selected);
+  CHECK_FALSE(page.app.state.view.selected);
 }
 
 TEST_CASE("a unit, a capacity or a doubt takes effect by itself, as one step of undo", "[view]") {
@@ -231,13 +232,13 @@ TEST_CASE("a unit, a capacity or a doubt takes effect by itself, as one step of 
     INFO("edit " << i);
     Page page;
     AppState& state = page.app.state;
-    Document edited = state.document;
+    Document edited = state.work.document();
     edits[i](edited.shown);
-    CHECK_FALSE(try_edit(state, edited));
-    CHECK(state.document.shown == edited.shown);
-    CHECK(state.history.depth() == 1);
-    CHECK_FALSE(try_edit(state, edited));  // no change, no step
-    CHECK(state.history.depth() == 1);
+    CHECK_FALSE(edit_by_script(state, edited));
+    CHECK(state.work.document().shown == edited.shown);
+    CHECK(state.work.history.depth() == 1);
+    CHECK_FALSE(edit_by_script(state, edited));  // no change, no step
+    CHECK(state.work.history.depth() == 1);
   }
 }
 
@@ -391,7 +392,7 @@ TEST_CASE("the verdict is a sentence", "[view]") {
   const AppState& state = page.app.state;
   CHECK(verdict(state).headline.starts_with("6 robots carry "));
   CHECK(summary(state).find("Team 3 at ") != std::string::npos);
-  Settings one = state.document.settings;
+  Settings one = state.work.document().settings;
   one.teams = 1;
   page.app.commands = {SetSettings{one}};
   settle(page.app);
@@ -420,14 +421,14 @@ TEST_CASE("no two actions share a key, except in the lesson and while drawing", 
 TEST_CASE("a wide screen has a panel at the side, a narrow one a sheet that leaves most of it free",
           "[view]") {
   AppState state;
-  state.screen.width = 390;
-  state.screen.height = 844;
+  state.session.screen.width = 390;
+  state.session.screen.height = 844;
   CHECK_FALSE(layout(state).wide);
   CHECK(layout(state).panel.top >= 0.53 * 844);
-  state.sheet = Sheet::half;
+  state.view.sheet = Sheet::half;
   CHECK(layout(state).panel.top >= 0.53 * 844 - 1);
-  state.screen.width = 1280;
-  state.screen.height = 800;
+  state.session.screen.width = 1280;
+  state.session.screen.height = 800;
   CHECK(layout(state).wide);
   CHECK(layout(state).room.right < layout(state).panel.left);
 }
@@ -439,25 +440,25 @@ TEST_CASE(
   AppState& state = page.app.state;
   for (const auto& [width, height] : {std::pair(320.0, 568.0), {390.0, 500.0}}) {
     CAPTURE(width, height);
-    state.screen.width = width;
-    state.screen.height = height;
+    state.session.screen.width = width;
+    state.session.screen.height = height;
     settle(page.app);
     for (int i = 0; i < 4; ++i) page.frame();  // the sheet measures itself
     CHECK_FALSE(layout(state).brief);
     const double alone = layout(state).room.height();
-    state.tool = Tool::transform;
+    state.view.tool = Tool::transform;
     CHECK(layout(state).brief);
     CHECK(layout(state).room.height() >= 70);
-    state.tool = Tool::parts;
-    state.second_method = Method::circle;
+    state.view.tool = Tool::parts;
+    state.work.second_method = Method::circle;
     CHECK(layout(state).brief);
     CHECK(layout(state).room.height() >= 65);
-    state.second_method.reset();
+    state.work.second_method.reset();
     CHECK(layout(state).room.height() == alone);
   }
-  state.screen.width = 390;
-  state.screen.height = 844;
-  state.second_method = Method::circle;
+  state.session.screen.width = 390;
+  state.session.screen.height = 844;
+  state.work.second_method = Method::circle;
   CHECK_FALSE(layout(state).brief);
 }
 
@@ -465,17 +466,17 @@ TEST_CASE(
     "a window over the panel leaves the drawing as it is, and takes its width where the panel is folded",
     "[view]") {
   AppState state;
-  state.screen.width = 844;
-  state.screen.height = 390;
+  state.session.screen.width = 844;
+  state.session.screen.height = 390;
   const Layout before = layout(state);
-  state.screen.window_right = state.screen.width - before.panel.left;
+  state.session.screen.window_right = state.session.screen.width - before.panel.left;
   CHECK(layout(state).free == before.free);
   CHECK(layout(state).room == before.room);
-  state.panel_open = false;
+  state.view.panel_open = false;
   CHECK(layout(state).free.right == before.free.right);
-  state.second_method = Method::circle;
+  state.work.second_method = Method::circle;
   CHECK(layout(state).second.right == before.free.right);
-  state.screen.window_right = 0;
+  state.session.screen.window_right = 0;
   CHECK(layout(state).free.right > before.free.right + 200);
 }
 
@@ -488,8 +489,8 @@ TEST_CASE("a notice of several lines covers no robot where the view fits", "[vie
     Page page(asset(path));
     AppState& state = page.app.state;
     for (const auto& [width, height] : {std::pair(320.0, 568.0), {390.0, 844.0}, {1280.0, 800.0}}) {
-      state.screen.width = width;
-      state.screen.height = height;
+      state.session.screen.width = width;
+      state.session.screen.height = height;
       page.app.commands = {ShowNotice{}, FitView{}};
       settle(page.app);
       page.frame();
@@ -497,13 +498,14 @@ TEST_CASE("a notice of several lines covers no robot where the view fits", "[vie
       page.app.commands = {ShowNotice{{Notice::Kind::problem, text}}};
       settle(page.app);
       for (int i = 0; i < 4; ++i) page.frame();  // it measures itself
-      REQUIRE(state.notice_height > 40);
+      REQUIRE(state.session.notice_height > 40);
       const Rect place = layout(state).notice;
-      for (const LiftingPoint& robot : lifting_points(state.placement->teams)) {
-        const Vec2 at = state.camera.to_screen(robot.position);
+      for (const LiftingPoint& robot : lifting_points(state.derived().placement->teams)) {
+        const Vec2 at = state.view.camera.to_screen(robot.position);
         const bool beside = at.x() + 14 <= place.left || at.x() - 14 >= place.right;
-        CAPTURE(width, at.y(), place.bottom, state.notice_height, layout(state).room.height());
-        CHECK((beside || at.y() + 14 <= place.bottom - state.notice_height));
+        CAPTURE(width, at.y(), place.bottom, state.session.notice_height,
+                layout(state).room.height());
+        CHECK((beside || at.y() + 14 <= place.bottom - state.session.notice_height));
       }
       page.app.commands = {ShowNotice{}};
       settle(page.app);
@@ -515,13 +517,14 @@ TEST_CASE("a notice of several lines covers no robot where the view fits", "[vie
 TEST_CASE("on a sheet that is pulled up to the top a notice stands at its foot", "[view]") {
   Page page;
   AppState& state = page.app.state;
-  state.screen.width = 390;
-  state.screen.height = 844;
+  state.session.screen.width = 390;
+  state.session.screen.height = 844;
   page.app.commands = {ShowNotice{{Notice::Kind::info, "“table.txt” is opened."}}};
   settle(page.app);
-  state.sheet = Sheet::full;
+  state.view.sheet = Sheet::full;
   for (int i = 0; i < 4; ++i) page.frame();
-  CHECK(layout(state).notice.bottom - state.notice_height > layout(state).panel.middle().y());
+  CHECK(layout(state).notice.bottom - state.session.notice_height >
+        layout(state).panel.middle().y());
 }
 
 TEST_CASE(
@@ -536,9 +539,9 @@ TEST_CASE(
                        [](const Control& c) { return c.name == "show object"; });
   };
   CHECK_FALSE(way_back());
-  const Camera fitting = state.camera;
+  const Camera fitting = state.view.camera;
   Camera inside = fitting;
-  inside.centre = state.placement->centre_of_mass;
+  inside.centre = state.derived().placement->centre_of_mass;
   inside.scale *= 500;
   page.app.commands = {SetCamera{inside}};
   settle(page.app);
@@ -581,21 +584,21 @@ TEST_CASE("each press of the sheet's handle shows more of it, until it is closed
   for (const bool lesson : {false, true}) {
     if (lesson) page.press({"b"});
     CAPTURE(lesson);
-    state.screen.width = 390;
-    state.screen.height = 844;
+    state.session.screen.width = 390;
+    state.session.screen.height = 844;
     CHECK(press() > 24);
-    CHECK(state.sheet == Sheet::half);
+    CHECK(state.view.sheet == Sheet::half);
     CHECK(press() > 24);
-    CHECK(state.sheet == Sheet::full);
+    CHECK(state.view.sheet == Sheet::full);
     CHECK(press() < -24);
-    CHECK(state.sheet == Sheet::closed);
+    CHECK(state.view.sheet == Sheet::closed);
 
-    state.screen.width = 320;  // half of it is no more than the closed sheet
-    state.screen.height = 568;
+    state.session.screen.width = 320;  // half of it is no more than the closed sheet
+    state.session.screen.height = 568;
     CHECK(press() > 24);
-    CHECK(state.sheet == Sheet::full);
+    CHECK(state.view.sheet == Sheet::full);
     CHECK(press() < -24);
-    CHECK(state.sheet == Sheet::closed);
+    CHECK(state.view.sheet == Sheet::closed);
   }
 }
 
@@ -608,22 +611,22 @@ TEST_CASE(
     AppState& state = page.app.state;
     for (const auto& [width, height] : {std::pair(390.0, 844.0), {320.0, 568.0}, {1280.0, 800.0}})
       for (const Sheet sheet : {Sheet::closed, Sheet::half}) {
-        state.screen.width = width;
-        state.screen.height = height;
+        state.session.screen.width = width;
+        state.session.screen.height = height;
         page.app.commands = {SetSheet{sheet}, Compare{Method::distance}, FitView{}};
         settle(page.app);
         const Layout places = layout(state);
         const auto clear = [&](const Placement& placement, const Rect& window) {
           for (const LiftingPoint& robot : lifting_points(placement.teams)) {
-            const Vec2 at = state.camera.to_screen(robot.position) +
+            const Vec2 at = state.view.camera.to_screen(robot.position) +
                             Vec2(window.left - places.first.left, window.top - places.first.top);
             CHECK(at.y() - 14 >= window.top + places.caption);
             CHECK(at.y() + 14 <= window.bottom);
             CHECK_FALSE(places.tools.contains(at));
           }
         };
-        clear(*state.placement, places.first);
-        clear(*state.second, places.second);
+        clear(*state.derived().placement, places.first);
+        clear(*state.derived().second, places.second);
         page.app.commands = {Compare{}};
         settle(page.app);
       }
@@ -636,21 +639,21 @@ TEST_CASE("a polygon is drawn by clicks, vertex by vertex, and opens when it is 
   page.press({"d"});
   const Points corners = {{10, 10}, {300, 20}, {280, 200}, {30, 180}};
   for (const Vec2& corner : corners) page.click(corner);
-  CHECK(page.app.state.drawing.points.size() == 4);
-  CHECK(page.app.state.document.vertices.size() == 6);  // the old one is still there
+  CHECK(page.app.state.view.drawing.points.size() == 4);
+  CHECK(page.app.state.work.document().vertices.size() == 6);  // the old one is still there
   page.press({"Escape"});
-  CHECK(page.app.state.drawing.points.size() == 3);
+  CHECK(page.app.state.view.drawing.points.size() == 3);
   page.press({"z", true, true});
-  CHECK(page.app.state.drawing.points.size() == 4);
+  CHECK(page.app.state.view.drawing.points.size() == 4);
   page.click(corners[0]);
-  CHECK(page.app.state.tool == Tool::parts);
-  REQUIRE(page.app.state.document.vertices.size() == 4);
+  CHECK(page.app.state.view.tool == Tool::parts);
+  REQUIRE(page.app.state.work.document().vertices.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
-    CHECK(length(page.app.state.document.vertices[i] - corners[i]) < 2);
+    CHECK(length(page.app.state.work.document().vertices[i] - corners[i]) < 2);
   }
-  CHECK_FALSE(page.app.state.document.centre_of_mass);
+  CHECK_FALSE(page.app.state.work.document().centre_of_mass);
   page.press({"z", true});
-  CHECK(page.app.state.document.vertices.size() == 6);
+  CHECK(page.app.state.work.document().vertices.size() == 6);
 }
 
 TEST_CASE("the centroid of a chain, and the end of an edge that was typed", "[view]") {
@@ -673,14 +676,14 @@ TEST_CASE("a drawing whose edges cross does not close, and says why", "[view]") 
   page.press({"d"});
   for (const Vec2& corner : Points{{0, 0}, {300, 300}, {300, 0}, {0, 300}}) page.click(corner);
   page.press({"Enter"});
-  CHECK(page.app.state.tool == Tool::draw);
-  CHECK(page.app.state.drawing.points.size() == 4);
-  CHECK(page.app.state.notice.text.find("cross") != std::string::npos);
+  CHECK(page.app.state.view.tool == Tool::draw);
+  CHECK(page.app.state.view.drawing.points.size() == 4);
+  CHECK(page.app.state.session.notice.text.find("cross") != std::string::npos);
   for (int i = 0; i < 4; ++i)
     page.press({"Escape"});  // vertex by vertex, and the notice with the first
-  CHECK(page.app.state.drawing.points.empty());
+  CHECK(page.app.state.view.drawing.points.empty());
   page.press({"Escape"});
-  CHECK(page.app.state.tool == Tool::parts);
+  CHECK(page.app.state.view.tool == Tool::parts);
 }
 
 TEST_CASE("crossing edges of a chain are found exactly", "[view]") {
@@ -698,15 +701,15 @@ TEST_CASE("what is dragged and drawn snaps to the dots, or level with its neighb
   page.frame();
   page.press({"n"});
   page.drag({400, 150}, {433.7, 171.2});
-  const double step = grid_step(page.app.state.camera);
-  const Vec2 at = page.app.state.document.vertices[2];
+  const double step = grid_step(page.app.state.view.camera);
+  const Vec2 at = page.app.state.work.document().vertices[2];
   CHECK(length(at - Vec2(433.7, 171.2)) < step + 2);
   CHECK(std::fmod(at.x(), step) == 0);
   CHECK(std::fmod(at.y(), step) == 0);
   page.press({"n"});
   page.press({"x"});
   page.drag({0, 300}, {3, 260});
-  CHECK(page.app.state.document.vertices[5].x() == 0);
+  CHECK(page.app.state.work.document().vertices[5].x() == 0);
 }
 
 TEST_CASE("the whole snaps with the lower left corner of its box onto a dot", "[view]") {
@@ -715,8 +718,8 @@ TEST_CASE("the whole snaps with the lower left corner of its box onto a dot", "[
   page.press({"n"});
   page.press({"w"});
   page.frame();
-  const Camera camera = page.app.state.camera;
-  const auto low = [&] { return bounding_box(page.app.state.document.vertices).low; };
+  const Camera camera = page.app.state.view.camera;
+  const auto low = [&] { return bounding_box(page.app.state.work.document().vertices).low; };
   const Vec2 by(108, 109), goal = nearest_dot(camera, low() + by);
   REQUIRE(length(low() - nearest_dot(camera, low())) > 0.1);
   page.drag({150, 100}, Vec2(150, 100) + by);
@@ -726,75 +729,76 @@ TEST_CASE("the whole snaps with the lower left corner of its box onto a dot", "[
 TEST_CASE("the whole moves, turns and scales, each drag a step of undo", "[view]") {
   Page page;
   page.frame();
-  const Points before = page.app.state.document.vertices;
+  const Points before = page.app.state.work.document().vertices;
   const auto area = [&] {
-    return page.app.state.placement->lifting_base.empty()
+    return page.app.state.derived().placement->lifting_base.empty()
                ? 0
-               : area_of(page.app.state.document.vertices);
+               : area_of(page.app.state.work.document().vertices);
   };
   const double size = area();
   page.press({"w"});
   page.frame();
   page.drag({150, 100}, {250, 140});
-  Vec2 moved = page.app.state.document.vertices[0] - before[0];
+  Vec2 moved = page.app.state.work.document().vertices[0] - before[0];
   CHECK(length(moved - Vec2(100, 40)) < 1);
   CHECK(std::abs(area() - size) < 1e-6 * size);
   page.press({"z", true});
-  CHECK(page.app.state.document.vertices == before);
+  CHECK(page.app.state.work.document().vertices == before);
   page.press({"["});
   page.press({"["});
-  CHECK(length(page.app.state.document.vertices[1] - before[1]) > 1);
+  CHECK(length(page.app.state.work.document().vertices[1] - before[1]) > 1);
   CHECK(std::abs(area() - size) < 1e-3 * size);
   page.press({"]"});
   page.press({"]"});
   for (std::size_t i = 0; i < before.size(); ++i) {
-    CHECK(length(page.app.state.document.vertices[i] - before[i]) < 0.1);
+    CHECK(length(page.app.state.work.document().vertices[i] - before[i]) < 0.1);
   }
   page.press({"}"});
   CHECK(std::abs(area() / size - 1.21) < 1e-3);
-  const Points scaled = page.app.state.document.vertices;
+  const Points scaled = page.app.state.work.document().vertices;
   page.press({"ArrowRight"});
   for (std::size_t i = 0; i < before.size(); ++i)
-    CHECK(page.app.state.document.vertices[i].x() > scaled[i].x());
+    CHECK(page.app.state.work.document().vertices[i].x() > scaled[i].x());
   page.press({"Escape"});
-  CHECK(page.app.state.tool == Tool::parts);
+  CHECK(page.app.state.view.tool == Tool::parts);
 }
 
 TEST_CASE("keys alone select, move, add and remove vertices", "[view]") {
   Page page;
   page.frame();
   page.press({"v"});
-  CHECK(page.app.state.selected == 0u);
+  CHECK(page.app.state.view.selected == 0u);
   page.press({"V"});
-  CHECK(page.app.state.selected == 5u);
-  const Vec2 before = page.app.state.document.vertices[5];
+  CHECK(page.app.state.view.selected == 5u);
+  const Vec2 before = page.app.state.work.document().vertices[5];
   page.press({"ArrowLeft"});
   page.press({"ArrowUp"});
-  const Vec2 after = page.app.state.document.vertices[5];
+  const Vec2 after = page.app.state.work.document().vertices[5];
   CHECK(after.x() < before.x());
   CHECK(after.y() > before.y());
   page.press({"i"});
-  CHECK(page.app.state.document.vertices.size() == 7);
+  CHECK(page.app.state.work.document().vertices.size() == 7);
   page.press({"Delete"});
-  CHECK(page.app.state.document.vertices.size() == 6);
+  CHECK(page.app.state.work.document().vertices.size() == 6);
 }
 
 TEST_CASE("two methods stand side by side and follow the same polygon", "[view]") {
   Page page;
   page.press({"k"});
   page.frame();
-  REQUIRE(page.app.state.second);
-  CHECK(page.app.state.second->settings.method == Method::circle);
+  REQUIRE(page.app.state.derived().second);
+  CHECK(page.app.state.derived().second->settings.method == Method::circle);
   const Layout places = layout(page.app.state);
   CHECK(places.first.right == places.second.left);
   // A drag in the second picture moves the one polygon.
   const Vec2 offset(places.second.left - places.first.left, places.second.top - places.first.top);
   page.drag({400, 150}, {420, 180}, offset);
-  CHECK(length(page.app.state.document.vertices[2] - Vec2(420, 180)) < 2);
-  CHECK(page.app.state.second->vertices() == page.app.state.placement->vertices());
+  CHECK(length(page.app.state.work.document().vertices[2] - Vec2(420, 180)) < 2);
+  CHECK(page.app.state.derived().second->vertices() ==
+        page.app.state.derived().placement->vertices());
   // Through the other methods to none.
   for (std::size_t i = 1; i < std::size(all_methods); ++i) page.press({"k"});
-  CHECK_FALSE(page.app.state.second_method);
+  CHECK_FALSE(page.app.state.work.second_method);
 }
 
 TEST_CASE("a capacity tells how many robots are needed and who carries too much", "[view]") {
@@ -802,13 +806,13 @@ TEST_CASE("a capacity tells how many robots are needed and who carries too much"
   AppState& state = page.app.state;
   Commands commands{showing(state, &Shown::capacity, 12.0)};
   apply(state, commands);
-  REQUIRE(state.plan);
+  REQUIRE(state.derived().plan);
   CHECK(need_in_words(state).find("All 6 robots are overloaded, with more than") == 0);
   CHECK(verdict(state).mood == Mood::not_quite);
-  REQUIRE(state.plan->possible);
-  CHECK(state.plan->teams > 3);
-  Settings changed = state.document.settings;
-  changed.teams = state.plan->teams;
+  REQUIRE(state.derived().plan->possible);
+  CHECK(state.derived().plan->teams > 3);
+  Settings changed = state.work.document().settings;
+  changed.teams = state.derived().plan->teams;
   commands = {SetSettings{changed}};
   apply(state, commands);
   CHECK(need_in_words(state).find("No robot carries more") != std::string::npos);
@@ -819,8 +823,8 @@ TEST_CASE("a capacity that no number of robots stays within says so", "[view]") 
   Page page;  // it has three candidates
   Commands commands{showing(page.app.state, &Shown::capacity, 12.0)};
   apply(page.app.state, commands);
-  REQUIRE(page.app.state.plan);
-  CHECK_FALSE(page.app.state.plan->possible);
+  REQUIRE(page.app.state.derived().plan);
+  CHECK_FALSE(page.app.state.derived().plan->possible);
   CHECK(need_in_words(page.app.state).find("Not even all 6 robots") != std::string::npos);
 }
 
@@ -829,41 +833,40 @@ TEST_CASE("a capacity is planned for anew only when the plan can change", "[view
   AppState& state = page.app.state;
   Commands commands{showing(state, &Shown::capacity, 12.0)};
   apply(state, commands);
-  REQUIRE(state.plan);
-  // What no plan is: it stays as long as none is made.
-  const CapacityPlan mark{false, 0, 0, 12345};
-  state.plan = mark;
+  REQUIRE(state.derived().plan);
+  std::uint64_t plans = computed().plans;
   for (const Key& key : {Key{"c"}, {"h"}, {"a"}, {"f"}, {"r"}, {"l"}, {"t"}, {"t", false, true}}) {
     page.press(key);
     INFO(key.name);
-    CHECK(state.plan == mark);
+    CHECK(computed().plans == plans);
   }
   // While something is dragged nobody reads it.
   Settings lighter = settings(state);
   lighter.weight = 90;
   commands = {SetSettings{lighter, true}};
   apply(state, commands);
-  CHECK(state.plan == mark);
+  CHECK(computed().plans == plans);
   commands = {EndEdit{}};
   apply(state, commands);
-  CHECK(state.plan == plan_capacity(*state.placement, 12));
+  CHECK(computed().plans == ++plans);
+  CHECK(state.derived().plan == plan_capacity(*state.derived().placement, 12));
   for (const auto change :
        {+[](Settings& s) { s.method = Method::circle; }, +[](Settings& s) { s.min_ratio = 0.5; },
         +[](Settings& s) { s.weight = 100; }}) {
-    state.plan = mark;
     Settings changed = settings(state);
     change(changed);
     commands = {SetSettings{changed}};
     apply(state, commands);
-    CHECK(state.plan == plan_capacity(*state.placement, 12));
+    CHECK(computed().plans == ++plans);
+    CHECK(state.derived().plan == plan_capacity(*state.derived().placement, 12));
   }
-  state.plan = mark;
   commands = {showing(state, &Shown::capacity, 13.0)};
   apply(state, commands);
-  CHECK(state.plan == plan_capacity(*state.placement, 13));
+  CHECK(computed().plans == ++plans);
+  CHECK(state.derived().plan == plan_capacity(*state.derived().placement, 13));
   commands = {showing(state, &Shown::capacity, std::nullopt)};
   apply(state, commands);
-  CHECK_FALSE(state.plan);
+  CHECK_FALSE(state.derived().plan);
 }
 
 TEST_CASE("the heat map's bands are the polygon where the tipping force says so", "[view]") {
@@ -903,7 +906,7 @@ struct Count {
 };
 
 Document changed(const AppState& state, const char* lines) {
-  const Result<Changeable> result = with_settings({state.placed}, lines);
+  const Result<Changeable> result = with_settings({last_good(state)}, lines);
   REQUIRE(result.ok());
   return result->document;
 }
@@ -927,7 +930,7 @@ TEST_CASE("each action places the polygon once, however it comes in", "[view]") 
   {
     const Count count;
     const Document two = changed(state, "teams=2");
-    CHECK_FALSE(try_edit(state, two));
+    CHECK_FALSE(edit_by_script(state, two));
     CHECK(count.placements() == 1);
   }
   {
@@ -941,7 +944,7 @@ TEST_CASE("each action places the polygon once, however it comes in", "[view]") 
     for (const Vec2& corner : Points{{10, 10}, {250, 20}, {240, 180}}) page.click(corner);
     CHECK(count.placements() == 0);
     page.press({"Enter"});
-    REQUIRE(state.document.vertices.size() == 3);
+    REQUIRE(state.work.document().vertices.size() == 3);
     CHECK(count.placements() == 1);
   }
   {
@@ -954,7 +957,7 @@ TEST_CASE("each action places the polygon once, however it comes in", "[view]") 
   {
     const Count count;
     const Document refused = changed(state, "com=9999,9999");
-    CHECK(try_edit(state, refused));
+    CHECK(edit_by_script(state, refused));
     CHECK(count.placements() == 1);
   }
 }
@@ -965,8 +968,8 @@ TEST_CASE("a lesson is traced once when it is opened, and its steps compute noth
   {
     const Count count;
     const Document at = changed(state, "step=5");
-    CHECK_FALSE(try_edit(state, at));
-    CHECK(state.walkthrough.at == 5);
+    CHECK_FALSE(edit_by_script(state, at));
+    CHECK(state.view.walkthrough.at == 5);
     CHECK(count.placements() == 0);
     CHECK(count.traces() == 1);
   }
@@ -974,17 +977,17 @@ TEST_CASE("a lesson is traced once when it is opened, and its steps compute noth
     const Count count;
     for (const char* change : {"step=9", "step=2", "step=none"}) {
       const Document to = changed(state, change);
-      CHECK_FALSE(try_edit(state, to));
+      CHECK_FALSE(edit_by_script(state, to));
     }
     CHECK_FALSE(walkthrough_is_open(state));
-    CHECK_FALSE(state.placed.shown.step);
+    CHECK_FALSE(shown(state).step);
     CHECK(count.placements() + count.traces() == 0);
   }
   {
     const Count count;
     const Document both = changed(state, "teams=2\nstep=3");
-    CHECK_FALSE(try_edit(state, both));
-    CHECK(state.walkthrough.at == 3);
+    CHECK_FALSE(edit_by_script(state, both));
+    CHECK(state.view.walkthrough.at == 3);
     CHECK(count.placements() == 1);
     CHECK(count.traces() == 1);
   }
@@ -1002,18 +1005,19 @@ TEST_CASE("what is shown is changed without computing anything, and is no step o
   Page page;
   page.frame();
   AppState& state = page.app.state;
-  const std::uint64_t revision = state.revision;
+  const std::uint64_t revision = state.derived().revision;
   const Count count;
   for (const char* key : {"h", "c", "a", "r", "l", "f"}) {
     page.press({key});
     page.frame();
   }
   CHECK(count.placements() + count.traces() == 0);
-  CHECK(state.revision == revision);  // nothing that follows from the placement is made anew
-  CHECK_FALSE(state.history.can_undo());
+  CHECK(state.derived().revision ==
+        revision);  // nothing that follows from the placement is made anew
+  CHECK_FALSE(state.work.history.can_undo());
   const Overlays switched{true, false, false, false, false, true};
   CHECK(shown(state).overlays == switched);
-  CHECK(decode_link(encode_link(state.placed).value())->shown.overlays == switched);
+  CHECK(decode_link(encode_link(last_good(state)).value())->shown.overlays == switched);
   // Undo is of edits, and leaves what is shown as it is.
   page.press({"t"});
   page.press({"z", true});
@@ -1022,36 +1026,36 @@ TEST_CASE("what is shown is changed without computing anything, and is no step o
   // A script does the same.
   const std::uint64_t placements = count.placements();
   const Document none = changed(state, "overlays=none");
-  CHECK_FALSE(try_edit(state, none));
+  CHECK_FALSE(edit_by_script(state, none));
   CHECK(shown(state).overlays == none.shown.overlays);
-  CHECK(state.placed.shown.overlays == none.shown.overlays);
+  CHECK(shown(state).overlays == none.shown.overlays);
   CHECK(count.placements() == placements);
-  CHECK_FALSE(state.history.can_undo());
+  CHECK_FALSE(state.work.history.can_undo());
 }
 
 TEST_CASE("no way leads to a method beside itself", "[view]") {
   Page page;
   AppState& state = page.app.state;
   const auto parted = [&] {
-    return !state.second_method || *state.second_method != settings(state).method;
+    return !state.work.second_method || *state.work.second_method != settings(state).method;
   };
   page.press({"k"});
-  REQUIRE(state.second_method == Method::circle);
+  REQUIRE(state.work.second_method == Method::circle);
   page.press({"m"});  // takes the method that is compared: the two change sides
   CHECK(settings(state).method == Method::circle);
-  CHECK(state.second_method == Method::area);
-  REQUIRE(state.second);
-  CHECK(state.second->settings.method == Method::area);
+  CHECK(state.work.second_method == Method::area);
+  REQUIRE(state.derived().second);
+  CHECK(state.derived().second->settings.method == Method::area);
   page.press({"z", true});
   CHECK(parted());
   const Document edited = changed(state, "metric=distance");
   Commands commands{Compare{Method::distance}};
   apply(state, commands);
-  CHECK_FALSE(try_edit(state, edited));
+  CHECK_FALSE(edit_by_script(state, edited));
   CHECK(parted());
   commands = {Compare{Method::distance}};
   apply(state, commands);
-  CHECK_FALSE(state.second_method);
+  CHECK_FALSE(state.work.second_method);
   commands = {Compare{Method::area}};
   apply(state, commands);
   page.open(document(l_shape));
@@ -1076,7 +1080,7 @@ TEST_CASE("very large polygons are drawn, in outline and filled, and as what is 
   Page page;
   page.open(large);
   const auto drawn = [&](double ratio) {
-    page.app.state.screen.ratio = ratio;
+    page.app.state.session.screen.ratio = ratio;
     page.frame();
     return ImGui::GetDrawData()->TotalVtxCount;
   };
@@ -1088,7 +1092,7 @@ TEST_CASE("very large polygons are drawn, in outline and filled, and as what is 
   }
   page.app.commands.push_back(MoveVertex{0, Vec2(-6e5, 3)});
   settle(page.app);
-  REQUIRE(page.app.state.refusal);
+  REQUIRE(page.app.state.derived().refusal);
   for (const double ratio : {1.0, 3.0}) CHECK(drawn(ratio) > 10000);
 }
 
@@ -1145,12 +1149,12 @@ TEST_CASE("the hint at the foot stands between the tools of the view and the pan
           "[view][layout]") {
   Page page;
   AppState& state = page.app.state;
-  state.screen.height = 800;
+  state.session.screen.height = 800;
   for (const Tool tool : {Tool::parts, Tool::draw, Tool::transform, Tool::mark}) {
-    state.tool = tool;
+    state.view.tool = tool;
     std::size_t longest = 0;
     for (int width = 900; width <= 1800; width += 50) {
-      state.screen.width = width;
+      state.session.screen.width = width;
       page.frame();
       const Layout where = layout(state);
       const std::string text = shown_hint(state, where);

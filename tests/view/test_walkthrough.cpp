@@ -33,11 +33,11 @@ struct Moment {
 };
 
 Moment moment(const AppState& state) {
-  return {summary(state), state.walkthrough.known, state.walkthrough.figures.size()};
+  return {summary(state), state.view.walkthrough.known, state.view.walkthrough.figures.size()};
 }
 
 std::string link(const AppState& state) {
-  const Result<std::string> link = encode_link(state.document);
+  const Result<std::string> link = encode_link(state.work.document());
   REQUIRE(link);
   return *link;
 }
@@ -69,7 +69,7 @@ TEST_CASE("the lesson forward and back is the same at every step", "[view][lesso
   REQUIRE(count > 20);
   std::vector<Moment> forward;
   for (std::uint32_t k = 0; k < count; ++k) {
-    CHECK(page.app.state.document.shown.step == k);
+    CHECK(page.app.state.work.document().shown.step == k);
     forward.push_back(moment(page.app.state));
     page.frame();
     if (k + 1 < count) page.press({"ArrowRight"});
@@ -95,7 +95,7 @@ TEST_CASE("every step of every sample draws, and asks for no frame of its own", 
     for (std::uint32_t k = 0; k < count; k += 1 + count / 60) {
       go(page, k);
       page.frame();
-      CHECK_FALSE(page.app.state.walkthrough.caption.empty());
+      CHECK_FALSE(page.app.state.view.walkthrough.caption.empty());
     }
     page.press({"End"});
     for (int i = 0; i < 4; ++i) page.frame();
@@ -108,7 +108,7 @@ TEST_CASE("every step of every sample draws, and asks for no frame of its own", 
 TEST_CASE("main steps are shown first, and a step that is none unfolds all", "[view][lesson]") {
   Page page;
   page.press({"b"});
-  const Walkthrough& walk = page.app.state.walkthrough;
+  const Walkthrough& walk = page.app.state.view.walkthrough;
   const std::uint32_t all = walk.trace->size();
   CHECK(timeline(page.app.state).count == walk.main.size());
   for (const std::uint32_t step : walk.main) {
@@ -135,7 +135,7 @@ TEST_CASE("every position of the timeline has a place of its own, where it is fo
     std::size_t chapters = 0;
     for (std::uint32_t c = 0; c < chapter_count; ++c)
       chapters +=
-          page.app.state.walkthrough.trace->chapter_begin(static_cast<Chapter>(c)).has_value();
+          page.app.state.view.walkthrough.trace->chapter_begin(static_cast<Chapter>(c)).has_value();
     CHECK(chapters > 5);
     CHECK(parts.size() == chapters);
     const std::uint32_t count = timeline(page.app.state).count;
@@ -162,60 +162,60 @@ TEST_CASE("presenting shows the drawing and the words alone, and Escape ends it 
   const double panel = layout(page.app.state).panel.width();
   CHECK(panel > 0);
   const auto seen = [&] {  // CSS pixels
-    return page.app.state.camera.scale * page.app.state.screen.zoom;
+    return page.app.state.view.camera.scale * page.app.state.session.screen.zoom;
   };
-  const double scale = seen(), width = page.app.state.screen.width;
+  const double scale = seen(), width = page.app.state.session.screen.width;
   page.press({"P"});
-  CHECK(page.app.state.presenting);
+  CHECK(page.app.state.view.presenting);
   CHECK(layout(page.app.state).panel.width() == 0);
-  CHECK(page.app.state.screen.zoom > 1.4);  // so much larger are letters, discs and buttons
+  CHECK(page.app.state.session.screen.zoom > 1.4);  // so much larger are letters, discs and buttons
   page.frame();
   CHECK(seen() > 0.85 * scale);  // and the drawing is hardly smaller
   set_canvas(page.app.state, 1920, 1080, 2);
-  CHECK(page.app.state.screen.zoom > 2);
-  CHECK(page.app.state.screen.ratio == 2 * page.app.state.screen.zoom);
+  CHECK(page.app.state.session.screen.zoom > 2);
+  CHECK(page.app.state.session.screen.ratio == 2 * page.app.state.session.screen.zoom);
   set_canvas(page.app.state, 390, 844, 3);
-  CHECK(page.app.state.screen.zoom == 1);
+  CHECK(page.app.state.session.screen.zoom == 1);
   set_canvas(page.app.state, width, 800, 1);
   page.frame();
   page.press({"Escape"});
-  CHECK_FALSE(page.app.state.presenting);
-  CHECK(page.app.state.screen.zoom == 1);
-  CHECK(page.app.state.screen.width == width);
+  CHECK_FALSE(page.app.state.view.presenting);
+  CHECK(page.app.state.session.screen.zoom == 1);
+  CHECK(page.app.state.session.screen.width == width);
   CHECK(walkthrough_is_open(page.app.state));
   page.press({"P"});
   page.press({"b"});
-  CHECK_FALSE(page.app.state.presenting);
+  CHECK_FALSE(page.app.state.view.presenting);
 }
 
 TEST_CASE("an edit during the lesson keeps the place, and undo is of the edit", "[view][lesson]") {
   Page page;
   page.press({"b"});
-  const auto team = page.app.state.walkthrough.trace->find(StepKind::team, 1);
+  const auto team = page.app.state.view.walkthrough.trace->find(StepKind::team, 1);
   REQUIRE(team);
   go(page, *team);
-  page.drag(page.app.state.document.vertices[2], Vec2(390, 170));
-  const Walkthrough& walk = page.app.state.walkthrough;
+  page.drag(page.app.state.work.document().vertices[2], Vec2(390, 170));
+  const Walkthrough& walk = page.app.state.view.walkthrough;
   CHECK(walk.detail.step.kind == StepKind::team);
   CHECK(walk.detail.step.item == 1);
-  CHECK(page.app.state.document.shown.step == walk.at);
-  CHECK(page.app.state.document.vertices != document(l_shape).vertices);
+  CHECK(page.app.state.work.document().shown.step == walk.at);
+  CHECK(page.app.state.work.document().vertices != document(l_shape).vertices);
   page.press({"z", true});
-  CHECK(page.app.state.document.vertices == document(l_shape).vertices);
-  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
-  CHECK(page.app.state.walkthrough.detail.step.item == 1);
-  CHECK_FALSE(page.app.state.history.can_undo());  // stepping is no edit
+  CHECK(page.app.state.work.document().vertices == document(l_shape).vertices);
+  CHECK(page.app.state.view.walkthrough.detail.step.kind == StepKind::team);
+  CHECK(page.app.state.view.walkthrough.detail.step.item == 1);
+  CHECK_FALSE(page.app.state.work.history.can_undo());  // stepping is no edit
 }
 
 TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
   Page page;
   page.press({"b"});
   go(page, 17);
-  const Result<std::string> link = encode_link(page.app.state.placed);
+  const Result<std::string> link = encode_link(last_good(page.app.state));
   REQUIRE(link);
   const std::string words = summary(page.app.state);
   page.press({"b"});
-  CHECK_FALSE(page.app.state.placed.shown.step);
+  CHECK_FALSE(shown(page.app.state).step);
   Result<Opened> read = read_link(*link);
   REQUIRE(read);
   page.app.commands.push_back(OpenDocument{std::move(read).value()});
@@ -226,16 +226,16 @@ TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
 
 TEST_CASE("a step that there is not is refused by name, and told of a link", "[view][lesson]") {
   Page page;
-  Document far = page.app.state.document;
+  Document far = page.app.state.work.document();
   far.shown.step = 99999;
-  const auto problem = try_edit(page.app.state, far);
+  const auto problem = edit_by_script(page.app.state, far);
   REQUIRE(problem);
   CHECK(problem->message.starts_with("must be less than "));
   CHECK_FALSE(walkthrough_is_open(page.app.state));
   page.open(far);
-  CHECK(page.app.state.notice.text.starts_with("This lesson has no step 100000"));
+  CHECK(page.app.state.session.notice.text.starts_with("This lesson has no step 100000"));
   CHECK(timeline(page.app.state).at + 1 == timeline(page.app.state).count);
-  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::result);
+  CHECK(page.app.state.view.walkthrough.detail.step.kind == StepKind::result);
 }
 
 TEST_CASE("predicting stops before each choice, and tells whether the guess was right",
@@ -247,15 +247,15 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
   int asked = 0, right = 0;
   std::array<int, 2> of_kind{};
   while (action_for(page.app.state, {"ArrowRight"})) {
-    const std::uint32_t before = page.app.state.walkthrough.at;
+    const std::uint32_t before = page.app.state.view.walkthrough.at;
     page.press({"ArrowRight"});
-    if (!page.app.state.walkthrough.ask) continue;
-    CHECK(page.app.state.walkthrough.at == before);  // not shown yet
-    const Ask ask = *page.app.state.walkthrough.ask;
+    if (!page.app.state.view.walkthrough.ask) continue;
+    CHECK(page.app.state.view.walkthrough.at == before);  // not shown yet
+    const Ask ask = *page.app.state.view.walkthrough.ask;
     // Nothing of the question before stands among its choices.
-    CHECK_FALSE(page.app.state.walkthrough.answered);
-    CHECK(page.app.state.walkthrough.verdict.empty());
-    CHECK_FALSE(page.app.state.walkthrough.asked);
+    CHECK_FALSE(page.app.state.view.walkthrough.answered);
+    CHECK(page.app.state.view.walkthrough.verdict.empty());
+    CHECK_FALSE(page.app.state.view.walkthrough.asked);
     CHECK_FALSE(ask.text.empty());
     CHECK(ask.choices.size() > 1);
     CHECK(ask.choices.size() <= 6);
@@ -270,14 +270,14 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
       answer = ask.choices[0] == answer ? ask.choices[1] : ask.choices[0];
     page.app.commands.push_back(Guess{answer});
     settle(page.app);
-    CHECK(page.app.state.walkthrough.at == ask.step);
-    CHECK(page.app.state.walkthrough.was_right == (answer == ask.question.answer));
-    right += page.app.state.walkthrough.was_right;
+    CHECK(page.app.state.view.walkthrough.at == ask.step);
+    CHECK(page.app.state.view.walkthrough.was_right == (answer == ask.question.answer));
+    right += page.app.state.view.walkthrough.was_right;
     page.frame();
   }
   CHECK(asked > 3);
   for (const int n : of_kind) CHECK(n <= static_cast<int>(most_questions));
-  CHECK_FALSE(page.app.state.walkthrough.guesses.told.empty());  // the others were shown
+  CHECK_FALSE(page.app.state.view.walkthrough.guesses.told.empty());  // the others were shown
   CHECK(right > 0);
   CHECK(right < asked);
 }
@@ -290,7 +290,7 @@ TEST_CASE("a question is asked over what is known before it, and about its own p
       "[pair 1]\nThe first pair.\n\n[pair 7]\nThe seventh.\n\n[scores 3]\nThe third team.\n";
   REQUIRE_FALSE(
       open_lesson(page.app.state, text, asset(EVENLIFT_ASSETS_DIR "/polygons/stone-slab.txt")));
-  const Walkthrough& walk = page.app.state.walkthrough;
+  const Walkthrough& walk = page.app.state.view.walkthrough;
   page.press({"ArrowRight"});
   REQUIRE(walk.ask);
   CHECK(walk.at != walk.ask->step);  // the answer is not shown yet
@@ -325,7 +325,7 @@ TEST_CASE("a challenge does not tell which end is more even before it asks", "[v
   Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/puzzle-piece.txt"));
   page.press({"b"});
   page.press({"u"});
-  const Walkthrough& walk = page.app.state.walkthrough;
+  const Walkthrough& walk = page.app.state.view.walkthrough;
   std::uint32_t pair = 0;
   double longest = 0;  // where the ends look like one nothing is asked
   for (std::uint32_t i = 0; i < walk.trace->pairs.size(); ++i) {
@@ -364,20 +364,20 @@ TEST_CASE("a challenge does not tell which end is more even before it asks", "[v
 TEST_CASE("why not this one: a click on a chord or anywhere is answered", "[view][lesson]") {
   Page page;
   page.press({"b"});
-  const auto scores = page.app.state.walkthrough.trace->find(StepKind::scores, 1);
+  const auto scores = page.app.state.view.walkthrough.trace->find(StepKind::scores, 1);
   REQUIRE(scores);
   go(page, *scores);
-  const auto& candidates = page.app.state.placement->candidates;
+  const auto& candidates = page.app.state.derived().placement->candidates;
   REQUIRE(candidates.size() > 2);
   page.click(Vec2(120, 80));
-  CHECK_FALSE(page.app.state.walkthrough.why.empty());
-  const std::string first = page.app.state.walkthrough.why;
+  CHECK_FALSE(page.app.state.view.walkthrough.why.empty());
+  const std::string first = page.app.state.view.walkthrough.why;
   page.click(Vec2(330, 60));
-  CHECK_FALSE(page.app.state.walkthrough.why.empty());
-  CHECK(page.app.state.walkthrough.why != first);
-  CHECK(page.app.state.walkthrough.asked.has_value());
+  CHECK_FALSE(page.app.state.view.walkthrough.why.empty());
+  CHECK(page.app.state.view.walkthrough.why != first);
+  CHECK(page.app.state.view.walkthrough.asked.has_value());
   page.press({"ArrowRight"});
-  CHECK(page.app.state.walkthrough.why.empty());
+  CHECK(page.app.state.view.walkthrough.why.empty());
 }
 
 TEST_CASE(
@@ -385,7 +385,7 @@ TEST_CASE(
     "[view][lesson]") {
   Page page;
   page.press({"b"});
-  const Walkthrough& walk = page.app.state.walkthrough;
+  const Walkthrough& walk = page.app.state.view.walkthrough;
   go(page, *walk.trace->find(StepKind::scores, 1));
   page.click(Vec2(120, 80));
   REQUIRE_FALSE(walk.why.empty());
@@ -406,15 +406,15 @@ TEST_CASE("while a question waits, a press near its choice answers it, though a 
   Page page(asset(EVENLIFT_ASSETS_DIR "/polygons/snowflake.txt"));
   page.press({"b"});
   AppState& state = page.app.state;
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   page.app.commands.push_back(SetPredict{true});
   settle(page.app);
   while (!(walk.ask && walk.ask->question.kind == QuestionKind::winning_chord))
     page.press({"ArrowRight"});
   const Ask ask = *walk.ask;
-  const auto& candidates = state.placement->candidates;
+  const auto& candidates = state.derived().placement->candidates;
   const auto at_vertex = [&](std::uint32_t c) {
-    const Points& vertices = state.document.vertices;
+    const Points& vertices = state.work.document().vertices;
     return std::find(vertices.begin(), vertices.end(), candidates[c].chord.r1.position) !=
            vertices.end();
   };
@@ -422,7 +422,7 @@ TEST_CASE("while a question waits, a press near its choice answers it, though a 
   REQUIRE(chosen != ask.choices.end());
   page.click(candidates[*chosen].chord.r1.position);
   CHECK_FALSE(walk.ask);
-  CHECK_FALSE(state.selected);
+  CHECK_FALSE(state.view.selected);
   CHECK(walk.at == ask.step);
 }
 
@@ -432,13 +432,13 @@ TEST_CASE("playing turns over by itself and stops at the end", "[view][lesson]")
   page.app.commands.push_back(SetSpeed{32});
   page.press({" "});
   double now = 0;
-  for (int i = 0; i < 10000 && page.app.state.walkthrough.playing; ++i) {
+  for (int i = 0; i < 10000 && page.app.state.view.walkthrough.playing; ++i) {
     turn_over(page.app.state, now);
     now += 0.1;
   }
-  CHECK_FALSE(page.app.state.walkthrough.playing);
+  CHECK_FALSE(page.app.state.view.walkthrough.playing);
   CHECK(timeline(page.app.state).at + 1 == timeline(page.app.state).count);
-  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::result);
+  CHECK(page.app.state.view.walkthrough.detail.step.kind == StepKind::result);
 }
 
 TEST_CASE("a ready-made lesson shows its own stops and words, and can be left for all steps",
@@ -451,11 +451,11 @@ TEST_CASE("a ready-made lesson shows its own stops and words, and can be left fo
   CHECK(words_of_stop(page.app.state) == "Here it balances.");
   page.press({"ArrowRight"});
   CHECK(words_of_stop(page.app.state) == "Done.");
-  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
+  CHECK(page.app.state.view.walkthrough.detail.step.kind == StepKind::team);
   page.frame();
   page.press({"u"});
   CHECK(timeline(page.app.state).count > 20);
-  CHECK(page.app.state.walkthrough.detail.step.kind == StepKind::team);
+  CHECK(page.app.state.view.walkthrough.detail.step.kind == StepKind::team);
   page.press({"u"});  // and back
   CHECK(timeline(page.app.state).count == 2);
   CHECK(words_of_stop(page.app.state) == "Done.");
@@ -487,23 +487,23 @@ TEST_CASE("closing a lesson brings back what was open before it, with its settin
   page.press({"k"});
   page.press({"z", true});
   const std::string before = link(state);
-  const std::size_t depth = state.history.depth();
-  REQUIRE(state.history.can_redo());
+  const std::size_t depth = state.work.history.depth();
+  REQUIRE(state.work.history.can_redo());
 
   const auto close = [&](const char* key) {
     page.press({"ArrowRight"});
     page.press({key});
     CHECK_FALSE(walkthrough_is_open(state));
     CHECK(link(state) == before);
-    CHECK(state.history.depth() == depth);
-    CHECK(state.history.can_redo());
-    CHECK(state.notice.text.empty());
-    CHECK(state.walkthrough.at == 0);
-    CHECK_FALSE(state.walkthrough.predict);
+    CHECK(state.work.history.depth() == depth);
+    CHECK(state.work.history.can_redo());
+    CHECK(state.session.notice.text.empty());
+    CHECK(state.view.walkthrough.at == 0);
+    CHECK_FALSE(state.view.walkthrough.predict);
   };
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
-  CHECK(state.history.undoes() == Edit::lesson_opened);
-  CHECK(state.document.vertices.size() == 4);
+  CHECK(state.work.history.undoes() == Edit::lesson_opened);
+  CHECK(state.work.document().vertices.size() == 4);
   close("b");
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   close("Escape");
@@ -524,15 +524,15 @@ TEST_CASE("closing a lesson brings the comparison back, which the lesson does no
   AppState& state = page.app.state;
   give(state, Compare{Method::circle});
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
-  CHECK_FALSE(state.second_method);
-  CHECK_FALSE(state.second);
+  CHECK_FALSE(state.work.second_method);
+  CHECK_FALSE(state.derived().second);
   page.press({"b"});
-  CHECK(state.second_method == Method::circle);
-  CHECK(state.second);
+  CHECK(state.work.second_method == Method::circle);
+  CHECK(state.derived().second);
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   page.press({"z", true});
-  CHECK(state.second_method == Method::circle);
-  CHECK(state.second);
+  CHECK(state.work.second_method == Method::circle);
+  CHECK(state.derived().second);
 }
 
 TEST_CASE("what was edited in a lesson is one undo away when it is closed", "[view][lesson]") {
@@ -545,22 +545,22 @@ TEST_CASE("what was edited in a lesson is one undo away when it is closed", "[vi
   give(state, EndEdit{});
   page.press({"Escape"});
   CHECK(link(state) == before);
-  CHECK(state.notice.text ==
+  CHECK(state.session.notice.text ==
         "What was open before the lesson is back. Undo shows the lesson's object as you left it.");
   page.press({"z", true});
-  CHECK(state.document.vertices.size() == 4);
-  CHECK(state.document.centre_of_mass == Vec2(90, 110));
+  CHECK(state.work.document().vertices.size() == 4);
+  CHECK(state.work.document().centre_of_mass == Vec2(90, 110));
   CHECK(settings(state).teams == 1);
   CHECK_FALSE(walkthrough_is_open(state));
   page.press({"z", true});
-  CHECK_FALSE(state.document.centre_of_mass);
+  CHECK_FALSE(state.work.document().centre_of_mass);
   page.press({"z", true});
   page.press({"z", true});
   CHECK(link(state) == before);
-  CHECK_FALSE(state.history.can_undo());
+  CHECK_FALSE(state.work.history.can_undo());
   for (int i = 0; i < 4; ++i) page.press({"z", true, true});
   CHECK(link(state) == before);
-  CHECK_FALSE(state.history.can_redo());
+  CHECK_FALSE(state.work.history.can_redo());
 }
 
 TEST_CASE("from a lesson opened in a lesson one close or one undo leads back to the drawing",
@@ -580,7 +580,7 @@ TEST_CASE("from a lesson opened in a lesson one close or one undo leads back to 
       CHECK_FALSE(walkthrough_is_open(state));
       CHECK(link(state) == before);
       page.press({"z", true});
-      CHECK(state.document.vertices.size() == (edited ? 4U : 6U));
+      CHECK(state.work.document().vertices.size() == (edited ? 4U : 6U));
       CHECK(settings(state).weight == 100);
     }
   }
@@ -596,11 +596,11 @@ TEST_CASE("an undo in a lesson leaves it with all steps shown, too", "[view][les
   CHECK_FALSE(walkthrough_is_open(state));
   CHECK(link(state) == before);
   page.press({"z", true, true});
-  CHECK(state.document.vertices.size() == 4);
+  CHECK(state.work.document().vertices.size() == 4);
   // Whoever takes the lesson's object so keeps it.
   page.press({"b"});
   page.press({"b"});
-  CHECK(state.document.vertices.size() == 4);
+  CHECK(state.work.document().vertices.size() == 4);
 }
 
 TEST_CASE(
@@ -611,14 +611,14 @@ TEST_CASE(
   give(state, showing(state, &Shown::com_radius, 7));
   const std::string before = link(state);
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
-  Document left = state.document;
+  Document left = state.work.document();
   left.shown.step.reset();
-  CHECK_FALSE(try_edit(state, left));
+  CHECK_FALSE(edit_by_script(state, left));
   CHECK(link(state) == before);
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   left.shown.capacity = 30;
-  CHECK_FALSE(try_edit(state, left));
-  CHECK(state.document.vertices.size() == 6);
+  CHECK_FALSE(edit_by_script(state, left));
+  CHECK(state.work.document().vertices.size() == 6);
   CHECK(shown(state).capacity == 30.0);
   CHECK(shown(state).com_radius == 7);
 }
@@ -630,17 +630,17 @@ TEST_CASE("what somebody opened in a lesson stays when its steps are closed", "[
   page.open(document("(0,0)\n(90,0)\n(0,90)\n"));
   page.press({"b"});
   page.press({"b"});
-  CHECK(state.document.vertices.size() == 3);
+  CHECK(state.work.document().vertices.size() == 3);
 }
 
 TEST_CASE("in an article the object of a lesson stays when it is closed", "[view][lesson]") {
   Page page;
   AppState& state = page.app.state;
-  state.screen.embed = true;
+  state.session.screen.embed = true;
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   give(state, CloseWalkthrough{});
   CHECK_FALSE(walkthrough_is_open(state));
-  CHECK(state.document.vertices.size() == 4);
+  CHECK(state.work.document().vertices.size() == 4);
   CHECK(settings(state).teams == 2);
 }
 
@@ -653,9 +653,9 @@ TEST_CASE("tens of thousands of candidates are drawn, in the picture and in the 
   many.shown.overlays.candidates = true;
   Page page;
   page.open(many);
-  CHECK(page.app.state.placement->candidates.size() > 10000);
+  CHECK(page.app.state.derived().placement->candidates.size() > 10000);
   page.frame();
   page.press({"b"});
-  go(page, page.app.state.walkthrough.trace->find(StepKind::candidates, 0).value());
+  go(page, page.app.state.view.walkthrough.trace->find(StepKind::candidates, 0).value());
   page.frame();
 }

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,8 +13,10 @@
 
 #include "actions/actions.h"
 #include "app/app.h"
+#include "app/conclude.h"
 #include "app/update.h"
 #include "edits/open_document.h"
+#include "edits/try_edit.h"
 #include "evenlift/formats.h"
 #include "kit/catch.h"
 #include "state/opened.h"
@@ -63,6 +66,29 @@ inline void give(AppState& state, Command command) {
   apply(state, commands);
 }
 
+// A page that begins with this document.
+inline void begin(AppState& state, Opened opened) {
+  start_with(state, std::move(opened), std::nullopt);
+  conclude(state);
+}
+
+// An edit that may be refused, as a script makes it.
+inline std::optional<InputError> edit_by_script(AppState& state, const Document& edited) {
+  auto problem = try_edit(state, edited);
+  conclude(state);
+  return problem;
+}
+
+// Whether the page takes over what a search found, or that it stopped.
+inline bool take_robots(AppState& state, std::uint64_t number, std::optional<std::string> robots,
+                        bool ended = true) {
+  state.session.effects.clear();
+  give(state, TakeRobots{number, std::move(robots), ended});
+  return std::any_of(
+      state.session.effects.begin(), state.session.effects.end(),
+      [](const Effect& effect) { return std::holds_alternative<SummaryChanged>(effect); });
+}
+
 // A page without a window.
 class Page {
  public:
@@ -74,7 +100,7 @@ class Page {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    start_with(app.state, placed(document(text)), std::nullopt);
+    begin(app.state, placed(document(text)));
   }
   ~Page() { ImGui::DestroyContext(); }
   Page(const Page&) = delete;
@@ -82,8 +108,8 @@ class Page {
 
   void frame(const Pointer& pointer = {}) {
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(app.state.screen.width),
-                            static_cast<float>(app.state.screen.height));
+    io.DisplaySize = ImVec2(static_cast<float>(app.state.session.screen.width),
+                            static_cast<float>(app.state.session.screen.height));
     io.DeltaTime = 1.0f / 60;
     ImGui::NewFrame();
     advance(app, pointer, ImGui::GetTime());
@@ -94,7 +120,7 @@ class Page {
 
   Pointer at(const Vec2& world) const {
     Pointer p;
-    p.at = app.state.camera.to_screen(world);
+    p.at = app.state.view.camera.to_screen(world);
     p.present = true;
     return p;
   }
@@ -116,7 +142,7 @@ class Page {
     p.pressed = p.down = true;
     frame(p);
     p.pressed = false;
-    const Vec2 start = p.at, end = app.state.camera.to_screen(to) + off;
+    const Vec2 start = p.at, end = app.state.view.camera.to_screen(to) + off;
     for (int i = 1; i <= 4; ++i) {
       p.at = start + (end - start) * i / 4;
       p.moved = length(p.at - start);

@@ -55,24 +55,24 @@ void ask(const AppState&, Commands& out) {
   out.push_back(Asked{});
 }
 
-template <browser::Dialog dialog>
+template <Dialog dialog>
 void show(const AppState&, Commands& out) {
   out.push_back(OpenDialog{dialog});
 }
 
 template <Tool tool>
 void take(const AppState& s, Commands& out) {
-  out.push_back(SetTool{s.tool == tool ? Tool::parts : tool});
+  out.push_back(SetTool{s.view.tool == tool ? Tool::parts : tool});
 }
 
 // The first press of a key only shows where the cursor is.
 void place(const AppState& s, Commands& out) {
   if (when::has_no_cursor(s))
     move_cursor(s, out, 0, 0, false);
-  else if (closes(s, s.camera.to_screen(*s.drawing.cursor)))
+  else if (closes(s, s.view.camera.to_screen(*s.view.drawing.cursor)))
     out.push_back(FinishDrawing{});
   else
-    out.push_back(AddPoint{*s.drawing.cursor});
+    out.push_back(AddPoint{*s.view.drawing.cursor});
 }
 void finish(const AppState& s, Commands& out) {
   if (when::keys_place(s) || when::has_no_cursor(s))
@@ -111,15 +111,16 @@ void redo(const AppState& s, Commands& out) {
 
 template <int by>
 void select_vertex(const AppState& s, Commands& out) {
-  const std::size_t n = s.document.vertices.size();
-  const std::size_t now = s.selected.value_or(by > 0 ? n - 1 : 0);
+  const std::size_t n = s.work.document().vertices.size();
+  const std::size_t now = s.view.selected.value_or(by > 0 ? n - 1 : 0);
   out.push_back(SelectVertex{by > 0 ? (now + 1) % n : (now + n - 1) % n});
 }
 
 void insert_vertex(const AppState& s, Commands& out) {
-  const Points& vertices = s.document.vertices;
-  const Vec2 &a = vertices[*s.selected], &b = vertices[(*s.selected + 1) % vertices.size()];
-  out.push_back(InsertVertex{*s.selected, a + (b - a) / 2});
+  const Points& vertices = s.work.document().vertices;
+  const Vec2 &a = vertices[*s.view.selected],
+             &b = vertices[(*s.view.selected + 1) % vertices.size()];
+  out.push_back(InsertVertex{*s.view.selected, a + (b - a) / 2});
 }
 
 template <int x, int y>
@@ -142,7 +143,7 @@ void scale(const AppState& s, Commands& out) {
 
 template <bool Snap::*which>
 void snap(const AppState& s, Commands& out) {
-  Snap changed = s.snap;
+  Snap changed = s.view.snap;
   changed.*which = !(changed.*which);
   out.push_back(SetSnap{changed});
 }
@@ -151,8 +152,8 @@ void snap(const AppState& s, Commands& out) {
 void next_second_method(const AppState& s, Commands& out) {
   const Method own = settings(s).method;
   const auto from =
-      s.second_method
-          ? std::find(std::begin(all_methods), std::end(all_methods), *s.second_method) + 1
+      s.work.second_method
+          ? std::find(std::begin(all_methods), std::end(all_methods), *s.work.second_method) + 1
           : std::begin(all_methods);
   const auto next = std::find_if(from, std::end(all_methods), [&](Method m) { return m != own; });
   out.push_back(
@@ -172,13 +173,13 @@ constexpr char typed_ratio[] = "min ratio", typed_weight[] = "weight", typed_see
                typed_radius[] = "robot radius";
 template <const char* control>
 void type_value(const AppState& s, Commands& out) {
-  if (!s.panel_open) out.push_back(SetPanelOpen{true});
-  if (s.sheet == Sheet::closed) out.push_back(SetSheet{Sheet::half});
+  if (!s.view.panel_open) out.push_back(SetPanelOpen{true});
+  if (s.view.sheet == Sheet::closed) out.push_back(SetSheet{Sheet::half});
   out.push_back(TypeValue{control});
 }
 // The fields of the next edge are in the bar of the tool, or else on the closed sheet. The page begins with the key that was pressed.
 void type_edge(const AppState& s, Commands& out) {
-  if (s.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
+  if (s.view.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});
 }
 void type_doubt(const AppState& s, Commands& out) {
@@ -188,10 +189,12 @@ void type_doubt(const AppState& s, Commands& out) {
 
 // The robot whose card is open, or else the next one; after the last, none.
 void fail_next(const AppState& s, Commands& out) {
-  const std::optional<std::size_t> asked = s.explanation ? s.explanation->robot : std::nullopt;
-  if (asked && !(s.failure && s.failure->robot == *asked)) return out.push_back(Fail{asked});
-  const std::size_t next = s.failure ? s.failure->robot + 1 : 0;
-  const bool is_one = next < count_robots(s.placement->teams);
+  const std::optional<std::size_t> asked =
+      s.derived().explanation ? s.derived().explanation->robot : std::nullopt;
+  if (asked && !(s.derived().failure && s.derived().failure->robot == *asked))
+    return out.push_back(Fail{asked});
+  const std::size_t next = s.derived().failure ? s.derived().failure->robot + 1 : 0;
+  const bool is_one = next < count_robots(s.derived().placement->teams);
   out.push_back(Fail{is_one ? std::optional<std::size_t>(next) : std::nullopt});
 }
 
@@ -200,21 +203,21 @@ void close_card(Commands& out) {
   out.push_back(Fail{});
 }
 void dismiss(const AppState& s, Commands& out) {
-  if (s.list_open)
+  if (s.session.list_open)
     out.push_back(CloseList{});
-  else if (s.explanation || failing(s))
+  else if (s.derived().explanation || failing(s))
     close_card(out);
-  else if (when::drawing(s) && !s.drawing.points.empty())
+  else if (when::drawing(s) && !s.view.drawing.points.empty())
     out.push_back(TakePointBack{});  // and the notice, if there is one, is about it
-  else if (!s.notice.text.empty())
+  else if (!s.session.notice.text.empty())
     out.push_back(ShowNotice{});
-  else if (!s.walkthrough.why.empty() && when::in_walkthrough(s))
+  else if (!s.view.walkthrough.why.empty() && when::in_walkthrough(s))
     out.push_back(AskWhy{});
-  else if (s.presenting)
+  else if (s.view.presenting)
     out.push_back(SetPresenting{false});
   else if (when::in_walkthrough(s))
     out.push_back(CloseWalkthrough{});
-  else if (s.tool != Tool::parts)
+  else if (s.view.tool != Tool::parts)
     out.push_back(SetTool{Tool::parts});
   else
     out.push_back(SelectVertex{});
@@ -222,9 +225,9 @@ void dismiss(const AppState& s, Commands& out) {
 
 // clang-format off
 const std::vector<Action> table = {
-    {ActionId::samples, Icon::shapes, "Samples", "G", {{"g"}}, when::editing, show<browser::Dialog::samples>},
+    {ActionId::samples, Icon::shapes, "Samples", "G", {{"g"}}, when::editing, show<Dialog::samples>},
     {ActionId::draw, Icon::draw, "Draw", "D", {{"d"}}, when::editing, take<Tool::draw>},
-    {ActionId::lessons, Icon::board, "Lessons", "Shift+B", {{"B"}}, when::editing, show<browser::Dialog::lessons>},
+    {ActionId::lessons, Icon::board, "Lessons", "Shift+B", {{"B"}}, when::editing, show<Dialog::lessons>},
     {ActionId::walkthrough, Icon::board, "Step by step, on this object", "B", {{"b"}}, when::can_teach, begin_or_end_walkthrough},
     {ActionId::step_on, Icon::step_on, "Next step", "Right", {{"ArrowRight"}}, when::can_go_on, move_step<1>},
     {ActionId::step_back, Icon::step_back, "Previous step", "Left", {{"ArrowLeft"}}, when::can_go_back, move_step<-1>},
@@ -235,23 +238,23 @@ const std::vector<Action> table = {
     {ActionId::last_step, Icon::last, "Last step", "End", {{"End"}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(GoToStep{step_of(s, timeline(s).count - 1)}); }},
     {ActionId::play, Icon::play, "Play or pause the lesson", "Space", {{" "}}, when::in_walkthrough,
-     [](const AppState& s, Commands& out) { out.push_back(SetPlaying{!s.walkthrough.playing}); }},
+     [](const AppState& s, Commands& out) { out.push_back(SetPlaying{!s.view.walkthrough.playing}); }},
     {ActionId::faster, Icon::none, "Play faster or slower", "Up, down", {{"ArrowUp"}}, when::in_walkthrough,
-     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.walkthrough.speed * 2}); }},
+     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.view.walkthrough.speed * 2}); }},
     {ActionId::slower, Icon::none, "Play slower", "", {{"ArrowDown"}}, when::in_walkthrough,
-     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.walkthrough.speed / 2}); }},
+     [](const AppState& s, Commands& out) { out.push_back(SetSpeed{s.view.walkthrough.speed / 2}); }},
     {ActionId::predict, Icon::none, "Predict before each choice", "Q", {{"q"}}, when::in_walkthrough,
-     [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.walkthrough.predict}); }},
+     [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.view.walkthrough.predict}); }},
     {ActionId::all_steps, Icon::none, "All steps, or only the main ones", "U", {{"u"}}, when::in_walkthrough,
-     [](const AppState& s, Commands& out) { out.push_back(ShowAllSteps{s.walkthrough.script || !s.walkthrough.all_steps}); }},
+     [](const AppState& s, Commands& out) { out.push_back(ShowAllSteps{s.view.walkthrough.script || !s.view.walkthrough.all_steps}); }},
     {ActionId::present, Icon::present, "Present to a room, full screen", "Shift+P", {{"P"}}, when::can_present,
-     [](const AppState& s, Commands& out) { out.push_back(SetPresenting{!s.presenting}); }},
-    {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, when::editing, show<browser::Dialog::open>},
-    {ActionId::save, Icon::save, "Save", "S", {{"s"}}, when::editing, show<browser::Dialog::save>},
+     [](const AppState& s, Commands& out) { out.push_back(SetPresenting{!s.view.presenting}); }},
+    {ActionId::open, Icon::folder, "Open", "O", {{"o"}}, when::editing, show<Dialog::open>},
+    {ActionId::save, Icon::save, "Save", "S", {{"s"}}, when::editing, show<Dialog::save>},
     {ActionId::undo, Icon::undo, "Undo", "Ctrl+Z", {{"z", true}}, when::can_undo, undo},
     {ActionId::redo, Icon::redo, "Redo", "Ctrl+Shift+Z", {{"z", true, true}, {"y", true}}, when::can_redo, redo},
     {ActionId::copy_link, Icon::link, "Copy link", "Ctrl+C", {{"c", true}}, when::always, ask<CopyLink>},
-    {ActionId::table, Icon::table, "Coordinates", "E", {{"e"}}, when::editing, show<browser::Dialog::table>},
+    {ActionId::table, Icon::table, "Coordinates", "E", {{"e"}}, when::editing, show<Dialog::table>},
     {ActionId::transform, Icon::transform, "Move, turn or scale the shape", "W", {{"w"}}, when::editing, take<Tool::transform>},
     {ActionId::mark, Icon::draw, "Mark what no robot may touch", "Shift+N", {{"N"}}, when::editing, take<Tool::mark>},
     {ActionId::finish, Icon::check, "Close the shape that is drawn", "Enter", {{"Enter"}}, when::can_finish, finish},
@@ -263,7 +266,7 @@ const std::vector<Action> table = {
     {ActionId::previous_vertex, Icon::none, "Select the vertex before", "Shift+V", {{"V"}}, when::on_parts, select_vertex<-1>},
     {ActionId::insert_vertex, Icon::none, "Add a vertex after the selected one", "I", {{"i"}}, when::on_vertex, insert_vertex},
     {ActionId::remove_vertex, Icon::close, "Remove the selected vertex", "Delete", {{"Delete"}, {"Backspace"}}, when::on_vertex,
-     [](const AppState& s, Commands& out) { out.push_back(RemoveVertex{*s.selected}); }},
+     [](const AppState& s, Commands& out) { out.push_back(RemoveVertex{*s.view.selected}); }},
     {ActionId::left_finely, Icon::none, "Move the cursor while drawing by a pixel", "Shift+arrows", {{"ArrowLeft", false, true}}, when::drawing, move_cursor_finely<-1, 0>},
     {ActionId::right_finely, Icon::none, "Move the cursor to the right by a pixel", "", {{"ArrowRight", false, true}}, when::drawing, move_cursor_finely<1, 0>},
     {ActionId::up_finely, Icon::none, "Move the cursor up by a pixel", "", {{"ArrowUp", false, true}}, when::drawing, move_cursor_finely<0, 1>},
@@ -283,7 +286,7 @@ const std::vector<Action> table = {
     {ActionId::next_method, Icon::none, "Next method", "M", {{"m"}}, when::editing, next_method},
     {ActionId::compare, Icon::compare, "Compare with another method", "K", {{"k"}}, when::editing, next_second_method},
     {ActionId::experiment, Icon::charts, "Compare all methods in charts", "Shift+K", {{"K"}}, when::editing,
-     show<browser::Dialog::experiment>},
+     show<Dialog::experiment>},
     {ActionId::higher_ratio, Icon::none, "Raise the minimum load ratio", ".", {{"."}}, when::editing,
      [](const AppState& s, Commands& out) { change_ratio(s, out, 1); }},
     {ActionId::lower_ratio, Icon::none, "Lower the minimum load ratio", ",", {{","}}, when::editing,
@@ -313,13 +316,13 @@ const std::vector<Action> table = {
      [](const AppState&, Commands& out) { out.push_back(ZoomView{0.8}); }},
     {ActionId::fit, Icon::fit, "Show all of the object", "0", {{"0"}}, when::always, ask<FitView>},
     {ActionId::fold_panel, Icon::fold, "Fold the panel away", "P", {{"p"}}, when::editing,
-     [](const AppState& s, Commands& out) { out.push_back(SetPanelOpen{!s.panel_open}); }},
+     [](const AppState& s, Commands& out) { out.push_back(SetPanelOpen{!s.view.panel_open}); }},
     {ActionId::motion, Icon::none, "Motion on or off", "Shift+M", {{"M"}}, when::always,
-     [](const AppState& s, Commands& out) { out.push_back(SetMotion{!s.motion}); }},
-    {ActionId::help, Icon::help, "Keys", "?", {{"?"}}, when::always, show<browser::Dialog::keys>},
-    {ActionId::about, Icon::about, "About evenlift", "Shift+A", {{"A"}}, when::editing, show<browser::Dialog::about>},
-    {ActionId::glossary, Icon::book, "Glossary", "Shift+G", {{"G"}}, when::always, show<browser::Dialog::glossary>},
-    {ActionId::welcome, Icon::none, "How to begin, and the tour", "Shift+W", {{"W"}}, when::editing, show<browser::Dialog::welcome>},
+     [](const AppState& s, Commands& out) { out.push_back(SetMotion{!s.view.motion}); }},
+    {ActionId::help, Icon::help, "Keys", "?", {{"?"}}, when::always, show<Dialog::keys>},
+    {ActionId::about, Icon::about, "About evenlift", "Shift+A", {{"A"}}, when::editing, show<Dialog::about>},
+    {ActionId::glossary, Icon::book, "Glossary", "Shift+G", {{"G"}}, when::always, show<Dialog::glossary>},
+    {ActionId::welcome, Icon::none, "How to begin, and the tour", "Shift+W", {{"W"}}, when::editing, show<Dialog::welcome>},
     {ActionId::dismiss, Icon::close, "Close, or select nothing", "Esc", {{"Escape"}}, when::anything_open, dismiss},
 };
 // clang-format on
@@ -344,11 +347,11 @@ const Action& action(ActionId id) {
 
 std::string tip(const Action& action, const AppState& state) {
   std::string text = action.label;
-  if (state.tool != Tool::draw) {  // there it takes back a vertex, as everybody sees
-    if (action.id == ActionId::undo && state.history.can_undo())
-      text += std::string(": ") + in_words(state.history.undoes());
-    if (action.id == ActionId::redo && state.history.can_redo())
-      text += std::string(": ") + in_words(state.history.redoes());
+  if (state.view.tool != Tool::draw) {  // there it takes back a vertex, as everybody sees
+    if (action.id == ActionId::undo && state.work.history.can_undo())
+      text += std::string(": ") + in_words(state.work.history.undoes());
+    if (action.id == ActionId::redo && state.work.history.can_redo())
+      text += std::string(": ") + in_words(state.work.history.redoes());
   }
   return *action.shown ? text + " (" + action.shown + ")" : text;
 }

@@ -25,8 +25,8 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   if (under.kind == Pick::Kind::vertex && walkthrough_is_open(state) &&
       choice_at(state, pointer.at))
     under = {};
-  if (under.kind == Pick::Kind::edge && pointer.double_pressed && !state.screen.embed) {
-    const Vec2 at = rounded_to_pixels(state.camera, under.at);
+  if (under.kind == Pick::Kind::edge && pointer.double_pressed && !state.session.screen.embed) {
+    const Vec2 at = rounded_to_pixels(state.view.camera, under.at);
     commands.push_back(InsertVertex{under.index, at});
     under = {Pick::Kind::vertex, under.index + 1, 0, at};  // and it can be dragged at once
   }
@@ -36,28 +36,28 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
                     under.kind == Pick::Kind::doubt || can_take_robot(state, under);
   if (!grip) under.kind = Pick::Kind::ground;
   // From now on `at` is the offset from the pointer to what it holds, so that nothing jumps.
-  under.at = grip ? Vec2(state.camera.to_screen(under.at) - pointer.at) : pointer.at;
+  under.at = grip ? Vec2(state.view.camera.to_screen(under.at) - pointer.at) : pointer.at;
   commands.push_back(SetHeld{under});
   if (under.kind == Pick::Kind::vertex) commands.push_back(SelectVertex{under.index});
 }
 
 void press(const AppState& state, const Pointer& pointer, Commands& commands) {
-  if (state.tool == Tool::parts) return press_parts(state, pointer, commands);
+  if (state.view.tool == Tool::parts) return press_parts(state, pointer, commands);
   Pick held{Pick::Kind::ground, 0, 0, pointer.at};
-  if (state.tool == Tool::draw) {
+  if (state.view.tool == Tool::draw) {
     if (const auto placed = placed_at(state, pointer.at)) {
-      const Vec2 at = state.camera.to_screen(state.drawing.points[*placed]);
+      const Vec2 at = state.view.camera.to_screen(state.view.drawing.points[*placed]);
       held = {Pick::Kind::vertex, *placed, 0, at - pointer.at};
     }
   }
-  if (state.tool == Tool::transform) {
+  if (state.view.tool == Tool::transform) {
     if (const auto grip = grip_at(state, pointer.at)) {
       held.kind = Pick::Kind::frame;
       held.index = static_cast<std::size_t>(*grip);
       commands.push_back(GripPolygon{});
     }
   }
-  if (state.tool == Tool::mark) {
+  if (state.view.tool == Tool::mark) {
     if (const auto place = brushed_place(state, pointer.at, pointer.touch)) {
       held.kind = Pick::Kind::edge;
       held.index = place->edge;
@@ -69,7 +69,7 @@ void press(const AppState& state, const Pointer& pointer, Commands& commands) {
 
 // The brush was last at held.at, in pixels. Off the boundary it marks nothing.
 void drag_brush(const AppState& state, const Pointer& pointer, Commands& commands) {
-  Pick held = state.held;
+  Pick held = state.view.held;
   const Settings changed = brushed(state, held.at, pointer.at, pointer.touch);
   if (!(changed == settings(state))) commands.push_back(SetSettings{changed, true});
   held.at = pointer.at;
@@ -77,11 +77,11 @@ void drag_brush(const AppState& state, const Pointer& pointer, Commands& command
 }
 
 void drag_ground(const AppState& state, const Pointer& pointer, Commands& commands) {
-  const Pick& held = state.held;
+  const Pick& held = state.view.held;
   // While a polygon is drawn, a click of a shaking hand still places a vertex.
-  if (state.tool == Tool::draw && pointer.moved < still) return;
+  if (state.view.tool == Tool::draw && pointer.moved < still) return;
   if (!(length(pointer.at - held.at) > 0)) return;
-  commands.push_back(SetCamera{pan(state.camera, pointer.at - held.at)});
+  commands.push_back(SetCamera{pan(state.view.camera, pointer.at - held.at)});
   Pick moved = held;
   moved.at = pointer.at;
   commands.push_back(SetHeld{moved});
@@ -89,28 +89,28 @@ void drag_ground(const AppState& state, const Pointer& pointer, Commands& comman
 
 // Its neighbours are those of the shape when it is closed.
 void drag_placed(const AppState& state, const Pointer& pointer, Commands& commands) {
-  const std::size_t i = state.held.index;
-  const Points& points = state.drawing.points;
+  const std::size_t i = state.view.held.index;
+  const Points& points = state.view.drawing.points;
   if (i >= points.size()) return;
-  const Vec2 to = state.camera.to_world(pointer.at + state.held.at);
+  const Vec2 to = state.view.camera.to_world(pointer.at + state.view.held.at);
   commands.push_back(
       MovePoint{i, snapped(state, to, neighbour(points, i, false), neighbour(points, i, true))});
 }
 
 void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
-  const Pick& held = state.held;
+  const Pick& held = state.view.held;
   if (held.kind == Pick::Kind::ground) return drag_ground(state, pointer, commands);
-  if (pointer.moved < still && !state.edit_open) return;
-  if (state.tool == Tool::draw) return drag_placed(state, pointer, commands);
-  if (state.tool == Tool::mark) return drag_brush(state, pointer, commands);
+  if (pointer.moved < still && !state.work.edit_open) return;
+  if (state.view.tool == Tool::draw) return drag_placed(state, pointer, commands);
+  if (state.view.tool == Tool::mark) return drag_brush(state, pointer, commands);
   if (held.kind == Pick::Kind::frame) {
     commands.push_back(
         dragged_polygon(state, static_cast<FrameGrip>(held.index), held.at, pointer.at));
     return;
   }
-  const Vec2 to = state.camera.to_world(pointer.at + held.at);
+  const Vec2 to = state.view.camera.to_world(pointer.at + held.at);
   if (held.kind == Pick::Kind::vertex) {
-    const Points& vertices = state.document.vertices;
+    const Points& vertices = state.work.document().vertices;
     commands.push_back(
         MoveVertex{held.index, snapped(state, to, neighbour(vertices, held.index, false),
                                        neighbour(vertices, held.index, true))});
@@ -118,18 +118,21 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (held.kind == Pick::Kind::doubt)
     commands.push_back(
         showing(state, &Shown::com_radius, doubt_for_grip(state, pointer.at + held.at), true));
-  if (held.kind == Pick::Kind::robot && state.placement && !state.placement->teams.empty()) {
-    const std::size_t in_team = state.placement->teams.front().robots.size();
+  if (held.kind == Pick::Kind::robot && state.derived().placement &&
+      !state.derived().placement->teams.empty()) {
+    const std::size_t in_team = state.derived().placement->teams.front().robots.size();
     commands.push_back(MoveRobot{held.index * in_team + static_cast<std::size_t>(held.end), to});
   }
   if (held.kind == Pick::Kind::centre) {
-    const Vec2 centroid = centroid_of(state.document.vertices).value_or(to);
-    const double away = length(state.camera.to_screen(to) - state.camera.to_screen(centroid));
-    if (away <= (state.snap.grid || state.snap.axis ? 12 : 6))
-      commands.push_back(MoveCentre{rounded_finely(state.camera, centroid)});
+    const Vec2 centroid = centroid_of(state.work.document().vertices).value_or(to);
+    const double away =
+        length(state.view.camera.to_screen(to) - state.view.camera.to_screen(centroid));
+    if (away <= (state.view.snap.grid || state.view.snap.axis ? 12 : 6))
+      commands.push_back(MoveCentre{rounded_finely(state.view.camera, centroid)});
     else
-      commands.push_back(MoveCentre{state.snap.grid ? nearest_dot(state.camera, to)
-                                                    : rounded_to_pixels(state.camera, to)});
+      commands.push_back(MoveCentre{state.view.snap.grid
+                                        ? nearest_dot(state.view.camera, to)
+                                        : rounded_to_pixels(state.view.camera, to)});
   }
 }
 
@@ -137,38 +140,39 @@ void click_drawing(const AppState& state, const Pointer& pointer, Commands& comm
   if (closes(state, pointer.at)) {
     commands.push_back(FinishDrawing{});
   } else {
-    commands.push_back(AddPoint{next_point(state, state.camera.to_world(pointer.at))});
+    commands.push_back(AddPoint{next_point(state, state.view.camera.to_world(pointer.at))});
   }
 }
 
 // A click answers the question; if there is none, it asks why not the chord there.
 void click_walkthrough(const AppState& state, const Pointer& pointer, Commands& commands) {
   commands.push_back(SelectVertex{});
-  if (state.walkthrough.ask) {
+  if (state.view.walkthrough.ask) {
     if (const auto choice = choice_at(state, pointer.at)) commands.push_back(Guess{*choice});
   } else {
-    commands.push_back(AskWhy{state.camera.to_world(pointer.at)});
+    commands.push_back(AskWhy{state.view.camera.to_world(pointer.at)});
   }
 }
 
 void release(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool still_there = pointer.moved < still;
-  const bool clicked = state.held.kind == Pick::Kind::ground && still_there;
+  const bool clicked = state.view.held.kind == Pick::Kind::ground && still_there;
   // A robot that stands on a vertex is asked about, too, if the vertex was not dragged.
-  const bool asks = still_there && state.tool == Tool::parts && !walkthrough_is_open(state);
+  const bool asks = still_there && state.view.tool == Tool::parts && !walkthrough_is_open(state);
   const Pick asked = asks ? pick_explained(state, pointer.at, pointer.second) : Pick{};
   if (asked.kind != Pick::Kind::none)
     commands.push_back(Explain{asked});
-  else if (state.explanation)
+  else if (state.derived().explanation)
     commands.push_back(Explain{});
   if (asked.kind == Pick::Kind::none && clicked && failing(state)) commands.push_back(Fail{});
-  if (state.tool == Tool::draw) {
-    const bool on_placed = still_there && state.held.kind == Pick::Kind::vertex;
+  if (state.view.tool == Tool::draw) {
+    const bool on_placed = still_there && state.view.held.kind == Pick::Kind::vertex;
     if (clicked || (on_placed && closes(state, pointer.at)))
       click_drawing(state, pointer, commands);
-  } else if (state.tool == Tool::mark && state.held.kind == Pick::Kind::edge && still_there)
+  } else if (state.view.tool == Tool::mark && state.view.held.kind == Pick::Kind::edge &&
+             still_there)
     commands.push_back(
-        SetSettings{with_whole_edge(state, static_cast<std::uint32_t>(state.held.index))});
+        SetSettings{with_whole_edge(state, static_cast<std::uint32_t>(state.view.held.index))});
   // A click on the ground lets go of the selection; a pan does not.
   else if (clicked && walkthrough_is_open(state))
     click_walkthrough(state, pointer, commands);
@@ -180,8 +184,8 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
 
 void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
   // Releases what the first finger held, where it is.
-  if (state.held.kind != Pick::Kind::none) release(state, pointer, commands);
-  commands.push_back(SetCamera{pan(state.camera, pointer.pinch_moved)});
+  if (state.view.held.kind != Pick::Kind::none) release(state, pointer, commands);
+  commands.push_back(SetCamera{pan(state.view.camera, pointer.pinch_moved)});
   commands.push_back(ZoomView{pointer.pinch_factor, pointer.pinch_at});
 }
 
@@ -189,11 +193,11 @@ void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
 void hover_over(const AppState& state, const Pointer& pointer, const Pick& over,
                 Commands& commands) {
   const bool over_rows = pointer.over_panel && !pointer.touch;
-  if (!over_rows && !(over == state.hover)) commands.push_back(SetHover{over});
+  if (!over_rows && !(over == state.view.hover)) commands.push_back(SetHover{over});
 }
 
 void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Commands& commands) {
-  const Drawing& drawing = state.drawing;
+  const Drawing& drawing = state.view.drawing;
   // What keys or typing did stays until the pointer moves over the drawing.
   if (drawing.by_keys && (none || pointer.at == drawing.pointer)) return;
   Pick over;
@@ -205,7 +209,7 @@ void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Com
     if (closes(state, pointer.at))
       cursor = drawing.points.front();
     else if (!placed)
-      cursor = next_point(state, state.camera.to_world(pointer.at));
+      cursor = next_point(state, state.view.camera.to_world(pointer.at));
   }
   hover_over(state, pointer, over, commands);
   if (cursor != drawing.cursor || at != drawing.pointer)
@@ -214,13 +218,13 @@ void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Com
 
 void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool none = !pointer.present || pointer.over_panel;
-  if (state.tool == Tool::draw)
+  if (state.view.tool == Tool::draw)
     return hover_drawing(state, pointer, none || pointer.touch, commands);
   // What a finger pressed counts as hovered until it presses something else.
   if (pointer.touch && !none) return;
-  if (none && pointer.touch && state.hover.kind == Pick::Kind::object) return;
+  if (none && pointer.touch && state.view.hover.kind == Pick::Kind::object) return;
   Pick under;
-  if (!none && state.tool == Tool::transform) {
+  if (!none && state.view.tool == Tool::transform) {
     if (const auto grip = grip_at(state, pointer.at)) {
       under.kind = Pick::Kind::frame;
       under.index = static_cast<std::size_t>(*grip);
@@ -231,7 +235,7 @@ void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
   hover_over(state, pointer, under, commands);
   if (walkthrough_is_open(state)) {
     const auto figure = none ? std::nullopt : figure_at(state, pointer.at);
-    if (figure != state.walkthrough.hovered) commands.push_back(HoverFigure{figure});
+    if (figure != state.view.walkthrough.hovered) commands.push_back(HoverFigure{figure});
   }
 }
 
@@ -239,7 +243,7 @@ void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
 
 void interact(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (pointer.pinching) return pinch(state, pointer, commands);
-  const bool holding = state.held.kind != Pick::Kind::none;
+  const bool holding = state.view.held.kind != Pick::Kind::none;
   if (holding && pointer.down)
     drag(state, pointer, commands);
   else if (holding)

@@ -4,10 +4,8 @@
 
 #include "app/update.h"
 #include "canvas/canvas.h"
-#include "edits/search.h"
 #include "edits/sight.h"
 #include "panels/panels.h"
-#include "state/browser.h"
 #include "walkthrough/playing.h"
 
 namespace evenlift::view {
@@ -19,7 +17,8 @@ namespace {
 Pointer over_one_picture(App& app, Pointer pointer) {
   const Layout places = layout(app.state);
   if (!pointer.down && !pointer.released) {
-    app.over_second = app.state.second_method.has_value() && places.second.contains(pointer.at);
+    app.over_second =
+        app.state.work.second_method.has_value() && places.second.contains(pointer.at);
   }
   if (!app.over_second) return pointer;
   const Vec2 back(places.first.left - places.second.left, places.first.top - places.second.top);
@@ -33,9 +32,9 @@ void draw_picture(App& app) {
   const AppState& state = app.state;
   const double now = ImGui::GetTime();
   follow(app.scene, state, shown_placement(state), now);
-  if (state.second) follow(app.second_scene, state, *state.second, now);
-  if (app.scene.progress < 1 || (state.second && app.second_scene.progress < 1))
-    browser::request_frame();
+  if (state.derived().second) follow(app.second_scene, state, *state.derived().second, now);
+  if (app.scene.progress < 1 || (state.derived().second && app.second_scene.progress < 1))
+    app.commands.push_back(LayOutAgain{});
   draw_canvas(state, app.scene, app.second_scene, layout(state));
 }
 
@@ -56,7 +55,6 @@ void draw_frame(App& app, bool picture) {
 bool settle(App& app) {
   const bool changed = apply(app.state, app.commands);
   if (changed) frame_view(app.state);
-  begin_count(app.state);
   return changed;
 }
 

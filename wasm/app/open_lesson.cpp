@@ -2,15 +2,36 @@
 
 #include <utility>
 
+#include "app/conclude.h"
 #include "edits/open_document.h"
 #include "edits/undo.h"
 #include "evenlift/formats.h"
 #include "evenlift/lesson.h"
 #include "state/opened.h"
 #include "walkthrough/script.h"
+#include "walkthrough/timeline.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
+namespace {
+
+// Begins a script for the document that is open, or joins its walkthrough at the present step; or
+// says why it cannot.
+std::optional<InputError> join(AppState& state, Script script) {
+  if (state.derived().refusal || !state.derived().placement ||
+      state.work.document().vertices != script.of.vertices)
+    return InputError{ErrorCode::bad_syntax, "it is of another polygon than the link", {}};
+  const bool begins = !walkthrough_is_open(state);
+  open_walkthrough(state);
+  conclude(state);
+  if (!walkthrough_is_open(state)) return std::nullopt;  // and a notice says why
+  begin_script(state, std::move(script));
+  if (begins) go_to_step(state, step_of(state, 0));
+  state.view.walkthrough.of_lesson = true;
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::optional<InputError> open_lesson(AppState& state, const std::string& text,
                                       const std::string& polygon, LessonStart start) {
@@ -33,24 +54,24 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   script.lesson = std::move(lesson).value();
   script.of = of_it->document;
   if (start == LessonStart::join) {
-    const std::optional<InputError> problem = join_script(state, std::move(script));
-    if (!problem) state.walkthrough.of_lesson = true;
-    return problem;
+    return join(state, std::move(script));
   }
   script.preview = start == LessonStart::preview;
   const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
   of_it->placement = trace->placement;  // with balanced robots, what their search came to
   of_it->document.shown.step = first;
   of_it->trace = std::move(trace).value();
-  const std::optional<Script>& former = state.walkthrough.script;
+  const std::optional<Script>& former = state.view.walkthrough.script;
   if (script.preview && former && former->preview) {
     show_opened(state, std::move(of_it).value());
   } else {
     leave_lesson_for_another(state);
     open(state, std::move(of_it).value(), Edit::lesson_opened);
   }
+  conclude(state);
   begin_script(state, std::move(script));
-  state.walkthrough.of_lesson = true;
+  state.view.walkthrough.of_lesson = true;
+  conclude(state);
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/conclude.h"
 #include "edits/open_document.h"
 #include "evenlift/link.h"
 #include "evenlift/output/words.h"
@@ -23,8 +24,11 @@ bool open_work(AppState& state, const LastVisit& visit) {
   Result<Opened> work = read_document(visit.work);
   if (!work) return false;
   start_with(state, std::move(work).value(), std::nullopt);
-  if (Result<Document> draft = decode_link(visit.draft))
+  conclude(state);
+  if (Result<Document> draft = decode_link(visit.draft)) {
     resume_draft(state, std::move(draft).value());
+    conclude(state);
+  }
   return true;
 }
 
@@ -35,13 +39,16 @@ std::string open_page(AppState& state, const LastVisit& visit, std::string_view 
   if (!visit.link.empty()) {
     if (Result<Opened> linked = read_link(visit.link)) {
       start_with(state, std::move(linked).value(), work_before(visit.work));
+      conclude(state);
       return {};
     } else {
       problem = sentence(linked.error());
     }
   }
-  if (!open_work(state, visit))
+  if (!open_work(state, visit)) {
     start_with(state, std::move(read_document(sample)).value(), std::nullopt);
+    conclude(state);
+  }
   return problem;
 }
 

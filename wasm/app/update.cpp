@@ -5,26 +5,25 @@
 #include <string>
 #include <utility>
 
+#include "app/conclude.h"
+#include "edits/backdrop.h"
 #include "edits/by_hand.h"
 #include "edits/changed_settings.h"
 #include "edits/draw_polygon.h"
+#include "edits/editing.h"
 #include "edits/open_document.h"
-#include "edits/outlook.h"
-#include "edits/placing.h"
 #include "edits/sight.h"
 #include "edits/undo.h"
 #include "edits/vertices.h"
 #include "evenlift/link.h"
 #include "evenlift/moved.h"
 #include "evenlift/output/words.h"
-#include "state/browser.h"
 #include "state/layout.h"
 #include "state/method.h"
 #include "state/notice.h"
 #include "state/screen.h"
 #include "state/seen.h"
 #include "walkthrough/ask_why.h"
-#include "walkthrough/explain.h"
 #include "walkthrough/playing.h"
 #include "walkthrough/questions.h"
 #include "walkthrough/walkthrough.h"
@@ -32,15 +31,9 @@
 namespace evenlift::view {
 namespace {
 
-// During a drag the walkthrough shows only the start of a search for balanced robots.
-void trace_whole_search(AppState& state) {
-  const std::optional<Trace>& trace = state.walkthrough.trace;
-  if (trace && trace->balanced() && !trace->placement.search_ended) follow_placement(state);
-}
-
 // Opens the steps of the object itself, if none are open.
 void open_own_steps(AppState& state, std::optional<std::uint32_t> at = std::nullopt) {
-  if (!walkthrough_is_open(state)) state.walkthrough.of_lesson = false;
+  if (!walkthrough_is_open(state)) state.view.walkthrough.of_lesson = false;
   open_walkthrough(state, at);
 }
 
@@ -48,58 +41,58 @@ struct Applier {
   AppState& state;
 
   void operator()(const SetSettings& c) const {
-    if (c.settings == state.document.settings) return;
-    begin_edit(state, c.live, edit_between({{}, {}, settings(state)}, {{}, {}, c.settings}));
+    if (c.settings == state.work.document().settings) return;
     const bool robots_stay = stand_alike(c.settings, settings(state));
-    state.document.settings = c.settings;
-    recompute(state, robots_stay);
+    const Moved moved = robots_stay ? state.work.document().moved : Moved{};
+    const Edit what = edit_between({{}, {}, settings(state)}, {{}, {}, c.settings});
+    Document& document = edit(state, c.live, what);
+    document.settings = c.settings;
+    document.moved = moved;
   }
   void operator()(const SetMethod& c) const {
     auto [changed, aside] =
-        with_method(settings(state), c.method, placed_teams(state), std::move(state.aside));
-    state.aside = std::move(aside);
+        with_method(settings(state), c.method, placed_teams(state), std::move(state.work.aside));
+    state.work.aside = std::move(aside);
     (*this)(SetSettings{std::move(changed)});
   }
   void operator()(const MoveVertex& c) const {
-    if (c.vertex >= state.document.vertices.size() || state.document.vertices[c.vertex] == c.to)
+    if (c.vertex >= state.work.document().vertices.size() ||
+        state.work.document().vertices[c.vertex] == c.to)
       return;
-    begin_edit(state, true, Edit::vertex_moved);
-    state.document.vertices[c.vertex] = c.to;
-    recompute(state);
+    edit(state, true, Edit::vertex_moved).vertices[c.vertex] = c.to;
   }
   void operator()(const MoveCentre& c) const {
-    if (state.document.centre_of_mass == c.to) return;
-    begin_edit(state, true, Edit::centre_moved);
-    state.document.centre_of_mass = c.to;
-    recompute(state);
+    if (state.work.document().centre_of_mass == c.to) return;
+    edit(state, true, Edit::centre_moved).centre_of_mass = c.to;
   }
   void operator()(const ReleaseCentre&) const {
-    if (!state.document.centre_of_mass) return;
-    begin_edit(state, false, Edit::centre_released);
-    state.document.centre_of_mass.reset();
-    recompute(state);
+    if (!state.work.document().centre_of_mass) return;
+    edit(state, false, Edit::centre_released).centre_of_mass.reset();
   }
   void operator()(const InsertVertex& c) const { insert_vertex(state, c.edge, c.at); }
   void operator()(const RemoveVertex& c) const { remove_vertex(state, c.vertex); }
   void operator()(OpenDocument& c) const { open(state, std::move(c.opened)); }
   void operator()(const SetPolygon& c) const {
-    if (c.vertices == state.document.vertices) return;
-    begin_edit(state, c.live, Edit::whole);
-    state.document.vertices = c.vertices;
-    state.document.centre_of_mass = c.centre_of_mass;
-    recompute(state);
+    if (c.vertices == state.work.document().vertices) return;
+    Document& document = edit(state, c.live, Edit::whole);
+    document.vertices = c.vertices;
+    document.centre_of_mass = c.centre_of_mass;
   }
   void operator()(const EndEdit&) const {
-    if (!state.edit_open) return;
-    state.edit_open = false;
-    if (state.camera_follows && !centre_is_shown(state)) state.fit_due = true;
-    const std::optional<Placement>& placement = state.placement;
-    if (!state.refusal && placement && waits_for_exchange(*placement)) return recompute(state);
-    trace_whole_search(state);
-    follow_up(state);
+    if (!state.work.edit_open) return;
+    state.work.edit_open = false;
+    if (state.view.camera_follows && !centre_is_shown(state)) state.view.fit_due = true;
   }
   void operator()(const MoveRobot& c) const { move_robot(state, c.robot, c.to); }
   void operator()(const ResetRobots&) const { put_robots_back(state); }
+  void operator()(TakeRobots& c) const {
+    const Search& search = state.derived().search;
+    if (!c.robots && search.under_way && search.number == c.number)
+      show(state,
+           {Notice::Kind::problem,
+            "The search for better places stopped: a part of the page could not be loaded."});
+    state.given.found = {c.number, std::move(c.robots), c.ended};
+  }
   void operator()(const Undo&) const { undo(state); }
   void operator()(const Redo&) const { redo(state); }
 
@@ -116,7 +109,7 @@ struct Applier {
   }
   void operator()(const SetTool& c) const { take_tool(state, c.tool); }
   void operator()(const GripPolygon&) const {
-    state.grip = {state.document.vertices, state.document.centre_of_mass};
+    state.view.grip = {state.work.document().vertices, state.work.document().centre_of_mass};
   }
   void operator()(const AddPoint& c) const { add_point(state, c.at); }
   void operator()(const MovePoint& c) const { move_point(state, c.point, c.to); }
@@ -136,26 +129,23 @@ struct Applier {
   void operator()(const SetPredict& c) const { set_predict(state, c.on); }
   void operator()(const Guess& c) const { guess(state, c.answer); }
   void operator()(const PointAtChoice& c) const {
-    if (state.walkthrough.ask) state.walkthrough.ask->pointed = c.choice;
+    if (state.view.walkthrough.ask) state.view.walkthrough.ask->pointed = c.choice;
   }
   void operator()(const AskWhy& c) const {
     if (c.at)
       ask_why(state, *c.at);
     else
-      forget_why(state.walkthrough);
+      forget_why(state.view.walkthrough);
   }
   void operator()(const Measure& c) const { measure(state, c.candidate); }
-  void operator()(const HoverFigure& c) const { state.walkthrough.hovered = c.figure; }
+  void operator()(const HoverFigure& c) const { state.view.walkthrough.hovered = c.figure; }
   void operator()(const Explain& c) const {
-    state.explanation.reset();
-    if (!c.of || state.refusal || !state.placement) return;
-    state.explanation = explain(state, *c.of);
+    state.view.card.ask(c.of);
     // What a finger pressed may have been a vertex beside it.
-    if (state.screen.touch) state.hover = {};
-    browser::announce(in_words(*state.explanation));
+    if (c.of && state.session.screen.touch) state.view.hover = {};
   }
   void operator()(const ShowInLesson& c) const {
-    state.explanation.reset();
+    state.view.card.ask(std::nullopt);
     if (walkthrough_is_open(state))
       go_to_step(state, c.step);
     else
@@ -166,94 +156,141 @@ struct Applier {
   void operator()(const SetPresenting& c) const {
     if (c.on && !walkthrough_is_open(state)) put_teams_back(state);
     if (c.on) open_own_steps(state);
-    set_presenting(state, c.on && walkthrough_is_open(state));
+    set_presenting(state, c.on && shown(state).step.has_value());
   }
   void operator()(const SetDrawCursor& c) const { set_draw_cursor(state, c); }
   void operator()(const TypeEdge& c) const { type_edge(state, c); }
   void operator()(const WithdrawEdge&) const { withdraw_edge(state); }
   void operator()(const SetSnap& c) const {
     // Where no bar shows it, a notice does.
-    if (state.tool == Tool::parts && !state.selected && !(c.snap == state.snap)) {
-      const bool grid = c.snap.grid != state.snap.grid, on = grid ? c.snap.grid : c.snap.axis;
+    if (state.view.tool == Tool::parts && !state.view.selected && !(c.snap == state.view.snap)) {
+      const bool grid = c.snap.grid != state.view.snap.grid, on = grid ? c.snap.grid : c.snap.axis;
       std::string words =
           on ? "What is dragged now snaps to the " : "What is dragged no longer snaps to the ";
       words += grid ? "grid." : "axis through a neighbour.";
       show(state, {Notice::Kind::info, std::move(words)});
     }
-    state.snap = c.snap;
-    browser::summary_changed();
+    state.view.snap = c.snap;
+    emit(state, SummaryChanged{});
   }
   void operator()(const Compare& c) const {
     const std::optional<Method> second =
-        c.method == state.document.settings.method ? std::nullopt : c.method;
-    if (second == state.second_method) return;
+        c.method == state.work.document().settings.method ? std::nullopt : c.method;
+    if (second == state.work.second_method) return;
     begin_edit(state, false, Edit::comparison);
-    state.second_method = second;
-    state.hover = state.held = {};
-    follow_up(state);
-    ++state.revision;
-    browser::document_changed();  // there is one more step of undo to be kept
+    state.work.second_method = second;
+    state.view.hover = state.view.held = {};
+    emit(state, DocumentChanged{});  // there is one more step of undo to be kept
   }
-  void operator()(const Fail& c) const { let_fail(state, c.robot); }
+  void operator()(const Fail& c) const {
+    const Derived& facts = state.derived();
+    if (!facts.placement || facts.refusal) return;
+    if (c.robot && *c.robot >= count_robots(facts.placement->teams)) return;
+    if (c.robot ? facts.failure && facts.failure->robot == *c.robot : !facts.failure) return;
+    if (!c.robot)
+      announce(state, "Robot " + std::to_string(facts.failure->robot + 1) + " works again.");
+    state.view.fails.ask(c.robot);
+  }
   void operator()(const SetLoadModel& c) const {
-    if (c.model == state.load_model) return;
-    state.load_model = c.model;
-    renew_outlook(state);
-    browser::summary_changed();
+    if (c.model == state.view.load_model) return;
+    state.view.load_model = c.model;
+    emit(state, SummaryChanged{});
   }
   void operator()(const SetMotion& c) const {
-    state.motion = c.on;
-    browser::announce(c.on ? "Motion is on." : "Motion is off.");
-    browser::preferences_changed();
+    state.view.motion = c.on;
+    announce(state, c.on ? "Motion is on." : "Motion is off.");
+    emit(state, PreferencesChanged{});
   }
 
   void operator()(const SelectVertex& c) const {
-    if (state.selected != c.vertex) browser::summary_changed();
-    state.selected = c.vertex;
+    if (state.view.selected != c.vertex) emit(state, SummaryChanged{});
+    state.view.selected = c.vertex;
     drop_stale_picks(state);
   }
-  void operator()(const SetHover& c) const { state.hover = c.pick; }
+  void operator()(const SetHover& c) const { state.view.hover = c.pick; }
   void operator()(const SetHeld& c) const {
-    state.held = c.pick;
-    state.closed_to.reset();
+    state.view.held = c.pick;
+    state.view.closed_to.reset();
   }
   void operator()(const SetCamera& c) const { look_through(state, c.camera); }
   void operator()(const FitView&) const {
     fit_view(state);
-    browser::announce("All of the object is in view.");
+    announce(state, "All of the object is in view.");
   }
   void operator()(const ZoomView& c) const {
     zoom_view(state, c.about.value_or(layout(state).room.middle()), c.factor);
     if (!c.about)  // by a key or a button
-      browser::announce("Zoom: " + zoom_in_words(state) + " of the view that fits.");
+      announce(state, "Zoom: " + zoom_in_words(state) + " of the view that fits.");
   }
   void operator()(const SetPanelOpen& c) const {
-    if (c.open != state.panel_open)
-      browser::announce(c.open ? "The panel is open." : "The panel is folded away.");
-    state.panel_open = c.open;
+    if (c.open != state.view.panel_open)
+      announce(state, c.open ? "The panel is open." : "The panel is folded away.");
+    state.view.panel_open = c.open;
   }
-  void operator()(const SetMoreOpen& c) const { state.more_open = c.open; }
-  void operator()(const SetRobotOpen& c) const { state.robot_open = c.open; }
-  void operator()(const SetErases& c) const { state.erases = c.erases; }
+  void operator()(const SetMoreOpen& c) const { state.view.more_open = c.open; }
+  void operator()(const SetRobotOpen& c) const { state.view.robot_open = c.open; }
+  void operator()(const SetErases& c) const { state.view.erases = c.erases; }
   void operator()(const ListIsOpen& c) const {
-    state.list_open = c.open;
-    state.close_list = state.close_list && c.open;
+    state.session.list_open = c.open;
+    state.session.close_list = state.session.close_list && c.open;
   }
-  void operator()(const CloseList&) const { state.close_list = true; }
-  void operator()(const SetSheet& c) const { state.sheet = c.sheet; }
-  void operator()(const MeasureSheet& c) const { state.closed_sheet_height = c.closed_height; }
-  void operator()(const MeasureNotice& c) const { state.notice_height = c.height; }
+  void operator()(const CloseList&) const { state.session.close_list = true; }
+  void operator()(const SetSheet& c) const { state.view.sheet = c.sheet; }
+  void operator()(const MeasureSheet& c) const {
+    state.session.closed_sheet_height = c.closed_height;
+  }
+  void operator()(const MeasureNotice& c) const { state.session.notice_height = c.height; }
   void operator()(const CopyLink&) const {
-    const Result<std::string> link = encode_link(state.placed);
+    Result<std::string> link = encode_link(last_good(state));
     if (link) {
-      browser::copy_address(*link);
+      emit(state, CopyAddress{std::move(link).value()});
     } else {
       show(state, {Notice::Kind::problem, sentence(link.error()) + "."});
     }
   }
-  void operator()(const TypeValue& c) const { browser::type_value(c.control); }
-  void operator()(const OpenDialog& c) const { browser::open_dialog(c.dialog); }
+  void operator()(const TypeValue& c) const { emit(state, FocusField{c.control}); }
+  void operator()(const OpenDialog& c) const { emit(state, ShowDialog{c.dialog}); }
+  void operator()(const OpenPage&) const { emit(state, ShowPage{}); }
+  void operator()(const LayOutAgain&) const { emit(state, NextFrame{}); }
   void operator()(const ShowNotice& c) const { show(state, c.notice); }
+  void operator()(const EndNotice&) const { end_notice(state); }
+
+  void operator()(const SetCanvas& c) const {
+    set_canvas(state, c.css_width, c.css_height, c.css_ratio);
+  }
+  void operator()(const SetPreferences& c) const {
+    Screen& screen = state.session.screen;
+    screen.dark = c.dark;
+    screen.reduced_motion = c.reduced_motion;
+    screen.finger = c.finger;
+  }
+  void operator()(const SetTouch& c) const { state.session.screen.touch = c.on; }
+  void operator()(const CoverScreen& c) const { cover_screen(state, c.left, c.right, c.foot); }
+  void operator()(const MakeRoom& c) const { make_room(state, c.height); }
+  void operator()(const LayPicture& c) const { lay_behind(state, c.low, c.high); }
+  void operator()(const TakePictureAway&) const { take_picture_away(state); }
+  void operator()(const SetMeasuring& c) const {
+    state.view.measuring = c.on;
+    emit(state, SummaryChanged{});
+  }
+  void operator()(const KeepMotion& c) const { state.view.motion = c.on; }
+  void operator()(const KeepComparison& c) const {
+    const bool drawn = state.view.tool == Tool::draw;
+    if (c.method != settings(state).method && !state.work.second_method && !drawn)
+      state.work.second_method = c.method;
+  }
+  void operator()(const ForgetSteps&) const {
+    state.work.history.clear();
+    if (state.view.walkthrough.script) state.view.walkthrough.script->depth = 0;
+  }
+  void operator()(const AddStep& c) const {
+    state.work.history.add(c.redo, c.step);
+    if (c.redo || !is_other_object(c.step.edit)) return;
+    // The last step that opened something says whether a lesson did, and from where on undo leaves it.
+    Walkthrough& walk = state.view.walkthrough;
+    walk.of_lesson = walk.trace && (walk.script || c.step.edit == Edit::lesson_opened);
+    if (walk.script) walk.script->depth = state.work.history.depth();
+  }
 };
 
 }  // namespace
@@ -262,6 +299,7 @@ bool apply(AppState& state, Commands& commands) {
   if (commands.empty()) return false;
   for (Command& command : commands) std::visit(Applier{state}, command);
   commands.clear();
+  conclude(state);
   return true;
 }
 

@@ -18,12 +18,12 @@ namespace {
 
 // The grid of dots, at 1, 2 or 5 times a power of ten units.
 void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
-  const Camera& camera = state.camera;
+  const Camera& camera = state.view.camera;
   const double step = grid_step(camera);
-  const Vec2 low = camera.to_world(Vec2(0, state.screen.height)),
-             high = camera.to_world(Vec2(state.screen.width, 0));
+  const Vec2 low = camera.to_world(Vec2(0, state.session.screen.height)),
+             high = camera.to_world(Vec2(state.session.screen.width, 0));
   const ImU32 colour = theme.dots.packed();
-  const float ratio = static_cast<float>(state.screen.ratio);
+  const float ratio = static_cast<float>(state.session.screen.ratio);
   const float half = std::max(0.75f, std::round(ratio) / ratio * 0.75f);
   const Vec2 first(std::floor(low.x() / step), std::floor(low.y() / step));
   const int across = static_cast<int>(std::floor(high.x() / step) - first.x()),
@@ -63,7 +63,7 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
 void draw_object(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const RowFill rows = view.scene.triangles.empty() ? painter.rows(shape.points) : RowFill{};
   // A picture that was traced is seen through the object.
-  const Colour object = view.theme.object.at(view.state.backdrop ? 0.6f : 1);
+  const Colour object = view.theme.object.at(view.state.work.backdrop ? 0.6f : 1);
   painter.fill(shape.points, view.scene.triangles, object);
   painter.fill(rows, object);
   if (view.scene.shows_heat()) painter.heat(view.scene.heat, rows, view.theme);
@@ -117,8 +117,8 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
 
 // The candidate or team that is pointed at while teams may stand anywhere in their ranges.
 std::optional<Chord> pointed_chord(const CanvasView& view) {
-  const Pick named =
-      view.state.held.kind == Pick::Kind::robot ? view.state.held : marked_part(view.state);
+  const Pick named = view.state.view.held.kind == Pick::Kind::robot ? view.state.view.held
+                                                                    : marked_part(view.state);
   const Placement& placement = *view.placement;
   if (!can_move_teams(placement) || named.second != view.second) return std::nullopt;
   return chord_of_part(placement, named);
@@ -166,10 +166,10 @@ void draw_picture(const Painter& painter, const CanvasView& view) {
 
 // The outline of a document that is refused, and the place of its fault.
 void draw_refused(const Painter& painter, const AppState& state, const Theme& theme) {
-  const Points& vertices = state.document.vertices;
+  const Points& vertices = state.work.document().vertices;
   painter.outline(vertices, theme.amber, 2);
   if (vertices.empty()) return;
-  const Place& place = state.refusal->place;
+  const Place& place = state.derived().refusal->place;
   const auto mark_edge = [&](std::size_t edge) {
     painter.line(vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()],
                  theme.amber, 5);
@@ -201,7 +201,7 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
     if (view.current()) painter.outline(view.placement->vertices(), view.theme.object_outline, 2);
   }
   const Painter painter(list, view.camera, view.window);
-  if (view.state.refusal) draw_refused(painter, view.state, view.theme);
+  if (view.state.derived().refusal) draw_refused(painter, view.state, view.theme);
   draw_marks(painter, view);
   list.PopClipRect();
 }
@@ -215,7 +215,7 @@ void draw_both(ImDrawList& list, const CanvasView& first, const Scene& second,
   Camera camera = first.camera;
   camera.anchor +=
       Vec2(layout.second.left - layout.first.left, layout.second.top - layout.first.top);
-  const std::optional<Placement>& placement = first.state.second;
+  const std::optional<Placement>& placement = first.state.derived().second;
   const CanvasView right{first.state, first.theme, layout,        placement ? &*placement : nullptr,
                          second,      camera,      layout.second, true};
   draw_view(list, right);
@@ -235,15 +235,16 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   sharpen(list, state);
   draw_ground(list, state, colours);
-  if (state.tool == Tool::draw) {
-    draw_drawing(Painter(list, state.camera, state.screen.area()), state, colours);
+  if (state.view.tool == Tool::draw) {
+    draw_drawing(Painter(list, state.view.camera, state.session.screen.area()), state, colours);
     draw_hint(list, state, layout, colours);
     return;
   }
-  const Placement* placement = state.placement ? &shown_placement(state) : nullptr;
-  const CanvasView view{state, colours, layout, placement, scene, state.camera, state.screen.area(),
-                        false};
-  if (state.second_method)
+  const Placement* placement = state.derived().placement ? &shown_placement(state) : nullptr;
+  const CanvasView view{
+      state, colours, layout, placement, scene, state.view.camera, state.session.screen.area(),
+      false};
+  if (state.work.second_method)
     draw_both(list, view, second, layout);
   else
     draw_view(list, view);

@@ -31,7 +31,7 @@ bool knows_candidate(const Walkthrough& walk, std::size_t c) {
 
 // The chords of the rays so far, until they have become candidates.
 void draw_rays(const Painter& painter, const CanvasView& view) {
-  const Walkthrough& walk = view.state.walkthrough;
+  const Walkthrough& walk = view.state.view.walkthrough;
   if (walk.known.merged || walk.known.rays == 0) return;
   const Trace::Rays& rays = walk.trace->rays;
   const std::uint32_t end = rays.begins[walk.known.rays];
@@ -40,7 +40,7 @@ void draw_rays(const Painter& painter, const CanvasView& view) {
 }
 
 void draw_candidates(const Painter& painter, const CanvasView& view) {
-  const Walkthrough& walk = view.state.walkthrough;
+  const Walkthrough& walk = view.state.view.walkthrough;
   const auto& candidates = walk.trace->placement.candidates;
   const Chapter chapter = walk.detail.step.chapter;
   if (chapter == Chapter::loads || chapter == Chapter::grasp || !walk.trace->by_candidates())
@@ -79,7 +79,7 @@ std::string value_of(const Figure& figure, bool balanced) {
 }
 
 void draw_values(const Painter& painter, const CanvasView& view, Occupied& occupied) {
-  const Walkthrough& walk = view.state.walkthrough;
+  const Walkthrough& walk = view.state.view.walkthrough;
   if (walk.ask && walk.trace->balanced()) return;  // the choices have numbers of their own
   std::vector<std::pair<const Figure*, std::string>> valued;
   const auto has_value = [&](const Figure& figure) {  // the end that is chosen is drawn twice
@@ -102,7 +102,7 @@ void draw_values(const Painter& painter, const CanvasView& view, Occupied& occup
 
 // What is drawn of the step itself, which the names of its parts should not cover.
 void add_lines_of_step(const CanvasView& view, Occupied& occupied) {
-  for (const Figure& figure : view.state.walkthrough.figures)
+  for (const Figure& figure : view.state.view.walkthrough.figures)
     if (figure.points.size() == 2)
       occupied.line(view.camera.to_screen(figure.points[0]),
                     view.camera.to_screen(figure.points[1]));
@@ -118,7 +118,7 @@ void draw_asked_completion(const Painter& painter, const CanvasView& view, const
 
 // Where robots would come if one came to the place that was asked about.
 void draw_asked_places(const Painter& painter, const CanvasView& view) {
-  for (const Vec2& place : view.state.walkthrough.asked_places)
+  for (const Vec2& place : view.state.view.walkthrough.asked_places)
     draw_ring(painter, place, view.theme.amber_on_object);
 }
 
@@ -134,7 +134,7 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
   std::vector<LabelRequest> requests;
   for (const std::uint32_t choice : ask.choices) {
     const Chord& chord =
-        chord_of_choice(*view.state.walkthrough.trace, ask.detail, ask.question, choice);
+        chord_of_choice(*view.state.view.walkthrough.trace, ask.detail, ask.question, choice);
     const Vec2 at = view.camera.to_screen(chord.r2.position), away = at - middle;
     const ImVec2 text = text_size(Face::strong_label, name_of_choice(ask, choice));
     requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 10, text.y + 4)});
@@ -154,10 +154,10 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
 
 // What one has guessed, if it was wrong.
 void draw_wrong_guess(const Painter& painter, const CanvasView& view) {
-  const std::optional<Answered>& answered = view.state.walkthrough.answered;
+  const std::optional<Answered>& answered = view.state.view.walkthrough.answered;
   if (!answered || answered->guess == answered->ask.question.answer) return;
   draw_chord(painter,
-             chord_of_choice(*view.state.walkthrough.trace, answered->ask.detail,
+             chord_of_choice(*view.state.view.walkthrough.trace, answered->ask.detail,
                              answered->ask.question, answered->guess),
              view.theme.amber_on_object, 3);
 }
@@ -165,13 +165,13 @@ void draw_wrong_guess(const Painter& painter, const CanvasView& view) {
 // After a guess the numbers stay, so that one finds the answer and what one has guessed.
 void draw_answered(const Painter& painter, const CanvasView& view, double reach,
                    Occupied& occupied) {
-  const std::optional<Answered>& answered = view.state.walkthrough.answered;
+  const std::optional<Answered>& answered = view.state.view.walkthrough.answered;
   if (!answered) return;
   // Where the step itself draws no even chords, the numbers would name nothing.
   if (answered->ask.question.kind == QuestionKind::even_chord)
     for (const std::uint32_t choice : answered->ask.choices)
       draw_chord(painter,
-                 chord_of_choice(*view.state.walkthrough.trace, answered->ask.detail,
+                 chord_of_choice(*view.state.view.walkthrough.trace, answered->ask.detail,
                                  answered->ask.question, choice),
                  view.theme.accent_on_object.at(0.45f), 1.5f);
   draw_names_of_choices(painter, view, answered->ask, reach, occupied);
@@ -179,7 +179,7 @@ void draw_answered(const Painter& painter, const CanvasView& view, double reach,
 
 // Where the words speak of candidates by their numbers, the best of them have these in the drawing.
 void draw_ranked(const Painter& painter, const CanvasView& view, double reach, Occupied& occupied) {
-  const Walkthrough& walk = view.state.walkthrough;
+  const Walkthrough& walk = view.state.view.walkthrough;
   const std::optional<TeamScores>& scores = walk.detail.scores;
   if (!scores || walk.ask || walk.answered) return;
   Ask ranked;
@@ -192,11 +192,11 @@ void draw_ranked(const Painter& painter, const CanvasView& view, double reach, O
 // The choices of a question; the one that the buttons point at is stronger.
 void draw_choices(const Painter& painter, const CanvasView& view, double reach,
                   Occupied& occupied) {
-  const std::optional<Ask>& ask = view.state.walkthrough.ask;
+  const std::optional<Ask>& ask = view.state.view.walkthrough.ask;
   if (!ask) return;
   draw_asked_completion(painter, view, *ask);
   const auto chord = [&](std::size_t i) -> const Chord& {
-    return chord_of_choice(*view.state.walkthrough.trace, ask->detail, ask->question,
+    return chord_of_choice(*view.state.view.walkthrough.trace, ask->detail, ask->question,
                            ask->choices[i]);
   };
   for (std::size_t i = 0; i < ask->choices.size(); ++i)
@@ -212,13 +212,13 @@ namespace {
 
 // The pushes that tip are known where the last lifting base is.
 bool shows_heat(const CanvasView& view) {
-  const StepKind kind = view.state.walkthrough.detail.step.kind;
+  const StepKind kind = view.state.view.walkthrough.detail.step.kind;
   return view.scene.shows_heat() && (kind == StepKind::coverage || kind == StepKind::result);
 }
 
 // What the step is about, over what is known so far.
 void draw_step(const Painter& painter, const CanvasView& view) {
-  const Walkthrough& walk = view.state.walkthrough;
+  const Walkthrough& walk = view.state.view.walkthrough;
   const std::vector<Team>& teams = teams_at(*walk.trace, walk.known);
   if (walk.base.size() >= 2)
     painter.outline(walk.base, view.theme.hull_outline, 2, walk.base.size() > 2);
@@ -240,7 +240,7 @@ void draw_step(const Painter& painter, const CanvasView& view) {
 }  // namespace
 
 void draw_walkthrough(const Painter& painter, const CanvasView& view) {
-  const Walkthrough& walk = view.state.walkthrough;
+  const Walkthrough& walk = view.state.view.walkthrough;
   const Placement& placement = walk.trace->placement;
   const bool shows_step = !asks_of_other_robots(view.state);
   painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);

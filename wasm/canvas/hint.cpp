@@ -13,7 +13,7 @@ namespace evenlift::view {
 namespace {
 
 std::string hint_of_walkthrough(const AppState& state) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   if (walk.ask) return "Click the one that you expect";
   if (walk.hovered && *walk.hovered < walk.figures.size())
     return capitalised(figure_text(*walk.trace, walk.detail, walk.figures[*walk.hovered]));
@@ -23,22 +23,24 @@ std::string hint_of_walkthrough(const AppState& state) {
 
 // A drag moves the vertex even where a robot stands on it, until the card of the robot is open.
 std::string hint_of_vertex(const AppState& state, std::size_t i) {
-  const Points& vertices = state.document.vertices;
+  const Points& vertices = state.work.document().vertices;
   if (i >= vertices.size()) return {};
-  const Pick robot = pick_explained(state, state.camera.to_screen(vertices[i]), false);
+  const Pick robot = pick_explained(state, state.view.camera.to_screen(vertices[i]), false);
   return "Vertex " + std::to_string(i + 1) + " " + given_point(vertices[i]) +
          " · drag to move, Delete to remove" +
          (can_take_robot(state, robot) ? " · press it once, and a drag moves the robot" : "");
 }
 
 bool on_centroid(const AppState& state) {
-  const std::optional<Vec2> centroid = centroid_of(state.document.vertices);
-  return centroid && state.document.centre_of_mass == rounded_finely(state.camera, *centroid);
+  const std::optional<Vec2> centroid = centroid_of(state.work.document().vertices);
+  return centroid &&
+         state.work.document().centre_of_mass == rounded_finely(state.view.camera, *centroid);
 }
 
 std::string hint_of_centre(const AppState& state) {
   return "Centre of mass " +
-         point_in_words(centre_of_mass(state), coordinate_decimals(state.document.vertices)) +
+         point_in_words(centre_of_mass(state),
+                        coordinate_decimals(state.work.document().vertices)) +
          (on_centroid(state) ? " · on the centroid" : " · drag to move");
 }
 
@@ -99,12 +101,12 @@ std::string hint_of_candidate(const Placement* placement, std::size_t i) {
 }
 
 std::string hint_of_drawing(const AppState& state) {
-  const Points& points = state.drawing.points;
+  const Points& points = state.view.drawing.points;
   if (points.empty())
     return "Click to place the first vertex · drag to move the view · or use arrow keys and Enter";
-  if (state.hover.kind == Pick::Kind::vertex && state.hover.index < points.size())
-    return "Vertex " + std::to_string(state.hover.index + 1) + " " +
-           given_point(points[state.hover.index]) + " · drag to move";
+  if (state.view.hover.kind == Pick::Kind::vertex && state.view.hover.index < points.size())
+    return "Vertex " + std::to_string(state.view.hover.index + 1) + " " +
+           given_point(points[state.view.hover.index]) + " · drag to move";
   return "Click to place vertices, or type a length · click the first, or Enter, to close · Esc takes one back";
 }
 
@@ -139,24 +141,27 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
 }  // namespace
 
 std::string hint(const AppState& state) {
-  if (state.screen.embed) return {};
-  if (state.tool == Tool::draw) return hint_of_drawing(state);
-  if (state.tool == Tool::transform)
+  if (state.session.screen.embed) return {};
+  if (state.view.tool == Tool::draw) return hint_of_drawing(state);
+  if (state.view.tool == Tool::transform)
     return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do the same";
-  if (state.tool == Tool::mark)
+  if (state.view.tool == Tool::mark)
     return "Drag along the boundary to mark what no robot may touch, over a mark to erase it · click an edge for all of it";
-  const bool holds = state.held.kind != Pick::Kind::none && state.held.kind != Pick::Kind::ground;
-  const Pick& at = holds ? state.held : state.hover;
+  const bool holds =
+      state.view.held.kind != Pick::Kind::none && state.view.held.kind != Pick::Kind::ground;
+  const Pick& at = holds ? state.view.held : state.view.hover;
   const bool on_grip = at.kind == Pick::Kind::vertex || at.kind == Pick::Kind::centre;
-  if (walkthrough_is_open(state) && !state.refusal && !on_grip) return hint_of_walkthrough(state);
+  if (walkthrough_is_open(state) && !state.derived().refusal && !on_grip)
+    return hint_of_walkthrough(state);
   return hint_of_pick(state, at);
 }
 
 std::string shown_hint(const AppState& state, const Layout& layout) {
   // A phone has neither the room nor the wheel that it speaks of; a notice stands in its place.
-  if (!state.notice.text.empty() || state.screen.foot > 0 || state.screen.window_left > 0 ||
-      state.screen.window_right > 0 || state.screen.window_foot > 0 || !layout.wide ||
-      state.screen.finger || state.screen.height < 560)
+  if (!state.session.notice.text.empty() || state.session.screen.foot > 0 ||
+      state.session.screen.window_left > 0 || state.session.screen.window_right > 0 ||
+      state.session.screen.window_foot > 0 || !layout.wide || state.session.screen.finger ||
+      state.session.screen.height < 560)
     return {};
   std::string text = hint(state);
   const double room = layout.free.right - layout.tools.right - 22 - 10 - layout.margin;
@@ -175,7 +180,7 @@ void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, co
   const double width = static_cast<double>(size.x);
   // Beside the tools of the view, not under them.
   const double left = std::max(layout.free.middle().x() - width / 2, layout.tools.right + 22);
-  const double top = state.screen.height - layout.margin - 24;
+  const double top = state.session.screen.height - layout.margin - 24;
   list.AddRectFilled(vec(left - 10, top - 5),
                      vec(left + width + 10, top + static_cast<double>(size.y) + 5),
                      theme.ground.at(0.85f).packed(), 8);

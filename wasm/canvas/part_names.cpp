@@ -55,7 +55,7 @@ void draw_part_names(const Painter& painter, const CanvasView& view, Occupied& o
     names.push_back(std::move(name));
   };
   const Vec2 c = view.placement->centre_of_mass;
-  for (const Figure& figure : view.state.walkthrough.figures) {
+  for (const Figure& figure : view.state.view.walkthrough.figures) {
     const std::string name = part_name(figure);
     if (name.empty()) continue;
     if (figure.kind == FigureKind::vertex) {

@@ -121,7 +121,7 @@ void draw_base(const Painter& painter, const Points& base, Colour fill, Colour l
 
 // From C to a robot: an arrow where the arms are what the step is about, otherwise a thin line.
 void draw_arm(const Painter& painter, const CanvasView& view, const Points& p) {
-  if (view.state.walkthrough.detail.step.kind != StepKind::many)
+  if (view.state.view.walkthrough.detail.step.kind != StepKind::many)
     return painter.line(p[0], p[1], view.theme.chord, 1);
   constexpr double before_robot = 13;  // pixels
   const Vec2 tail = view.camera.to_screen(p[0]), way = view.camera.to_screen(p[1]) - tail;
@@ -255,7 +255,7 @@ void draw_middle(const Painter& painter, const CanvasView& view, const Vec2& wor
 void draw_figure(const Painter& painter, const CanvasView& view, const Figure& figure) {
   const Points& p = figure.points;
   if (p.empty()) return;
-  const std::size_t candidates = view.state.walkthrough.trace->placement.candidates.size();
+  const std::size_t candidates = view.state.view.walkthrough.trace->placement.candidates.size();
   const std::optional<Stroke> stroke = stroke_of(figure.kind, view.theme, candidates);
   if (!stroke) return draw_shape(painter, view, figure);
   if (p.size() < 2) return;

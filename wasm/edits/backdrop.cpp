@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "edits/draw_polygon.h"
-#include "edits/placing.h"
+#include "edits/editing.h"
 #include "evenlift/document.h"
 #include "state/layout.h"
 
@@ -13,8 +13,8 @@ namespace evenlift::view {
 namespace {
 
 void show_all_of_it(AppState& state) {
-  state.camera = fitting_camera(state);
-  state.camera_follows = true;  // cards come and go beside it
+  state.view.camera = fitting_camera(state);
+  state.view.camera_follows = true;  // cards come and go beside it
 }
 
 // Where a point of the picture comes to when the picture is scaled.
@@ -37,7 +37,7 @@ bool all_within(const Points& points, const Scaled& scaled) {
 }
 
 void scale_drawing(AppState& state, const Scaled& scaled) {
-  Drawing& drawing = state.drawing;
+  Drawing& drawing = state.view.drawing;
   for (Points* points : {&drawing.points, &drawing.undone}) scaled(*points);
   for (std::optional<Vec2>* cursor : {&drawing.cursor, &drawing.last_cursor}) scaled(*cursor);
   renew_drawing(state);
@@ -46,29 +46,30 @@ void scale_drawing(AppState& state, const Scaled& scaled) {
 }  // namespace
 
 void lay_behind(AppState& state, const Vec2& low, const Vec2& high) {
-  state.backdrop = Backdrop{low, high, ++state.pictures};
-  if (state.tool != Tool::draw) take_tool(state, Tool::draw);
+  state.work.backdrop = Backdrop{low, high, ++state.work.pictures};
+  if (state.view.tool != Tool::draw) take_tool(state, Tool::draw);
   show_all_of_it(state);
 }
 
-void take_picture_away(AppState& state) { state.backdrop.reset(); }
+void take_picture_away(AppState& state) { state.work.backdrop.reset(); }
 
 std::string scale_picture(AppState& state, double width) {
-  if (!state.backdrop) return {};
-  const Scaled scaled{state.backdrop->low, width / state.backdrop->width()};
-  const bool draws = state.tool == Tool::draw, traced = !draws && state.backdrop->traced;
-  Points corners = draws ? state.drawing.points : traced ? state.document.vertices : Points();
-  corners.push_back(state.backdrop->high);
+  if (!state.work.backdrop) return {};
+  const Scaled scaled{state.work.backdrop->low, width / state.work.backdrop->width()};
+  const bool draws = state.view.tool == Tool::draw, traced = !draws && state.work.backdrop->traced;
+  Points corners = draws    ? state.view.drawing.points
+                   : traced ? state.work.document().vertices
+                            : Points();
+  corners.push_back(state.work.backdrop->high);
   if (!(scaled.factor > 0) || !std::isfinite(scaled.factor)) return "It would have no size";
   if (!all_within(corners, scaled)) return "The picture would reach beyond the largest coordinate";
-  if (traced) begin_edit(state, false, Edit::whole);
-  state.backdrop->high = scaled(state.backdrop->high);
-  state.backdrop->low = Vec2(0, 0);
+  Document* document = traced ? &edit(state, false, Edit::whole) : nullptr;
+  state.work.backdrop->high = scaled(state.work.backdrop->high);
+  state.work.backdrop->low = Vec2(0, 0);
   if (draws) scale_drawing(state, scaled);
-  if (traced) {
-    scaled(state.document.vertices);
-    scaled(state.document.centre_of_mass);
-    recompute(state);
+  if (document) {
+    scaled(document->vertices);
+    scaled(document->centre_of_mass);
   }
   show_all_of_it(state);
   return {};

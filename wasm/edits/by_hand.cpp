@@ -2,16 +2,12 @@
 
 #include <utility>
 
-#include "edits/outlook.h"
-#include "edits/placing.h"
-#include "edits/search.h"
+#include "edits/editing.h"
 #include "evenlift/moved.h"
 #include "evenlift/plane.h"
 #include "evenlift/stands.h"
-#include "state/browser.h"
 #include "state/notice.h"
 #include "tools/shorter_way.h"
-#include "walkthrough/explain.h"
 
 namespace evenlift::view {
 namespace {
@@ -27,30 +23,11 @@ LiftingPoint nearest_on_outline(const Points& vertices, const Vec2& to) {
   return nearest;
 }
 
-// The card about the robot stays with it.
-void follow_card(AppState& state) {
-  if (!state.explanation) return;
-  const std::optional<std::size_t> number = state.explanation->robot;
-  state.explanation.reset();
-  if (!number) return;
-  const auto [team, robot] = find_robot(state.placement->teams, *number);
-  const Vec2& at = state.placement->teams[team].robots[robot].point.position;
-  state.explanation = explain(state, {Pick::Kind::robot, team, static_cast<int>(robot), at});
-}
-
 // A team's robots are numbered by which of them is left: the one that is held may become the other.
-void follow_grip(AppState& state, std::size_t number, std::size_t now) {
-  if (number == now) return;
-  const auto turn = [&](std::size_t& robot) {
-    if (robot == number)
-      robot = now;
-    else if (robot == now)
-      robot = number;
-  };
-  if (state.explanation && state.explanation->robot) turn(*state.explanation->robot);
-  const auto [team, robot] = find_robot(state.placement->teams, now);
-  if (state.held.kind == Pick::Kind::robot && state.held.index == team)
-    state.held.end = static_cast<int>(robot);
+void follow_grip(AppState& state, const Placement& placement, std::size_t now) {
+  const auto [team, robot] = find_robot(placement.teams, now);
+  if (state.view.held.kind == Pick::Kind::robot && state.view.held.index == team)
+    state.view.held.end = static_cast<int>(robot);
 }
 
 // The number of a moved team's robot whose edge is kept.
@@ -67,10 +44,10 @@ const MovedTeam* find_team(const Moved& moved, std::size_t team) {
 
 // Notes that the robot that is held cannot go there; of one that is moved by keys a notice says so. O(n).
 void refuse_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
-  if (state.held.kind == Pick::Kind::robot)
-    state.closed_to = nearest_on_outline(state.placement->vertices(), to);
+  if (state.view.held.kind == Pick::Kind::robot)
+    state.view.closed_to = nearest_on_outline(state.derived().placement->vertices(), to);
   else
-    show(state, {Notice::Kind::info, closed_in_words(*state.placement, robot)});
+    show(state, {Notice::Kind::info, closed_in_words(*state.derived().placement, robot)});
 }
 
 // Where the robots come to if one of the first picture is moved: a balanced one to the point of the outline
@@ -78,9 +55,11 @@ void refuse_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
 // range towards `to`. Nothing if they stay; where others cannot follow it, the state notes where the
 // robot is wanted that is held, and a notice tells it of one that is moved by keys. O(n log n).
 std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
-  state.closed_to.reset();
-  if (state.refusal || !state.placement || state.placement->teams.empty()) return std::nullopt;
-  const Placement& placement = *state.placement;
+  state.view.closed_to.reset();
+  if (state.derived().refusal || !state.derived().placement ||
+      state.derived().placement->teams.empty())
+    return std::nullopt;
+  const Placement& placement = *state.derived().placement;
   if (can_move_teams(placement)) return moved_along_range(placement, robot, to);
   if (placement.settings.method != Method::balanced) return std::nullopt;
   auto moved = moved_along_outline(placement, robot, nearest_on_outline(placement.vertices(), to));
@@ -88,41 +67,34 @@ std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec
   return moved;
 }
 
-// Shows a placement in which this robot was moved, and takes over where its robots are. It ends the search.
-void show_moved(AppState& state, std::size_t robot, Placement placement) {
-  drop_search(state);
-  state.placement = std::move(placement);
-  state.document.moved = state.placed.moved = state.placement->moved;
-  ++state.revision;
-  forget_failures(state);
-  const auto [team, end] = find_robot(state.placement->teams, robot);
-  if (const MovedTeam* moved = find_team(state.document.moved, team))
-    follow_grip(state, robot, number_of(*state.placement, *moved));
-  renew_outlook(state);
-  renew_failures(state);
-  follow_card(state);
-  browser::document_changed();
+// The number that a robot has once it was moved.
+std::size_t number_after(const Placement& placement, std::size_t robot) {
+  const MovedTeam* moved = find_team(placement.moved, find_robot(placement.teams, robot).team);
+  return moved ? number_of(placement, *moved) : robot;
 }
 
 }  // namespace
 
 void move_robot(AppState& state, std::size_t robot, const Vec2& to) {
   const std::optional<Moved> moved = moved_by_hand(state, robot, to);
-  if (!moved || *moved == state.document.moved) return;
-  Result<Placement> placement = with_moved(*state.placement, *moved);
+  if (!moved || *moved == state.work.document().moved) return;
+  Result<Placement> placement = with_moved(*state.derived().placement, *moved);
   if (!placement) return refuse_by_hand(state, robot, to);  // two robots would meet
   begin_edit(state, true, Edit::robots_moved);
-  show_moved(state, robot, std::move(placement).value());
+  state.work.edit().moved = placement->moved;
+  const std::size_t now = number_after(*placement, robot);
+  if (now != robot) follow_grip(state, *placement, now);
+  state.given = {};
+  state.given.placement = std::move(placement).value();
+  state.given.moved = {robot, now};
 }
 
 void put_robots_back(AppState& state) {
-  if (!state.document.moved.any()) return;
-  begin_edit(state, false, Edit::robots_reset);
-  recompute(state);
+  if (state.work.document().moved.any()) edit(state, false, Edit::robots_reset);
 }
 
 void put_teams_back(AppState& state) {
-  if (!state.document.moved.teams.empty()) put_robots_back(state);
+  if (!state.work.document().moved.teams.empty()) put_robots_back(state);
 }
 
 }  // namespace evenlift::view

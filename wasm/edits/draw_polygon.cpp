@@ -8,7 +8,6 @@
 #include "edits/sight.h"
 #include "evenlift/output/words.h"
 #include "evenlift/polygon.h"
-#include "state/browser.h"
 #include "state/layout.h"
 #include "state/notice.h"
 #include "state/opened.h"
@@ -36,73 +35,74 @@ void check_drawing(Drawing& drawing) {
 }  // namespace
 
 void renew_drawing(AppState& state) {
-  Drawing& drawing = state.drawing;
+  Drawing& drawing = state.view.drawing;
   drawing.length.reset();
   drawing.degrees.reset();
   drawing.checked = false;
   drawing.refusal.reset();
   show(state, {});
-  browser::document_changed();
+  emit(state, DocumentChanged{});
 }
 
 void take_tool(AppState& state, Tool tool) {
   if (tool == Tool::draw && walkthrough_is_open(state)) close_walkthrough(state);
-  state.tool = tool;
-  browser::summary_changed();
-  state.explanation.reset();
-  if (!state.drawing.points.empty()) browser::document_changed();
-  state.drawing = {};
-  state.selected.reset();
-  state.hover = state.held = {};
-  if (tool == Tool::draw) state.second_method.reset();
+  state.view.tool = tool;
+  emit(state, SummaryChanged{});
+  state.view.card.ask(std::nullopt);
+  if (!state.view.drawing.points.empty()) emit(state, DocumentChanged{});
+  state.view.drawing = {};
+  state.view.selected.reset();
+  state.view.hover = state.view.held = {};
+  if (tool == Tool::draw) state.work.second_method.reset();
   show(state, {});
   if (tool == Tool::mark)
-    browser::announce(
+    announce(
+        state,
         "What no robot may touch is marked by dragging along the boundary, or typed as numbers of edges in the field "
         "No-go edges.");
 }
 
 void add_point(AppState& state, const Vec2& at) {
-  Points& points = state.drawing.points;
+  Points& points = state.view.drawing.points;
   if (!points.empty() && points.back() == at) return;
   points.push_back(at);
   // The next edge begins here, wherever the cursor was: a finger has none between two taps.
-  state.drawing.last_cursor = at;
-  if (state.drawing.cursor) state.drawing.cursor = at;
-  state.drawing.undone.clear();
+  state.view.drawing.last_cursor = at;
+  if (state.view.drawing.cursor) state.view.drawing.cursor = at;
+  state.view.drawing.undone.clear();
   renew_drawing(state);
 }
 
 void move_point(AppState& state, std::size_t point, const Vec2& to) {
-  Points& points = state.drawing.points;
+  Points& points = state.view.drawing.points;
   if (point >= points.size() || points[point] == to) return;
   points[point] = to;
   renew_drawing(state);
 }
 
 void take_point_back(AppState& state) {
-  if (move_last(state.drawing.points, state.drawing.undone)) renew_drawing(state);
+  if (move_last(state.view.drawing.points, state.view.drawing.undone)) renew_drawing(state);
 }
 
 void put_point_back(AppState& state) {
-  if (move_last(state.drawing.undone, state.drawing.points)) renew_drawing(state);
+  if (move_last(state.view.drawing.undone, state.view.drawing.points)) renew_drawing(state);
 }
 
 void set_draw_cursor(AppState& state, const SetDrawCursor& cursor) {
-  Drawing& drawing = state.drawing;
+  Drawing& drawing = state.view.drawing;
   drawing.cursor = cursor.at;
   if (cursor.at) drawing.last_cursor = cursor.at;
   if (cursor.by_keys)
     keep_in_sight(state, *cursor.at);
   else
     drawing.pointer = cursor.pointer;
-  if (cursor.by_keys || drawing.by_keys) browser::summary_changed();
+  if (cursor.by_keys || drawing.by_keys) emit(state, SummaryChanged{});
   drawing.by_keys = cursor.by_keys;
-  if (cursor.at && closes(state, state.camera.to_screen(*cursor.at))) check_drawing(drawing);
+  if (cursor.at && closes(state, state.view.camera.to_screen(*cursor.at))) check_drawing(drawing);
 }
 
 void type_edge(AppState& state, const TypeEdge& typed) {
-  Drawing& drawing = state.drawing;
+  Drawing& drawing = state.view.drawing;
   if (drawing.points.empty()) return;
   if (typed.length && !(*typed.length > 0 && *typed.length <= max_coordinate))
     return show(state, {Notice::Kind::problem, "The length of an edge is a number above 0."});
@@ -124,32 +124,32 @@ void type_edge(AppState& state, const TypeEdge& typed) {
   drawing.by_keys = true;
   keep_in_sight(state, to);
   if (typed.place) add_point(state, to);
-  browser::summary_changed();
+  emit(state, SummaryChanged{});
 }
 
 void withdraw_edge(AppState& state) {
-  Drawing& drawing = state.drawing;
+  Drawing& drawing = state.view.drawing;
   if (drawing.points.empty() || (!drawing.length && !drawing.degrees)) return;
   drawing.length.reset();
   drawing.degrees.reset();
-  const Vec2 to = drawing.pointer ? next_point(state, state.camera.to_world(*drawing.pointer))
+  const Vec2 to = drawing.pointer ? next_point(state, state.view.camera.to_world(*drawing.pointer))
                                   : drawing.points.back();
   drawing.last_cursor = to;
   if (drawing.cursor) drawing.cursor = to;
   drawing.by_keys = false;
-  browser::summary_changed();
+  emit(state, SummaryChanged{});
 }
 
 void finish_drawing(AppState& state) {
-  Result<Opened> polygon = opened_after({state.drawing.points, {}}, state.document);
+  Result<Opened> polygon = opened_after({state.view.drawing.points, {}}, state.work.document());
   if (!polygon) {
-    state.drawing.checked = true;
-    state.drawing.refusal = polygon.error();
+    state.view.drawing.checked = true;
+    state.view.drawing.refusal = polygon.error();
     show(state, {Notice::Kind::problem, sentence(polygon.error()) + "."});
     return;
   }
   open(state, std::move(polygon).value(), Edit::drawn);
-  if (state.backdrop) state.backdrop->traced = true;
+  if (state.work.backdrop) state.work.backdrop->traced = true;
 }
 
 }  // namespace evenlift::view

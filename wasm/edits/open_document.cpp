@@ -2,31 +2,31 @@
 
 #include <utility>
 
-#include "edits/placing.h"
+#include "edits/editing.h"
 #include "edits/sight.h"
-#include "walkthrough/walkthrough.h"
+#include "state/notice.h"
 
 namespace evenlift::view {
 namespace {
 
 // Forgets what belonged to the former document.
 void forget_former(AppState& state) {
-  if (state.tool == Tool::draw) state.tool = Tool::parts;
-  state.drawing = {};
-  state.selected.reset();
-  state.aside = {};
-  if (state.backdrop) state.backdrop->traced = false;
-  state.hover = state.held = {};
+  if (state.view.tool == Tool::draw) state.view.tool = Tool::parts;
+  state.view.drawing = {};
+  state.view.selected.reset();
+  state.work.aside = {};
+  if (state.work.backdrop) state.work.backdrop->traced = false;
+  state.view.hover = state.view.held = {};
   // The walkthrough begins with the document's step, if it has one.
-  state.walkthrough.trace.reset();
-  state.walkthrough.script.reset();
-  state.walkthrough.aside.reset();
-  state.walkthrough.of_lesson = false;
-  state.walkthrough.playing = false;
-  state.walkthrough.visited.clear();
-  state.walkthrough.guesses = {};
-  state.walkthrough.at = 0;
-  state.walkthrough.all_steps = false;
+  state.view.walkthrough.trace.reset();
+  state.view.walkthrough.script.reset();
+  state.view.walkthrough.aside.reset();
+  state.view.walkthrough.of_lesson = false;
+  state.view.walkthrough.playing = false;
+  state.view.walkthrough.visited.clear();
+  state.view.walkthrough.guesses = {};
+  state.view.walkthrough.at = 0;
+  state.view.walkthrough.all_steps = false;
   fit_view(state);
 }
 
@@ -34,22 +34,22 @@ void forget_former(AppState& state) {
 
 void show_opened(AppState& state, Opened opened) {
   forget_former(state);
-  state.document = std::move(opened.document);
-  adopt(state, std::move(opened.placement));
-  follow_up(state);
-  follow_placement(state, std::move(opened.trace));
+  show(state, {});
+  state.work.edit() = std::move(opened.document);
+  state.given = {std::move(opened.placement), std::move(opened.trace), {}, {}};
 }
 
 void open(AppState& state, Opened opened, Edit edit) {
   begin_edit(state, false, edit);
-  ++state.opened;
-  if (edit == Edit::lesson_opened) state.second_method.reset();  // a lesson has the whole picture
+  ++state.session.opened;
+  if (edit == Edit::lesson_opened)
+    state.work.second_method.reset();  // a lesson has the whole picture
   show_opened(state, std::move(opened));
 }
 
 void start_with(AppState& state, Opened opened, const std::optional<Document>& work) {
   if (work) {
-    state.document = *work;
+    state.work.edit() = *work;
     open(state, std::move(opened));
   } else {
     show_opened(state, std::move(opened));
@@ -57,10 +57,10 @@ void start_with(AppState& state, Opened opened, const std::optional<Document>& w
 }
 
 void resume_draft(AppState& state, Document draft) {
-  begin_edit(state, false, Edit::vertex_moved);
+  Document& document = edit(state, false, Edit::vertex_moved);
   forget_former(state);
-  state.document = std::move(draft);
-  recompute(state);
+  document = std::move(draft);
+  document.moved = {};
 }
 
 }  // namespace evenlift::view

@@ -1,12 +1,13 @@
 #include "edits/try_edit.h"
 
+#include <string>
 #include <utility>
 
 #include "edits/by_hand.h"
 #include "edits/changed_settings.h"
-#include "edits/outlook.h"
-#include "edits/placing.h"
+#include "edits/editing.h"
 #include "edits/undo.h"
+#include "evenlift/settings.h"
 #include "state/opened.h"
 #include "walkthrough/walkthrough.h"
 
@@ -15,49 +16,63 @@ namespace {
 
 // Whether the edit leaves the placement as it is.
 bool places_nothing(const AppState& state, const Document& edited) {
-  return !state.refusal && edited.vertices == state.document.vertices &&
-         edited.centre_of_mass == state.document.centre_of_mass &&
+  return !state.derived().refusal && edited.vertices == state.work.document().vertices &&
+         edited.centre_of_mass == state.work.document().centre_of_mass &&
          edited.settings == settings(state);
+}
+
+// Opens the walkthrough of teams where they were found, at this step.
+std::optional<InputError> try_to_open(AppState& state, std::uint32_t step) {
+  Result<Placement> found = *state.derived().placement;
+  if (!state.work.document().moved.teams.empty()) {
+    Document document = state.work.document();
+    document.moved = {};
+    found = compute_placement(document, found.value());
+  }
+  if (!found) return found.error();
+  Result<Trace> trace = compute_trace(*found, shown(state).units);
+  if (!trace) return trace.error();
+  if (auto problem = check_step(step, *trace)) return problem;
+  put_teams_back(state);
+  state.given = {std::move(found).value(), std::move(trace).value(), {}, {}};
+  state.work.show().step = step;
+  state.view.walkthrough.of_lesson = false;
+  return std::nullopt;
 }
 
 // Goes to another step of the open document's walkthrough, or closes the walkthrough.
 std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t> step) {
-  std::optional<Trace> made;
-  if (step && !walkthrough_is_open(state)) {
-    put_teams_back(state);
-    Result<Trace> trace = compute_trace(*state.placement, shown(state).units);
-    if (!trace) return trace.error();
-    made = std::move(trace).value();
-  }
-  if (step) {
-    if (auto problem = check_step(*step, made ? *made : *state.walkthrough.trace)) return problem;
-  }
   if (!step) {
     if (walkthrough_is_open(state)) leave_walkthrough(state);
     return std::nullopt;
   }
-  if (!made) {
-    go_to_step(state, *step);
-    return std::nullopt;
-  }
-  state.document.shown.step = state.placed.shown.step = step;
-  state.walkthrough.of_lesson = false;
-  follow_placement(state, std::move(made));
+  if (!walkthrough_is_open(state)) return try_to_open(state, *step);
+  if (auto problem = check_step(*step, *state.view.walkthrough.trace)) return problem;
+  go_to_step(state, *step);
   return std::nullopt;
+}
+
+std::optional<InputError> check_robot(const Placement& placement, std::uint64_t number) {
+  const std::size_t count = count_robots(placement.teams);
+  if (number <= count) return std::nullopt;
+  InputError error = setting_error(Setting::failed);
+  error.message = "there is no robot " + std::to_string(number) + ": there are " +
+                  (count == 0 ? "none" : std::to_string(count));
+  return error;
 }
 
 }  // namespace
 
 std::optional<InputError> try_edit(AppState& state, const Document& edited, std::uint64_t failed) {
   if (places_nothing(state, edited)) {
-    if (auto problem = check_robot(*state.placement, failed)) return problem;
+    if (auto problem = check_robot(*state.derived().placement, failed)) return problem;
     const Shown before = shown(state);
     // This may leave a lesson, after which other settings are in force.
     if (auto problem = try_step(state, edited.shown.step)) return problem;
     change_shown(state, before, edited.shown);
     return std::nullopt;
   }
-  Result<Placement> placement = compute_placement(edited, state.placement);
+  Result<Placement> placement = compute_placement(edited, state.derived().placement);
   if (!placement) return placement.error();
   if (auto problem = check_robot(*placement, failed)) return problem;
   std::optional<Trace> trace;
@@ -68,12 +83,10 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
     if (auto problem = check_step(*edited.shown.step, *made)) return problem;
     trace = std::move(made).value();
   }
-  begin_edit(state, false, edit_between(state.document, edited));
-  if (!walkthrough_is_open(state)) state.walkthrough.of_lesson = false;
-  state.document = edited;
-  adopt(state, std::move(placement));
-  follow_up(state);
-  follow_placement(state, std::move(trace));
+  Document& document = edit(state, false, edit_between(state.work.document(), edited));
+  if (!walkthrough_is_open(state)) state.view.walkthrough.of_lesson = false;
+  document = edited;
+  state.given = {std::move(placement).value(), std::move(trace), {}, {}};
   return std::nullopt;
 }
 

@@ -38,7 +38,8 @@ void draw_centre(const Painter& painter, const CanvasView& view) {
     draw_tip(painter, ImVec2(at.x, at.y + 11), theme, theme.robot);
   const bool hovered = is_hovered(state, Pick::Kind::centre, 0);
   if (hovered) painter.list().AddCircleFilled(at, 16, theme.accent.at(0.22f).packed(), 32);
-  const bool wrong = state.refusal && state.refusal->place.kind == Place::Kind::centre_of_mass;
+  const bool wrong =
+      state.derived().refusal && state.derived().refusal->place.kind == Place::Kind::centre_of_mass;
   painter.list().AddCircleFilled(at, 11.5f, theme.object.packed(), 32);
   draw_centre_mark(painter.list(), at, 9,
                    wrong     ? theme.amber_on_object

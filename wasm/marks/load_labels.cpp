@@ -53,7 +53,7 @@ std::optional<Chord> pointed_chord(const CanvasView& view) {
   const Pick at = marked_part(view.state);
   const Placement& placement = *view.placement;
   if (placement.settings.method == Method::balanced || view.failure() || at.second != view.second ||
-      view.state.held.kind != Pick::Kind::none)
+      view.state.view.held.kind != Pick::Kind::none)
     return std::nullopt;
   return chord_of_part(placement, at);
 }
@@ -70,8 +70,8 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   const Placement& placement = *view.placement;
   Occupied occupied(free_window(view));
   occupied.box(view.layout.tools);
-  if (view.layout.wide && !view.state.presenting && view.state.screen.foot == 0 &&
-      view.state.screen.window_foot == 0)  // the hint beside the tools (canvas/hint.cpp)
+  if (view.layout.wide && !view.state.view.presenting && view.state.session.screen.foot == 0 &&
+      view.state.session.screen.window_foot == 0)  // the hint beside the tools (canvas/hint.cpp)
     occupied.box({view.layout.tools.right, view.layout.tools.top, view.layout.free.right,
                   view.layout.tools.bottom});
   // The cards that come and go over the drawing, where they were in the last frame.
@@ -92,7 +92,7 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 at = view.camera.to_screen(vertices[i]);
     occupied.line(last, at);
-    if (n <= 40 && !view.state.screen.embed) occupied.box(about(at, 6));
+    if (n <= 40 && !view.state.session.screen.embed) occupied.box(about(at, 6));
     last = at;
   }
   const Points& base = placement.lifting_base;
@@ -100,9 +100,9 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
     occupied.line(view.camera.to_screen(base[i]),
                   view.camera.to_screen(base[i + 1 == base.size() ? 0 : i + 1]));
   if (const std::optional<Rect> coverage = coverage_box(view)) occupied.box(*coverage);
-  if (view.state.selected)
-    occupied.box(about(view.camera.to_screen(vertices[*view.state.selected]), 14));
-  if (view.state.tool == Tool::transform) {
+  if (view.state.view.selected)
+    occupied.box(about(view.camera.to_screen(vertices[*view.state.view.selected]), 14));
+  if (view.state.view.tool == Tool::transform) {
     constexpr double reach_of_grip = 10;
     const Rect frame = transform_frame(view.state);
     for (const FrameGrip grip : corner_grips)

@@ -29,23 +29,23 @@ namespace {
 void draw_vertices(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
-  if (state.tool == Tool::transform) return;  // the frame has the grips
-  const Points& vertices = state.document.vertices;
+  if (state.view.tool == Tool::transform) return;  // the frame has the grips
+  const Points& vertices = state.work.document().vertices;
   const std::size_t n = vertices.size();
-  const Colour outline = state.refusal ? theme.amber : theme.object_outline;
+  const Colour outline = state.derived().refusal ? theme.amber : theme.object_outline;
   ImDrawList& list = painter.list();
   for (std::size_t i = 0; i < n; ++i) {
     const ImVec2 at = painter.at(vertices[i]);
-    if (is_hovered(state, Pick::Kind::vertex, i) || state.selected == i) {
+    if (is_hovered(state, Pick::Kind::vertex, i) || state.view.selected == i) {
       list.AddCircleFilled(at, 18, theme.accent.at(0.22f).packed(), 36);
       list.AddCircleFilled(at, 6, theme.panel.packed(), 24);
       list.AddCircle(at, 6, theme.accent.packed(), 24, 2);
       continue;
     }
-    if (n > 1000 || state.screen.embed) continue;
+    if (n > 1000 || state.session.screen.embed) continue;
     const double before = length(vertices[i] - vertices[i == 0 ? n - 1 : i - 1]);
     const double after = length(vertices[i] - vertices[i + 1 == n ? 0 : i + 1]);
-    const double room = std::min(before, after) * state.camera.scale;
+    const double room = std::min(before, after) * state.view.camera.scale;
     if (n <= 40 && room >= 18) {
       list.AddCircleFilled(at, 4, theme.panel.packed(), 24);
       list.AddCircle(at, 4, outline.packed(), 24, 2);
@@ -58,10 +58,10 @@ void draw_vertices(const Painter& painter, const CanvasView& view) {
 void draw_edge_offer(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
-  if (state.hover.kind != Pick::Kind::edge || state.held.kind != Pick::Kind::none ||
-      state.screen.embed)
+  if (state.view.hover.kind != Pick::Kind::edge || state.view.held.kind != Pick::Kind::none ||
+      state.session.screen.embed)
     return;
-  const ImVec2 at = painter.at(state.hover.at);
+  const ImVec2 at = painter.at(state.view.hover.at);
   painter.list().AddCircleFilled(at, 5, theme.panel.packed(), 24);
   painter.list().AddCircle(at, 5, theme.accent.packed(), 24, 1.5f);
 }
@@ -69,15 +69,15 @@ void draw_edge_offer(const Painter& painter, const CanvasView& view) {
 // Where the robot that is dragged cannot go, up to where it is wanted.
 void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
-  const auto robot = static_cast<std::size_t>(state.held.end);
-  if (!state.closed_to || view.second || state.held.kind != Pick::Kind::robot) return;
+  const auto robot = static_cast<std::size_t>(state.view.held.end);
+  if (!state.view.closed_to || view.second || state.view.held.kind != Pick::Kind::robot) return;
   const Placement& placement = *view.placement;
   const bool balanced = placement.settings.method == Method::balanced;
-  const std::size_t team = balanced ? 0 : state.held.index;
+  const std::size_t team = balanced ? 0 : state.view.held.index;
   if (team >= placement.teams.size() || robot >= placement.teams[team].robots.size()) return;
   LiftingPoint from = placement.teams[team].robots[robot].point;
   if (placement.stands) from.position = placement.stands->contact(from);
-  const Points way = shorter_way(placement.vertices(), from, *state.closed_to);
+  const Points way = shorter_way(placement.vertices(), from, *state.view.closed_to);
   painter.outline(way, view.theme.amber_on_object, 5, false);
   const ImVec2 at = painter.at(way.back());
   const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
@@ -87,7 +87,7 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
 
 // How hard a push under the pointer must be to tip the object.
 void draw_push(const Painter& painter, const CanvasView& view) {
-  const Pick& hover = view.state.hover;
+  const Pick& hover = view.state.view.hover;
   const Placement& placement = *view.placement;
   if (hover.kind != Pick::Kind::object || hover.second != view.second || placement.teams.empty())
     return;
@@ -109,8 +109,8 @@ void draw_push(const Painter& painter, const CanvasView& view) {
 
 // Writes why a polygon is refused at the place of the fault.
 void draw_reason(const Painter& painter, const CanvasView& view) {
-  const InputError& error = *view.state.refusal;
-  const Points& vertices = view.state.document.vertices;
+  const InputError& error = *view.state.derived().refusal;
+  const Points& vertices = view.state.work.document().vertices;
   const std::size_t n = vertices.size();
   Vec2 spot;
   if (error.place.kind == Place::Kind::vertex && error.place.index < n) {
@@ -163,7 +163,8 @@ std::size_t further_in_captions(const CanvasView& view, float room) {
     return taken + text_size(Face::label, result_in_words(placement, units, further)).x <= room;
   };
   std::size_t further = 2;
-  for (const std::optional<Placement>* each : {&view.state.placement, &view.state.second})
+  for (const std::optional<Placement>* each :
+       {&view.state.derived().placement, &view.state.derived().second})
     while (*each && further > 0 && !fits(**each, further)) --further;
   return further;
 }
@@ -199,7 +200,7 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
 // While edges are marked: their numbers, for those who type them. An edge that is short has no room for one.
 void draw_numbers_to_type(const Painter& painter, const CanvasView& view) {
   constexpr double least = 44, reach = 14;  // pixels: of an edge, and of a robot's mark
-  const Points& vertices = view.state.document.vertices;
+  const Points& vertices = view.state.work.document().vertices;
   std::vector<NumberedEdge> numbered;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec2 &a = vertices[i], &b = vertices[i + 1 == vertices.size() ? 0 : i + 1];
@@ -229,7 +230,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_stands(painter, view);
     draw_coverage(painter, view);
   }
-  if (state.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
+  if (state.view.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
   if (view.current()) {
@@ -238,12 +239,12 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_robots(painter, view);
     draw_ratio(painter, view);
   }
-  if (state.tool == Tool::mark && !view.second) draw_numbers_to_type(painter, view);
+  if (state.view.tool == Tool::mark && !view.second) draw_numbers_to_type(painter, view);
   draw_centre(painter, view);
   if (view.current()) draw_push(painter, view);
   if (view.current()) draw_why_unusable(painter, view);
-  if (state.refusal) draw_reason(painter, view);
-  if (state.second_method) draw_caption(painter, view);
+  if (state.derived().refusal) draw_reason(painter, view);
+  if (state.work.second_method) draw_caption(painter, view);
 }
 
 }  // namespace evenlift::view

@@ -76,21 +76,22 @@ void draw_stands(const Painter& painter, const CanvasView& view) {
 }
 
 std::optional<WhyUnusable> why_unusable(const AppState& state, const Pick& at) {
-  if (at.kind != Pick::Kind::edge || state.refusal || !state.placement || !state.placement->stands)
+  if (at.kind != Pick::Kind::edge || state.derived().refusal || !state.derived().placement ||
+      !state.derived().placement->stands)
     return std::nullopt;
-  const Stands& stands = *state.placement->stands;
-  if (at.index >= state.placement->polygon.size()) return std::nullopt;
+  const Stands& stands = *state.derived().placement->stands;
+  if (at.index >= state.derived().placement->polygon.size()) return std::nullopt;
   const auto edge = static_cast<std::uint32_t>(at.index);
   return stands.why_not(edge, stands.along({at.at, edge}));
 }
 
 void draw_why_unusable(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
-  if (state.held.kind != Pick::Kind::none || view.second) return;
-  const auto why = why_unusable(state, state.hover);
+  if (state.view.held.kind != Pick::Kind::none || view.second) return;
+  const auto why = why_unusable(state, state.view.hover);
   if (!why) return;
-  draw_word(painter.list(), state.camera.to_screen(state.hover.at), view.uncovered(), view.theme,
-            view.theme.text,
+  draw_word(painter.list(), state.view.camera.to_screen(state.view.hover.at), view.uncovered(),
+            view.theme, view.theme.text,
             capitalised(unusable_in_words(*why, settings(state).robot, shown(state).units)));
 }
 

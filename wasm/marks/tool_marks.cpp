@@ -17,9 +17,9 @@ namespace {
 
 // The chain with the edge under way. While the pointer is in the fields of the bar, the edge that they tell of stays.
 Points chain_with_cursor(const AppState& state, bool closing) {
-  const Drawing& drawing = state.drawing;
+  const Drawing& drawing = state.view.drawing;
   const std::optional<Vec2>& end =
-      drawing.cursor || state.screen.touch ? drawing.cursor : drawing.last_cursor;
+      drawing.cursor || state.session.screen.touch ? drawing.cursor : drawing.last_cursor;
   Points chain = drawing.points;
   if (closing)
     chain.push_back(chain.front());
@@ -30,10 +30,10 @@ Points chain_with_cursor(const AppState& state, bool closing) {
 
 // Before the first vertex is placed.
 void draw_first_cursor(const Painter& painter, const AppState& state, const Theme& theme) {
-  const std::optional<Vec2>& cursor = state.drawing.cursor;
+  const std::optional<Vec2>& cursor = state.view.drawing.cursor;
   if (!cursor) return;
   painter.list().AddCircleFilled(painter.at(*cursor), 4, theme.accent.packed(), 16);
-  draw_word(painter.list(), state.camera.to_screen(*cursor), layout(state).free, theme,
+  draw_word(painter.list(), state.view.camera.to_screen(*cursor), layout(state).free, theme,
             theme.second_text, given_point(*cursor));
 }
 
@@ -50,7 +50,7 @@ std::set<std::size_t> crossed_edges(const Points& chain) {
 void draw_chain(const Painter& painter, const AppState& state, const Theme& theme,
                 const Points& chain, const std::set<std::size_t>& crossed) {
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    const bool placed = i + 1 < state.drawing.points.size();
+    const bool placed = i + 1 < state.view.drawing.points.size();
     const Colour colour = crossed.count(i) ? theme.amber
                           : placed         ? theme.object_outline
                                            : theme.accent;
@@ -60,8 +60,9 @@ void draw_chain(const Painter& painter, const AppState& state, const Theme& them
 
 // The vertices that are placed; a press on the first one would close the shape.
 void draw_placed(const Painter& painter, const AppState& state, const Theme& theme, bool closing) {
-  const Drawing& drawing = state.drawing;
-  const Pick& named = state.held.kind == Pick::Kind::vertex ? state.held : state.hover;
+  const Drawing& drawing = state.view.drawing;
+  const Pick& named =
+      state.view.held.kind == Pick::Kind::vertex ? state.view.held : state.view.hover;
   ImDrawList& list = painter.list();
   for (std::size_t i = 0; i < drawing.points.size(); ++i) {
     const ImVec2 at = painter.at(drawing.points[i]);
@@ -84,8 +85,8 @@ std::optional<std::size_t> edge_crossed_by_last(const Points& chain) {
 }
 
 std::string closing_words(const AppState& state) {
-  if (state.drawing.by_keys) return "Press Enter to close the shape";
-  return state.screen.touch ? "Tap to close the shape" : "Click to close the shape";
+  if (state.view.drawing.by_keys) return "Press Enter to close the shape";
+  return state.session.screen.touch ? "Tap to close the shape" : "Click to close the shape";
 }
 
 // The centre of mass that the shape would have if it were closed now.
@@ -112,9 +113,10 @@ void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour
 }
 
 void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme) {
-  const Drawing& drawing = state.drawing;
+  const Drawing& drawing = state.view.drawing;
   if (drawing.points.empty()) return draw_first_cursor(painter, state, theme);
-  const bool closing = drawing.cursor && closes(state, state.camera.to_screen(*drawing.cursor));
+  const bool closing =
+      drawing.cursor && closes(state, state.view.camera.to_screen(*drawing.cursor));
   const Points chain = chain_with_cursor(state, closing);
   const std::set<std::size_t> crossed = crossed_edges(chain);
   draw_chain(painter, state, theme, chain, crossed);
@@ -134,7 +136,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   draw_edge_numbers(painter, theme, theme.amber, numbered);
   if (crossed.empty()) draw_centroid(painter, theme, chain);
   if (!drawing.cursor) return;
-  const Vec2 spot = state.camera.to_screen(*drawing.cursor);
+  const Vec2 spot = state.view.camera.to_screen(*drawing.cursor);
   const Rect window = layout(state).free;
   if (closing) {
     if (drawing.refusal)
@@ -156,8 +158,8 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
   const Rect frame = transform_frame(state);
   ImDrawList& list = painter.list();
   const ImVec2 low = vec(frame.left, frame.top), high = vec(frame.right, frame.bottom);
-  const bool held = state.held.kind == Pick::Kind::frame && state.edit_open;
-  if (held && state.held.index == static_cast<std::size_t>(FrameGrip::turn)) {
+  const bool held = state.view.held.kind == Pick::Kind::frame && state.work.edit_open;
+  if (held && state.view.held.index == static_cast<std::size_t>(FrameGrip::turn)) {
     // The frame turns along; it is upright again when the knob is let go.
     const Points corners = turned_frame(state);
     for (std::size_t i = 0; i < 4; ++i)
@@ -174,7 +176,8 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
                theme.accent.at(0.6f).packed(), 1.5f);
   const auto grip = [&](FrameGrip which, bool round) {
     const ImVec2 at = vec(grip_place(state, frame, which));
-    const Pick& named = state.held.kind == Pick::Kind::frame ? state.held : state.hover;
+    const Pick& named =
+        state.view.held.kind == Pick::Kind::frame ? state.view.held : state.view.hover;
     const bool hot =
         named.kind == Pick::Kind::frame && named.index == static_cast<std::size_t>(which);
     if (hot) list.AddCircleFilled(at, 16, theme.accent.at(0.22f).packed(), 32);
@@ -185,8 +188,8 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
   };
   for (const FrameGrip corner : corner_grips) grip(corner, false);
   grip(FrameGrip::turn, true);
-  if (held && state.held.index != static_cast<std::size_t>(FrameGrip::inside))
-    draw_word(list, grip_place(state, frame, static_cast<FrameGrip>(state.held.index)),
+  if (held && state.view.held.index != static_cast<std::size_t>(FrameGrip::inside))
+    draw_word(list, grip_place(state, frame, static_cast<FrameGrip>(state.view.held.index)),
               layout(state).free, theme, theme.text,
               fixed(100 * since_grip(state).factor, 1) + "\u00A0%");
 }

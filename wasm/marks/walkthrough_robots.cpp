@@ -26,7 +26,7 @@ void draw_left(const Painter& painter, const CanvasView& view, const Figure& fig
 // The robots that stay where they are while a question is asked about the others. A ring is where
 // one of these comes (canvas_walkthrough.cpp).
 void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
-  const BalancedDetail& balanced = *view.state.walkthrough.ask->detail.balanced;
+  const BalancedDetail& balanced = *view.state.view.walkthrough.ask->detail.balanced;
   const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);
   const auto stays = [&](const Vec2& place) {
     if (balanced.stand && balanced.stand->position == place) return false;
@@ -43,7 +43,7 @@ void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
 
 // The balanced robots of the current step.
 void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view) {
-  const Walkthrough& walk = view.state.walkthrough;
+  const Walkthrough& walk = view.state.view.walkthrough;
   if (asks_of_other_robots(view.state)) return draw_rest_of_question(painter, view);
   if (!walk.detail.balanced) return;
   const BalancedDetail& balanced = *walk.detail.balanced;
@@ -58,7 +58,7 @@ void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view
 }  // namespace
 
 std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view) {
-  const Walkthrough& walk = view.state.walkthrough;
+  const Walkthrough& walk = view.state.view.walkthrough;
   const std::size_t teams = view.placement->teams.size();
   if (!walk.trace->balanced()) {
     const std::size_t shares = walk.known.shares;
@@ -77,10 +77,11 @@ std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view) {
 
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
-  if (view.state.walkthrough.trace->balanced()) return draw_balanced_of_walkthrough(painter, view);
-  const Progress& known = view.state.walkthrough.known;
+  if (view.state.view.walkthrough.trace->balanced())
+    return draw_balanced_of_walkthrough(painter, view);
+  const Progress& known = view.state.view.walkthrough.known;
   if (known.teams > most_single_robots) return draw_swarm(painter, view, known.teams);
-  const std::vector<Team>& teams = teams_at(*view.state.walkthrough.trace, known);
+  const std::vector<Team>& teams = teams_at(*view.state.view.walkthrough.trace, known);
   const std::vector<RobotSize> sizes = robot_sizes(view, teams, known.teams);
   for (std::size_t i = known.teams; i-- > 0;) {
     std::size_t number = robots_of(teams, i);

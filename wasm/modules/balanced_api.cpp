@@ -7,13 +7,13 @@
 #include <string_view>
 #include <utility>
 
+#include "derive/robots_text.h"
 #include "evenlift/balanced.h"
 #include "evenlift/capacity.h"
 #include "evenlift/formats.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"
 #include "page/hand_over.h"
-#include "state/robots_text.h"
 
 namespace evenlift {
 
@@ -86,7 +86,7 @@ bool has_ended(const Task& task) { return task.started && (!task.search || task.
 extern "C" {
 
 // Begins the search for a polygon in the thesis's format, with settings as lines `name=value`, from
-// these robots (state/robots_text.h), or from its start if there are none; with a capacity among them the
+// these robots (derive/robots_text.h), or from its start if there are none; with a capacity among them the
 // count of those that it takes if any one may fail. Returns 0 if one of the texts is wrong.
 EMSCRIPTEN_KEEPALIVE int balanced_begin(const char* polygon, const char* settings,
                                         const char* robots) {

@@ -1,12 +1,12 @@
-// Asks the browser through web/page/bindings.js: each function here calls the one of its name
-// there.
-#include "state/browser.h"
+// Each function calls the one of its name in web/page/bindings.js.
+#include "page/browser.h"
 
 #include <emscripten/emscripten.h>
 
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <variant>
 
 EM_JS(void, evenlift_document_changed, (), { Module["bindings"]["documentChanged"](); })
 EM_JS(void, evenlift_summary_changed, (), { Module["bindings"]["summaryChanged"](); })
@@ -41,17 +41,44 @@ EM_JS(void, evenlift_end_notice_after, (double seconds),
 EM_JS(void, evenlift_drop_frame_after, (), { Module["bindings"]["dropFrameAfter"](); })
 
 namespace evenlift::view::browser {
+namespace {
 
-void document_changed() { evenlift_document_changed(); }
-void summary_changed() { evenlift_summary_changed(); }
-void preferences_changed() { evenlift_preferences_changed(); }
-void copy_address(std::string_view link) { evenlift_copy_address(std::string(link).c_str()); }
-void open_dialog(Dialog dialog) {
+const char* name_of(Dialog dialog) {
   constexpr const char* names[] = {"samples", "open", "save",  "table",    "lessons", "experiment",
                                    "curves",  "keys", "about", "glossary", "welcome", "optimum"};
   static_assert(std::size(names) == static_cast<std::size_t>(Dialog::end_of_dialogs));
-  evenlift_open_dialog(names[static_cast<std::size_t>(dialog)]);
+  return names[static_cast<std::size_t>(dialog)];
 }
+
+struct CarryOut {
+  void operator()(const DocumentChanged&) const { evenlift_document_changed(); }
+  void operator()(const SummaryChanged&) const { evenlift_summary_changed(); }
+  void operator()(const PreferencesChanged&) const { evenlift_preferences_changed(); }
+  void operator()(const Announce& e) const { evenlift_announce(e.text.c_str()); }
+  void operator()(const CopyAddress& e) const { evenlift_copy_address(e.link.c_str()); }
+  void operator()(const ShowDialog& e) const { evenlift_open_dialog(name_of(e.dialog)); }
+  void operator()(const FocusField& e) const { evenlift_type_value(e.control.c_str()); }
+  void operator()(const ShowFullScreen& e) const { evenlift_show_full_screen(e.on ? 1 : 0); }
+  void operator()(const ShowPage&) const { evenlift_open_page(); }
+  void operator()(const BeginSearch& e) const {
+    evenlift_begin_search(static_cast<double>(e.number), e.polygon.c_str(), e.settings.c_str(),
+                          e.robots.c_str());
+  }
+  void operator()(const EndSearch&) const { evenlift_end_search(); }
+  void operator()(const NextFrame&) const { request_frame(); }
+  void operator()(const FrameAfter& e) const { evenlift_frame_after(e.seconds); }
+  void operator()(const DropFrameAfter&) const { evenlift_drop_frame_after(); }
+  void operator()(const EndNoticeAfter& e) const {
+    evenlift_end_notice_after(e.seconds.value_or(-1));
+  }
+};
+
+}  // namespace
+
+void carry_out(const Effects& effects) {
+  for (const Effect& effect : effects) std::visit(CarryOut{}, effect);
+}
+
 void show_cursor(Cursor cursor) {
   // As style sheets name them.
   constexpr const char* names[] = {"default",  "pointer", "crosshair",   "copy",       "grab",
@@ -59,26 +86,11 @@ void show_cursor(Cursor cursor) {
   static_assert(std::size(names) == static_cast<std::size_t>(Cursor::end_of_cursors));
   evenlift_show_cursor(names[static_cast<std::size_t>(cursor)]);
 }
-void type_value(std::string_view control) { evenlift_type_value(std::string(control).c_str()); }
-void announce(std::string_view text) { evenlift_announce(std::string(text).c_str()); }
-void show_full_screen(bool on) { evenlift_show_full_screen(on ? 1 : 0); }
-void open_page() { evenlift_open_page(); }
 void say_absent(std::string_view characters) {
   evenlift_say_absent(std::string(characters).c_str());
 }
 void fetch_letters() { evenlift_fetch_letters(); }
 void measure_screen() { evenlift_measure_screen(); }
-void request_frame_after(double seconds) { evenlift_frame_after(seconds); }
-void drop_frame_after() { evenlift_drop_frame_after(); }
-void end_notice_after(std::optional<double> seconds) {
-  evenlift_end_notice_after(seconds.value_or(-1));
-}
-void begin_search(std::uint64_t number, std::string_view polygon, std::string_view settings,
-                  std::string_view robots) {
-  evenlift_begin_search(static_cast<double>(number), std::string(polygon).c_str(),
-                        std::string(settings).c_str(), std::string(robots).c_str());
-}
-void end_search() { evenlift_end_search(); }
 void schedule_frame() { evenlift_schedule_frame(); }
 
 }  // namespace evenlift::view::browser

@@ -19,9 +19,9 @@
 #include "evenlift/output/words.h"
 #include "evenlift/polygon.h"
 #include "evenlift/stands.h"
+#include "page/browser.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
-#include "state/browser.h"
 #include "state/history.h"
 
 namespace evenlift::view {
@@ -31,7 +31,7 @@ namespace {
 std::string open_with_these_settings(std::string_view text) {
   Result<Document> read = read_polygon(text);
   if (!read) return sentence(read.error());
-  Result<Opened> polygon = opened_after(std::move(read).value(), app().state.document);
+  Result<Opened> polygon = opened_after(std::move(read).value(), app().state.work.document());
   if (!polygon) return sentence(polygon.error());
   Commands commands;
   commands.push_back(OpenDocument{std::move(polygon).value()});
@@ -108,28 +108,28 @@ EMSCRIPTEN_KEEPALIVE const char* page_origin() {
   AppState& state = app().state;
   std::optional<std::string> before;
   for (std::size_t i = 0;; ++i) {
-    std::optional<History::Kept> step = state.history.kept(false, i);
+    std::optional<History::Kept> step = state.work.history.kept(false, i);
     if (step && step->edit == Edit::lesson_left) {  // before the lesson the same polygon was open
-      i = state.history.lesson_opened(i + 1).value_or(i);
-      step = state.history.kept(false, i);
+      i = state.work.history.lesson_opened(i + 1).value_or(i);
+      step = state.work.history.kept(false, i);
     } else if (!step || is_other_object(step->edit)) {
       break;
     }
     before = step->link;
   }
-  return hand_over(
-      outline_of(before ? evenlift::decode_link(*before) : Result<Document>(state.placed)));
+  return hand_over(outline_of(before ? evenlift::decode_link(*before)
+                                     : Result<Document>(state.derived().placed)));
 }
 
 // --- Coordinates of the document, also while it is refused
 
 EMSCRIPTEN_KEEPALIVE int page_vertex_count() {
-  return static_cast<int>(app().state.document.vertices.size());
+  return static_cast<int>(app().state.work.document().vertices.size());
 }
 
 // A line `x y` for each of the vertices from `first` on.
 EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
-  const evenlift::Points& vertices = app().state.document.vertices;
+  const evenlift::Points& vertices = app().state.work.document().vertices;
   const std::size_t from = std::min(static_cast<std::size_t>(std::max(first, 0)), vertices.size());
   const std::size_t to =
       std::min(from + static_cast<std::size_t>(std::max(count, 0)), vertices.size());
@@ -142,31 +142,34 @@ EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
 EMSCRIPTEN_KEEPALIVE const char* page_centre() {
   const AppState& state = app().state;
   std::string line;
-  append_point(line, state.document.centre_of_mass.value_or(state.placement->centre_of_mass));
+  append_point(line, state.work.document().centre_of_mass.value_or(
+                         state.derived().placement->centre_of_mass));
   return hand_over(std::move(line));
 }
 EMSCRIPTEN_KEEPALIVE int page_centre_is_given() {
-  return app().state.document.centre_of_mass ? 1 : 0;
+  return app().state.work.document().centre_of_mass ? 1 : 0;
 }
 
 // Why the polygon is refused, or nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
   const AppState& state = app().state;
-  return hand_over(state.refusal ? sentence(*state.refusal) : std::string());
+  return hand_over(state.derived().refusal ? sentence(*state.derived().refusal) : std::string());
 }
 
 // Sets one coordinate of a vertex, or of the centre of mass if `vertex` is -1. `axis` is 0 for x
 // and 1 for y.
 EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const char* text) {
   const AppState& state = app().state;
-  const evenlift::Points& vertices = state.document.vertices;
+  const evenlift::Points& vertices = state.work.document().vertices;
   std::string problem;
   const std::optional<double> value = coordinate(text, problem);
   if (!value) return hand_over(std::move(problem));
   if (vertex >= static_cast<int>(vertices.size()))
     return hand_over("There is no such vertex any more");
-  Vec2 to = vertex < 0 ? state.document.centre_of_mass.value_or(state.placement->centre_of_mass)
-                       : vertices[static_cast<std::size_t>(vertex)];
+  Vec2 to =
+      vertex < 0
+          ? state.work.document().centre_of_mass.value_or(state.derived().placement->centre_of_mass)
+          : vertices[static_cast<std::size_t>(vertex)];
   to[axis] = *value;
   if (vertex < 0)
     carry_out({EndEdit{}, MoveCentre{to}, EndEdit{}});
@@ -178,28 +181,30 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const
 EMSCRIPTEN_KEEPALIVE void page_release_centre() { carry_out({ReleaseCentre{}}); }
 
 // The settings of the last good placement, for the window of experiments.
-EMSCRIPTEN_KEEPALIVE double page_min_ratio() { return app().state.placed.settings.min_ratio; }
-EMSCRIPTEN_KEEPALIVE double page_weight() { return app().state.placed.settings.weight; }
+EMSCRIPTEN_KEEPALIVE double page_min_ratio() {
+  return app().state.derived().placed.settings.min_ratio;
+}
+EMSCRIPTEN_KEEPALIVE double page_weight() { return app().state.derived().placed.settings.weight; }
 EMSCRIPTEN_KEEPALIVE const char* page_weight_unit() {
-  return hand_over(std::string(name(app().state.placed.shown.units.weight)));
+  return hand_over(std::string(name(shown(app().state).units.weight)));
 }
 
 // Whether robots are points that may stand anywhere: they have no size, and no edge is marked.
 EMSCRIPTEN_KEEPALIVE int page_robots_are_points() {
-  return stands_anywhere(app().state.placed.settings) ? 1 : 0;
+  return stands_anywhere(app().state.derived().placed.settings) ? 1 : 0;
 }
 
 // Whether a polygon is being drawn.
-EMSCRIPTEN_KEEPALIVE int page_is_drawing() { return app().state.tool == Tool::draw ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE int page_is_drawing() { return app().state.view.tool == Tool::draw ? 1 : 0; }
 
 // The unit of coordinates and distances; "none" without one.
 EMSCRIPTEN_KEEPALIVE const char* page_length_unit() {
-  return hand_over(std::string(name(app().state.placed.shown.units.length)));
+  return hand_over(std::string(name(shown(app().state).units.length)));
 }
 
 // Inserts a vertex in the middle of the edge that begins at this one.
 EMSCRIPTEN_KEEPALIVE void page_insert_vertex(int after) {
-  const evenlift::Points& vertices = app().state.document.vertices;
+  const evenlift::Points& vertices = app().state.work.document().vertices;
   if (after < 0 || after >= static_cast<int>(vertices.size())) return;
   const auto edge = static_cast<std::size_t>(after);
   const Vec2 middle = vertices[edge] / 2 + vertices[(edge + 1) % vertices.size()] / 2;
@@ -217,25 +222,25 @@ EMSCRIPTEN_KEEPALIVE void page_select_vertex(int vertex) {
 }
 
 // -1 for none.
-EMSCRIPTEN_KEEPALIVE int page_selected_vertex() { return index_of(app().state.selected); }
+EMSCRIPTEN_KEEPALIVE int page_selected_vertex() { return index_of(app().state.view.selected); }
 EMSCRIPTEN_KEEPALIVE int page_hovered_vertex() {
   const AppState& state = app().state;
-  const Pick& pick = state.held.kind != Pick::Kind::none ? state.held : state.hover;
+  const Pick& pick = state.view.held.kind != Pick::Kind::none ? state.view.held : state.view.hover;
   return pick.kind == Pick::Kind::vertex ? static_cast<int>(pick.index) : -1;
 }
 
 // --- Sharing and saving: the last document that was not refused
 
 EMSCRIPTEN_KEEPALIVE const char* page_wkt() {
-  return hand_over(evenlift::write_wkt(app().state.placed));
+  return hand_over(evenlift::write_wkt(app().state.derived().placed));
 }
 EMSCRIPTEN_KEEPALIVE const char* page_geojson() {
-  return hand_over(evenlift::write_geojson(app().state.placed));
+  return hand_over(evenlift::write_geojson(app().state.derived().placed));
 }
 
 // Says why there is no link; nothing if there is one.
 EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
-  const Result<std::string> link = evenlift::encode_link(app().state.placed);
+  const Result<std::string> link = evenlift::encode_link(last_good(app().state));
   return hand_over(link ? std::string() : sentence(link.error()));
 }
 
@@ -243,7 +248,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
 
 // key_list().
 EMSCRIPTEN_KEEPALIVE const char* page_keys() {
-  return hand_over(key_list(app().state.screen.embed));
+  return hand_over(key_list(app().state.session.screen.embed));
 }
 
 }  // extern "C"

@@ -9,12 +9,10 @@
 
 #include "app/app.h"
 #include "app/open_lesson.h"
-#include "edits/sight.h"
 #include "evenlift/lesson.h"
 #include "evenlift/output/words.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
-#include "state/browser.h"
 #include "state/opened.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
@@ -36,8 +34,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* 
   const std::optional<evenlift::InputError> problem =
       open_lesson(app().state, text, polygon, static_cast<LessonStart>(start));
   if (problem) return hand_over(sentence(*problem));
-  frame_view(app().state);
-  browser::request_frame();
+  carried_out();
   return hand_over({});
 }
 
@@ -45,7 +42,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* 
 // cannot be traced, or if the lesson cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
-  const evenlift::Result<evenlift::Trace> trace = compute_trace(*app().state.placement, {});
+  const evenlift::Result<evenlift::Trace> trace =
+      compute_trace(*app().state.derived().placement, {});
   std::string found;
   if (!lesson || !trace) return hand_over(std::move(found));
   for (const evenlift::LessonStep& step : lesson->steps)
@@ -61,7 +59,8 @@ EMSCRIPTEN_KEEPALIVE void page_go_to_stop(int stop) {
 // Opens the walkthrough of the open document at the step where it was left; or, with `predict`, as
 // a challenge from its first step.
 EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
-  Commands commands{OpenWalkthrough{}, LeaveScript{}, SetPredict{predict != 0}};
+  carry_out({OpenWalkthrough{}});
+  Commands commands{LeaveScript{}, SetPredict{predict != 0}};
   if (predict) {
     commands.push_back(ShowAllSteps{false});
     commands.push_back(GoToStep{0});
@@ -70,12 +69,12 @@ EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
 }
 
 // Whether it is shown before a room, and how much larger all is then.
-EMSCRIPTEN_KEEPALIVE int page_presenting() { return app().state.presenting ? 1 : 0; }
-EMSCRIPTEN_KEEPALIVE double page_zoom() { return app().state.screen.zoom; }
+EMSCRIPTEN_KEEPALIVE int page_presenting() { return app().state.view.presenting ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE double page_zoom() { return app().state.session.screen.zoom; }
 
 // The reader left full screen.
 EMSCRIPTEN_KEEPALIVE void page_end_presenting() {
-  if (app().state.presenting) carry_out({SetPresenting{false}});
+  if (app().state.view.presenting) carry_out({SetPresenting{false}});
 }
 
 // Asks for a prediction before each choice of the open walkthrough.
@@ -88,7 +87,7 @@ EMSCRIPTEN_KEEPALIVE int page_walkthrough_is_open() {
 // 0 if no ready-made lesson is open, 1 if one is but its polygon was edited since, otherwise 2.
 EMSCRIPTEN_KEEPALIVE int page_script() {
   const AppState& state = app().state;
-  return !state.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
+  return !state.view.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
 }
 
 // What is played: the position from 0, the number of stops, the guesses and how many of them were right,
@@ -98,11 +97,11 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   const AppState& state = app().state;
   if (!walkthrough_is_open(state)) return hand_over({});
   const Timeline now = timeline(state);
-  const Guesses& guesses = state.walkthrough.guesses;
+  const Guesses& guesses = state.view.walkthrough.guesses;
   std::string text;
   for (const std::size_t number :
        {std::size_t{now.at}, std::size_t{now.count}, guesses.steps.size(),
-        std::size_t{guesses.right}, std::size_t{state.walkthrough.at}, guesses.told.size(),
+        std::size_t{guesses.right}, std::size_t{state.view.walkthrough.at}, guesses.told.size(),
         guesses.passed_over()})
     text += std::to_string(number) + ' ';
   return hand_over(std::move(text));
@@ -110,12 +109,12 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
 
 // The question at the end of the lesson that is open, and its answer, in paragraphs with "\n" between them. Nothing without one.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_question() {
-  const std::optional<Script>& script = app().state.walkthrough.script;
+  const std::optional<Script>& script = app().state.view.walkthrough.script;
   return hand_over(script ? script->lesson.question : std::string());
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_answer() {
-  const std::optional<Script>& script = app().state.walkthrough.script;
+  const std::optional<Script>& script = app().state.view.walkthrough.script;
   return hand_over(script ? script->lesson.answer : std::string());
 }
 

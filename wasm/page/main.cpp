@@ -19,12 +19,11 @@
 #include <string>
 
 #include "evenlift/numbers.h"
+#include "page/browser.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "page/sdl_input.h"
 #include "page/webgl_renderer.h"
-#include "state/browser.h"
-#include "state/screen.h"
 #include "tools/cursor.h"
 #include "ui/controls.h"
 #include "ui/fonts.h"
@@ -54,7 +53,7 @@ struct Page {
   double frames = 0;
   double press_time = 0;  // of the press that the browser is telling of: page_press()
   int press_clicks = 0;
-  browser::Cursor cursor = browser::Cursor::arrow;
+  Cursor cursor = Cursor::arrow;
 };
 Page page;
 
@@ -94,7 +93,7 @@ void find_letters() {
   if (!letters_are_due()) return;
   if (letters_are_here()) {
     page.fonts_for_ratio = 0;
-    load_fonts_for(app().state.screen.ratio);
+    load_fonts_for(app().state.session.screen.ratio);
     const std::string absent = absent_letters(*font(Face::text));
     if (!absent.empty()) browser::say_absent(absent);
     browser::request_frame();
@@ -135,7 +134,6 @@ void show_frame(const Colour& ground) {
 }
 
 void show_cursor() {
-  using browser::Cursor;
   const bool over_button = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
   const bool over_panel = ImGui::GetIO().WantCaptureMouse;
   const Cursor wanted = over_button  ? Cursor::press
@@ -154,37 +152,40 @@ void panels_change() { page.passes_due = passes_after_change; }
 bool pass(bool may_draw) {
   App& a = app();
   page.passing = true;
-  begin_pass(a.state.screen);
+  begin_pass(a.state.session.screen);
   const bool draws = may_draw && !page.input.waiting();
-  const Pointer pointer = page.input.pointer(a.state.screen.zoom);
+  const Pointer pointer = page.input.pointer(a.state.session.screen.zoom);
   if (pointer.pressed || pointer.released) panels_change();
   advance(a, pointer, ImGui::GetTime());
   draw_frame(a, draws);
   if (draws)
-    show_frame(theme(a.state).ground.at(a.state.backdrop ? 0 : 1));
+    show_frame(theme(a.state).ground.at(a.state.work.backdrop ? 0 : 1));
   else
     ImGui::EndFrame();
-  if (settle(a)) ask_for_frames(2);
+  if (settle()) ask_for_frames(2);
   page.passing = false;
   return draws;
 }
 
 void take_input() {
   App& a = app();
-  page.input.take(a.state.screen);
-  a.state.screen.touch = page.input.touch();
+  page.input.take(a.state.session.screen);
+  if (a.state.session.screen.touch == page.input.touch()) return;
+  a.commands.push_back(SetTouch{page.input.touch()});
+  settle();
 }
 
 void draw() {
   App& a = app();
   if (!page.window || page.passing || page.context_lost || page.canvas_width <= 0 ||
-      !a.state.placement)
+      !a.state.derived().placement)
     return;
   // Not every browser reports at once that the window was moved to another screen.
-  if (emscripten_get_device_pixel_ratio() != a.state.screen.css_ratio) browser::measure_screen();
+  if (emscripten_get_device_pixel_ratio() != a.state.session.screen.css_ratio)
+    browser::measure_screen();
   take_input();
   fit_canvas();
-  load_fonts_for(a.state.screen.ratio);
+  load_fonts_for(a.state.session.screen.ratio);
   while (!pass(true)) {
   }
   show_cursor();
@@ -245,7 +246,7 @@ extern "C" {
 // Sets the size of the canvas in CSS pixels and in device pixels.
 EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio, int device_width,
                                       int device_height) {
-  set_canvas(app().state, width, height, ratio);
+  carry_out({SetCanvas{width, height, ratio}});
   page.canvas_width = device_width;
   page.canvas_height = device_height;
   SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)),
@@ -314,7 +315,7 @@ EMSCRIPTEN_KEEPALIVE void page_lay_out() {
 
 // All controls of the panels, as controls_text() writes them.
 EMSCRIPTEN_KEEPALIVE const char* page_controls() {
-  return hand_over(controls_text(app().state.screen.zoom));
+  return hand_over(controls_text(app().state.session.screen.zoom));
 }
 
 // Takes over the larger fonts (letters.h), each as its bytes and their number.
@@ -335,7 +336,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
   std::string place;
   if (found != all.end()) {
     const Rect& at = found->place;
-    const double zoom = app().state.screen.zoom;
+    const double zoom = app().state.session.screen.zoom;
     for (const double value : {at.left, at.top, at.width(), at.height()})
       place += evenlift::shortest(value * zoom) + " ";
   }

@@ -13,9 +13,9 @@ namespace {
 
 // Whether what the action takes in hand is in hand; nothing for the others.
 std::optional<bool> is_on(ActionId id, const AppState& state) {
-  if (id == ActionId::draw) return state.tool == Tool::draw;
-  if (id == ActionId::transform) return state.tool == Tool::transform;
-  if (id == ActionId::mark) return state.tool == Tool::mark;
+  if (id == ActionId::draw) return state.view.tool == Tool::draw;
+  if (id == ActionId::transform) return state.view.tool == Tool::transform;
+  if (id == ActionId::mark) return state.view.tool == Tool::mark;
   return std::nullopt;
 }
 
@@ -37,7 +37,7 @@ void named_action_button(const Ui& ui, ActionId id, float size) {
 
 void action_row(const Ui& ui, ActionId id) {
   const Action& a = action(id);
-  const bool keyed = *a.shown && !ui.state.screen.touch && !ui.state.screen.finger;
+  const bool keyed = *a.shown && !ui.state.session.screen.touch && !ui.state.session.screen.finger;
   const std::string label = keyed ? std::string(a.label) + " (" + a.shown + ")" : a.label;
   if (choice(ui, label, nullptr, false, a.icon, a.enabled(ui.state))) a.run(ui.state, ui.commands);
 }

@@ -6,7 +6,6 @@
 #include "actions/actions.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
-#include "state/browser.h"
 #include "tools/drawing.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
@@ -25,7 +24,7 @@ float snap_chips_width() {
 
 template <typename Switch>
 void snap_switches(const Ui& ui, Switch one, void (*between)()) {
-  Snap snap = ui.state.snap;
+  Snap snap = ui.state.view.snap;
   bool changed = false;
   if (one("Snap to grid", snap.grid)) snap.grid = !snap.grid, changed = true;
   between();
@@ -82,8 +81,8 @@ bool is_roomy(const Ui& ui) {
 void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 
 void draw_drawing_bar(const Ui& ui) {
-  const bool some = !ui.state.drawing.points.empty();
-  const bool closes = ui.state.drawing.points.size() >= 3 && !ui.state.drawing.refusal;
+  const bool some = !ui.state.view.drawing.points.empty();
+  const bool closes = ui.state.view.drawing.points.size() >= 3 && !ui.state.view.drawing.refusal;
   const bool roomy = is_roomy(ui);
   if (word_button(ui, roomy || !ui.layout.wide ? "Close the shape" : "Close", closes, true))
     ui.push(FinishDrawing{});
@@ -144,7 +143,7 @@ void draw_marking_bar(const Ui& ui) {
 }  // namespace
 
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
-  const Drawing& drawing = ui.state.drawing;
+  const Drawing& drawing = ui.state.view.drawing;
   const Vec2 from = drawing.points.back();
   const Edge edge = edge_between(from, drawing.cursor.value_or(drawing.last_cursor.value_or(from)));
   // Under a finger, and until the pointer moves, nothing says where the next edge leads.
@@ -172,8 +171,8 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
 }
 
 bool vertex_is_on_sheet(const AppState& state) {
-  return state.tool == Tool::parts && state.selected && !layout(state).wide &&
-         state.sheet == Sheet::closed;
+  return state.view.tool == Tool::parts && state.view.selected && !layout(state).wide &&
+         state.view.sheet == Sheet::closed;
 }
 
 namespace {
@@ -181,15 +180,15 @@ namespace {
 // Below the toolbar of a low screen the vertex's buttons would cover robots: there they stand on the foot of the panel.
 bool vertex_is_over_panel(const AppState& state) {
   const Layout places = layout(state);
-  return state.tool == Tool::parts && state.selected && places.wide && places.low &&
-         state.panel_open;
+  return state.view.tool == Tool::parts && state.view.selected && places.wide && places.low &&
+         state.view.panel_open;
 }
 
 }  // namespace
 
 void draw_vertex_buttons(const Ui& ui) {
   constexpr const char *remove = "Remove vertex", *add = "Add one after";
-  const bool can_remove = ui.state.document.vertices.size() > 3;
+  const bool can_remove = ui.state.work.document().vertices.size() > 3;
   const bool fills_row = vertex_is_on_sheet(ui.state) || vertex_is_over_panel(ui.state);
   const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const auto width = [&](const char* label) {
@@ -201,19 +200,19 @@ void draw_vertex_buttons(const Ui& ui) {
 }
 
 bool has_tool_bar(const AppState& state) {
-  if (state.screen.embed) return false;
+  if (state.session.screen.embed) return false;
   const Layout places = layout(state);
-  if (!places.wide && state.sheet == Sheet::full) return false;  // the drawing is covered
-  if (state.tool != Tool::parts) return true;
-  const bool held = state.held.kind != Pick::Kind::none;
+  if (!places.wide && state.view.sheet == Sheet::full) return false;  // the drawing is covered
+  if (state.view.tool != Tool::parts) return true;
+  const bool held = state.view.held.kind != Pick::Kind::none;
   // On a low screen it would cover robots while one asks about them.
-  return state.selected && !held && !vertex_is_on_sheet(state) &&
-         !(state.explanation && places.low);
+  return state.view.selected && !held && !vertex_is_on_sheet(state) &&
+         !(state.derived().explanation && places.low);
 }
 
 bool snaps_in_menu(const Ui& ui) {
-  const bool little_room = ui.layout.low || (!ui.layout.wide && ui.state.tool != Tool::draw);
-  return little_room && ui.state.tool != Tool::mark &&
+  const bool little_room = ui.layout.low || (!ui.layout.wide && ui.state.view.tool != Tool::draw);
+  return little_room && ui.state.view.tool != Tool::mark &&
          (has_tool_bar(ui.state) || vertex_is_on_sheet(ui.state));
 }
 
@@ -226,7 +225,7 @@ void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
   // What is drawn below the panels keeps off the bar from the next picture on.
   const bool shown = has_tool_bar(state);
-  if ((in_last_frame("has tool bar", shown, shown) != 0) != shown) browser::request_frame();
+  if ((in_last_frame("has tool bar", shown, shown) != 0) != shown) ui.push(LayOutAgain{});
   if (!shown) return;
   const Rect &at = ui.layout.toolbar, &panel = ui.layout.panel;
   const bool over_panel = vertex_is_over_panel(state);
@@ -234,11 +233,11 @@ void draw_tool_bar(const Ui& ui) {
       below_toolbar{at.left, at.bottom + 8, at.right, at.bottom + 160};
   begin_card(ui, "tool bar", over_panel ? foot : below_toolbar,
              {.fixed_width = over_panel, .padding = 8});
-  if (state.tool == Tool::draw)
+  if (state.view.tool == Tool::draw)
     draw_drawing_bar(ui);
-  else if (state.tool == Tool::transform)
+  else if (state.view.tool == Tool::transform)
     draw_whole_bar(ui);
-  else if (state.tool == Tool::mark)
+  else if (state.view.tool == Tool::mark)
     return draw_marking_bar(ui), end_card(ui);
   else
     draw_vertex_buttons(ui);

@@ -31,7 +31,7 @@ namespace {
 
 // Who is overloaded and how many robots are needed: always as high as it can be, so that nothing below moves.
 void draw_need(const Ui& ui) {
-  const CapacityPlan* plan = ui.state.plan ? &*ui.state.plan : nullptr;
+  const CapacityPlan* plan = ui.state.derived().plan ? &*ui.state.derived().plan : nullptr;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   text_block(Face::label, ui.theme.second_text, need_in_words(ui.state));
   const float four_lines = 4 * line_height(Face::label) + 6;

@@ -67,7 +67,7 @@ void draw_compare(const Ui& ui) {
   std::size_t current = 0;
   for (const MethodWords& m : methods) {
     if (m.method == settings(ui.state).method) continue;
-    if (ui.state.second_method == m.method) current = choices.size();
+    if (ui.state.work.second_method == m.method) current = choices.size();
     choices.push_back({m.label, m.about});
     of_choice.push_back(m.method);
   }
@@ -76,23 +76,23 @@ void draw_compare(const Ui& ui) {
   const auto chosen = dropdown(ui, "compared", "Compare with", choices, current, width);
   if (!chosen) return;
   if (*chosen + 1 == choices.size())
-    ui.push(OpenDialog{browser::Dialog::curves});
+    ui.push(OpenDialog{Dialog::curves});
   else if (*chosen + 2 == choices.size())
-    ui.push(OpenDialog{browser::Dialog::optimum});
+    ui.push(OpenDialog{Dialog::optimum});
   else
     ui.push(Compare{*chosen == 0 ? std::nullopt : std::optional<Method>(of_choice[*chosen - 1])});
 }
 
 void draw_comparison(const Ui& ui) {
-  if (!ui.state.placement) return;
+  if (!ui.state.derived().placement) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   const bool fails = failing(ui.state) != nullptr;
-  const std::string first = words_of(ui.state.placement->settings.method).label;
+  const std::string first = words_of(ui.state.derived().placement->settings.method).label;
   const std::array<std::string, 2> both = {first + (fails ? ", one fails" : ""),
-                                           words_of(*ui.state.second_method).label};
+                                           words_of(*ui.state.work.second_method).label};
   draw_row(ui, {"", both}, Face::label, ui.theme.second_text, both);
-  for (const Row& row :
-       rows(shown_placement(ui.state), *ui.state.second, fails ? 1 : 0, weight_unit(ui.state)))
+  for (const Row& row : rows(shown_placement(ui.state), *ui.state.derived().second, fails ? 1 : 0,
+                             weight_unit(ui.state)))
     draw_row(ui, row, Face::strong_label, ui.theme.text, both);
   ImGui::PopStyleVar();
 }

@@ -60,8 +60,8 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
       list.AddRect(ImVec2(at.x - half, y - 12), ImVec2(at.x + half, y + 12), colour.packed(), 5, 0,
                    failed ? 2.0f : 1.0f);
     }
-    if (i < ui.state.failures.size())
-      draw_sign(ui.theme, list, at, reach, mood_of(ui.state, ui.state.failures[i]));
+    if (i < ui.state.derived().failures.size())
+      draw_sign(ui.theme, list, at, reach, mood_of(ui.state, ui.state.derived().failures[i]));
     else
       draw_unknown(ui.theme, list, at, reach);
   }
@@ -69,15 +69,16 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
 
 // The robots that have a sign: none where there are too many, and while the result is not shown.
 std::size_t signs(const AppState& state) {
-  if (!state.placement || state.refusal || state.tool == Tool::draw) return 0;
-  const std::size_t count = count_robots(state.placement->teams);
-  return count == state.failures.size() || state.failures_due ? count : 0;
+  if (!state.derived().placement || state.derived().refusal || state.view.tool == Tool::draw)
+    return 0;
+  const std::size_t count = count_robots(state.derived().placement->teams);
+  return count == state.derived().failures.size() || state.derived().failures_due ? count : 0;
 }
 
 const char* caption(const AppState& state, std::size_t count) {
   if (count > 0) return "If one robot fails";
-  const bool many = state.placement && !state.refusal && state.tool != Tool::draw &&
-                    !state.placement->teams.empty();
+  const bool many = state.derived().placement && !state.derived().refusal &&
+                    state.view.tool != Tool::draw && !state.derived().placement->teams.empty();
   return many ? "If one robot fails: too many robots to look at each" : "";
 }
 
@@ -104,7 +105,7 @@ void draw_failures(const Ui& ui) {
   const Failure* failed = failing(ui.state);
   const auto now = failed ? std::optional<std::size_t>(failed->robot) : std::nullopt;
   const float places = static_cast<float>(std::max<std::size_t>(count, 1));
-  const bool steps = ui.state.screen.finger && width / places < 44;
+  const bool steps = ui.state.session.screen.finger && width / places < 44;
   const float row_width = std::min(width - (steps ? 2 * ui.control() : 0), widest_place * places);
   const RowOfPlaces row = row_of_places(ui, "failures", "The robot that fails",
                                         failed ? failure_words(ui.state, failed->robot) : "none",

@@ -30,10 +30,10 @@ void draw_block(const Ui& ui, const std::string& text, std::size_t lines) {
 void draw_model(const Ui& ui) {
   const float width =
       labelled(ui, "Loads shown", "What the loads in the drawing and the table presume");
-  const auto now = static_cast<std::size_t>(ui.state.load_model);
+  const auto now = static_cast<std::size_t>(ui.state.view.load_model);
   const auto chosen = dropdown(ui, "loads", "Loads shown", models, now, width);
   if (chosen && *chosen != now) ui.push(SetLoadModel{static_cast<LoadModel>(*chosen)});
-  if (ui.state.load_model != LoadModel::plan) draw_block(ui, model_words(ui.state), 3);
+  if (ui.state.view.load_model != LoadModel::plan) draw_block(ui, model_words(ui.state), 3);
 }
 
 constexpr LengthRow doubt{
@@ -118,13 +118,13 @@ void draw_rows(const Ui& ui) {
 }  // namespace
 
 void draw_more(const Ui& ui) {
-  const bool open = ui.state.more_open;
+  const bool open = ui.state.view.more_open;
   const float head = ImGui::GetCursorPosY();
   if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings",
                   ImGui::GetContentRegionAvail().x))
     ui.push(SetMoreOpen{!open});
   if (open) draw_rows(ui);
-  show_opened("more settings are open", open, head);
+  show_opened(ui, "more settings are open", open, head);
 }
 
 }  // namespace evenlift::view

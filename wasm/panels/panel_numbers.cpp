@@ -26,13 +26,13 @@ void fact(const Ui& ui, const char* label, const std::string& value, const char*
 }  // namespace
 
 void draw_numbers(const Ui& ui) {
-  if (!ui.state.placement) return;
+  if (!ui.state.derived().placement) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   for (const Fact& each : facts_in_words({shown_placement(ui.state), shown(ui.state)}))
     fact(ui, each.label, each.value, each.about);
   for (const Fact& each :
-       robustness_facts({*ui.state.placement, shown(ui.state)}, shown_outlook(ui.state).robustness,
-                        failing(ui.state) != nullptr))
+       robustness_facts({*ui.state.derived().placement, shown(ui.state)},
+                        shown_outlook(ui.state).robustness, failing(ui.state) != nullptr))
     fact(ui, each.label, each.value, each.about);
   ImGui::PopStyleVar();
 }

@@ -59,7 +59,8 @@ bool is_empty(const Placement& placement, const Overlay& overlay) {
 std::string about(const AppState& state, const Overlay& overlay) {
   if (shows_lines(settings(state).method, overlay))
     return "Balanced robots have no chords: a line joins each with the centre of mass (C)";
-  if (!state.placement || !is_empty(shown_placement(state), overlay)) return overlay.about;
+  if (!state.derived().placement || !is_empty(shown_placement(state), overlay))
+    return overlay.about;
   const std::string text = overlay.about;
   return text.substr(0, text.rfind(" (")) + ": here there are none" + text.substr(text.rfind(" ("));
 }

@@ -5,7 +5,6 @@
 #include "evenlift/output/words.h"
 #include "panels/action_button.h"
 #include "panels/panels.h"
-#include "state/browser.h"
 #include "walkthrough/playing.h"
 #include "walkthrough/timeline.h"
 #include "walkthrough/words.h"
@@ -24,7 +23,7 @@ void button(const Ui& ui, ActionId id, float size) {
 }
 
 void draw_play(const Ui& ui, float size) {
-  const bool playing = ui.state.walkthrough.playing;
+  const bool playing = ui.state.view.walkthrough.playing;
   if (icon_button(ui, "play", playing ? Icon::pause : Icon::play, true,
                   playing ? "Pause (Space)" : "Play (Space)", size))
     ui.push(SetPlaying{!playing});
@@ -61,7 +60,7 @@ void draw_timeline(const Ui& ui, float width) {
     const double share = static_cast<double>((ImGui::GetIO().MousePos.x - low.x - knob) /
                                              (high.x - low.x - 2 * knob));
     const std::uint32_t at = std::min(position_at(parts, share), now.count - 1);
-    const Step step = ui.state.walkthrough.trace->step(step_of(ui.state, at));
+    const Step step = ui.state.view.walkthrough.trace->step(step_of(ui.state, at));
     tip(ui, ("Step " + std::to_string(at + 1) + ": " + std::string(title(step.chapter))).c_str());
   }
   if (moved.changed && moved.value < now.count)
@@ -91,7 +90,7 @@ void draw_place(const Ui& ui, float size) {
 float speed_width(float size) { return 3 * size + 8; }
 
 void draw_speed(const Ui& ui, float size) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   const int by = stepper(ui, "speed", plain(walk.speed) + "×", speed_width(size),
                          {.can_lower = walk.speed > slowest_speed,
                           .can_raise = walk.speed < fastest_speed,
@@ -102,7 +101,7 @@ void draw_speed(const Ui& ui, float size) {
 bool shows_all(const Walkthrough& walk) { return walk.all_steps && !walk.script; }
 
 void draw_switches(const Ui& ui) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   if (switch_chip(ui, "Predict first", walk.predict)) ui.push(SetPredict{!walk.predict});
   ImGui::SameLine(0, 6);
   if (switch_chip(ui, "All steps", shows_all(walk))) ui.push(ShowAllSteps{!shows_all(walk)});
@@ -112,7 +111,7 @@ void draw_switches(const Ui& ui) {
 void draw_menu(const Ui& ui) {
   if (!begin_choices(ui, "player menu", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), 0))
     return;
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   if (choice(ui, "All steps", nullptr, shows_all(walk))) ui.push(ShowAllSteps{!shows_all(walk)});
   if (choice(ui, "Predict first", nullptr, walk.predict)) ui.push(SetPredict{!walk.predict});
   const std::string now = " (now " + plain(walk.speed) + "×)";
@@ -123,16 +122,15 @@ void draw_menu(const Ui& ui) {
   for (const ActionId id : {ActionId::first_step, ActionId::previous_chapter,
                             ActionId::next_chapter, ActionId::last_step})
     action_row(ui, id);
-  if (!ui.state.screen.embed) action_row(ui, ActionId::present);
+  if (!ui.state.session.screen.embed) action_row(ui, ActionId::present);
   end_choices(ui);
 }
 
 // At the right end of the row: the way out of it.
 void draw_leave(const Ui& ui, float size) {
-  if (ui.state.screen.embed) {
-    if (icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size))
-      browser::open_page();
-  } else if (ui.state.presenting) {
+  if (ui.state.session.screen.embed) {
+    if (icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size)) ui.push(OpenPage{});
+  } else if (ui.state.view.presenting) {
     if (icon_button(ui, "leave", Icon::close, true, "Stop presenting (Esc)", size))
       ui.push(SetPresenting{false});
   } else if (!ui.layout.wide) {
@@ -146,8 +144,8 @@ void draw_leave(const Ui& ui, float size) {
 // One row, where room is precious: the timeline between the buttons that are pressed most, and a menu for the others.
 void draw_player_row(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool leaves = ui.state.screen.embed || ui.state.presenting || !ui.layout.wide;
-  const bool menu = !ui.state.presenting;
+  const bool leaves = ui.state.session.screen.embed || ui.state.view.presenting || !ui.layout.wide;
+  const bool menu = !ui.state.view.presenting;
   const int buttons = 3 + (menu ? 1 : 0) + (leaves ? 1 : 0);
   const float size = std::clamp((width - 72) / static_cast<float>(buttons), 36.0f, ui.control());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));

@@ -55,7 +55,7 @@ void draw_marks_row(const Ui& ui) {
       labelled(ui, "No-go edges", "Edges that must not be touched, such as 3,5:0.25-0.75; or none");
   text_field(ui, "no go", "Edges that no robot may touch", "no_go",
              no_go_text(settings(ui.state).no_go), width);
-  const bool marks = ui.state.tool == Tool::mark;
+  const bool marks = ui.state.view.tool == Tool::mark;
   if (flat_button(ui, "mark edges", marks ? "Done with marking" : "Mark them with a brush",
                   ImGui::GetContentRegionAvail().x))
     action(ActionId::mark).run(ui.state, ui.commands);
@@ -80,8 +80,8 @@ void draw_size_rows(const Ui& ui) {
   draw_radius(ui);
   for (const LengthRow& row : rows) draw_length(ui, row);
   draw_marks_row(ui);
-  if (state.placement && state.placement->stands && !state.refusal)
-    text_block(Face::label, ui.theme.second_text, left_in_words(*state.placement));
+  if (state.derived().placement && state.derived().placement->stands && !state.derived().refusal)
+    text_block(Face::label, ui.theme.second_text, left_in_words(*state.derived().placement));
 }
 
 }  // namespace
@@ -89,17 +89,18 @@ void draw_size_rows(const Ui& ui) {
 void draw_robot_size(const Ui& ui) {
   // The row stays where the method has no use for it, so that what is below does not move.
   const bool useful = takes_sizes(settings(ui.state).method);
-  const bool open = useful && ui.state.robot_open;
+  const bool open = useful && ui.state.view.robot_open;
   const float head = ImGui::GetCursorPosY();
-  const bool kept = !useful && (ui.state.aside.robot.value_or(RobotSize{}) != RobotSize{} ||
-                                !ui.state.aside.no_go.value_or(std::vector<EdgePart>{}).empty());
+  const bool kept =
+      !useful && (ui.state.work.aside.robot.value_or(RobotSize{}) != RobotSize{} ||
+                  !ui.state.work.aside.no_go.value_or(std::vector<EdgePart>{}).empty());
   const char* label = kept   ? "Robots are points; their size is kept"
                       : open ? "Hide the robots' size"
                              : "Robots' size and no-go edges";
   if (flat_button(ui, "robot size", label, ImGui::GetContentRegionAvail().x, useful))
     ui.push(SetRobotOpen{!open});
   if (open) draw_size_rows(ui);
-  show_opened("robot size is open", open, head);
+  show_opened(ui, "robot size is open", open, head);
 }
 
 }  // namespace evenlift::view

@@ -91,11 +91,12 @@ void draw_centre(const Ui& ui) {
   const float width =
       labelled(ui, "Centre of mass",
                "Drag it in the drawing, or type x and y; if nothing is set, it is the centroid");
-  const bool own = ui.state.document.centre_of_mass.has_value();
+  const bool own = ui.state.work.document().centre_of_mass.has_value();
   const float reset = own ? ui.control() : 0;
-  const std::string value = own ? point_in_words(centre_of_mass(ui.state),
-                                                 coordinate_decimals(ui.state.document.vertices))
-                                : "centroid";
+  const std::string value =
+      own ? point_in_words(centre_of_mass(ui.state),
+                           coordinate_decimals(ui.state.work.document().vertices))
+          : "centroid";
   const Vec2 centre = centre_of_mass(ui.state);
   const std::string exact = own ? shortest(centre.x()) + ", " + shortest(centre.y()) : "";
   text_field(ui, "com", "Centre of mass, x and y", "com", value, width - reset, exact);

@@ -31,7 +31,8 @@ Columns columns(const Ui& ui, float left, float width) {
   const float ratio_width = 46, span_width = 50, disc = 28;
   const float bars = width - disc - ratio_width - span_width;
   float text = 32;
-  const std::size_t rows = std::min(count_robots(ui.state.placement->teams), 2 * most_rows);
+  const std::size_t rows =
+      std::min(count_robots(ui.state.derived().placement->teams), 2 * most_rows);
   for (std::size_t i = 0; i < rows; ++i)
     text = std::max(text, text_size(Face::label, load_text(ui, i)).x);
   return {left,    left + disc + bars / 2, bars / 2, left + width - ratio_width, left + width,
@@ -96,7 +97,7 @@ void draw_number(const Ui& ui, const Columns& c, float y, const std::string& num
 
 // What a row says, for those who cannot see it: "Team 2: loads 15.2 and 18.1 kg, length 320, ratio 0.84".
 std::string team_row_in_words(const Ui& ui, std::size_t index) {
-  const Team& team = ui.state.placement->teams[index];
+  const Team& team = ui.state.derived().placement->teams[index];
   const double span = team.robots[0].arm + team.robots[1].arm;
   return "Team " + std::to_string(index + 1) + ": loads " + load_text(ui, 2 * index) + " and " +
          load_text(ui, 2 * index + 1) + " " + weight_unit(ui.state) + ", length " +
@@ -104,16 +105,16 @@ std::string team_row_in_words(const Ui& ui, std::size_t index) {
 }
 
 bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
-  const Placement& placement = *ui.state.placement;
+  const Placement& placement = *ui.state.derived().placement;
   const Team& team = placement.teams[index];
   const float height = std::max(28.0f, ui.control() - 8);
   const std::string name = "Team " + std::to_string(index + 1);
   const auto [low, high, pressed, hovered] = pressable_row(
       ui, name.c_str(), team_row_in_words(ui, index) + ". Why here?", c.ratio - c.left, height);
   if (pressed) ui.push(Explain{Pick{Pick::Kind::chord, index, 0, team.robots[0].point.position}});
-  const bool named =
-      (ui.state.hover.kind == Pick::Kind::chord || ui.state.hover.kind == Pick::Kind::robot) &&
-      ui.state.hover.index == index;
+  const bool named = (ui.state.view.hover.kind == Pick::Kind::chord ||
+                      ui.state.view.hover.kind == Pick::Kind::robot) &&
+                     ui.state.view.hover.index == index;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered || named) {
     list.AddRectFilled(ImVec2(low.x - 6, low.y), ImVec2(high.x + 6, high.y), ui.theme.well.packed(),
@@ -147,7 +148,7 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
 
 // A balanced robot: its number, its place and its load.
 void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const TeamInWords& words) {
-  const Placement& placement = *ui.state.placement;
+  const Placement& placement = *ui.state.derived().placement;
   const Robot& robot = placement.teams[0].robots[index];
   const Pick pick{Pick::Kind::robot, 0, static_cast<int>(index), robot.point.position};
   const std::string number = std::to_string(index + 1), name = "Robot " + number;
@@ -157,7 +158,7 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
                         weight_unit(ui.state) + ". Why here?",
                     c.ratio - c.left, std::max(28.0f, ui.control() - 8));
   if (pressed) ui.push(Explain{pick});
-  const Pick& over = ui.state.hover;
+  const Pick& over = ui.state.view.hover;
   const bool named = over.kind == pick.kind && over.end == pick.end && !over.second;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered || named)
@@ -175,7 +176,7 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
 }
 
 void draw_robots(const Ui& ui, const Columns& c) {
-  const Placement& placement = *ui.state.placement;
+  const Placement& placement = *ui.state.derived().placement;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text(list, Face::label, at, ui.theme.second_text, "Robot");
@@ -189,14 +190,14 @@ void draw_robots(const Ui& ui, const Columns& c) {
 }  // namespace
 
 void draw_teams(const Ui& ui) {
-  if (!ui.state.placement || ui.state.placement->teams.empty()) {
+  if (!ui.state.derived().placement || ui.state.derived().placement->teams.empty()) {
     text_line(Face::label, ui.theme.second_text, "No robots to list.");
     return;
   }
-  const std::size_t count = ui.state.placement->teams.size();
+  const std::size_t count = ui.state.derived().placement->teams.size();
   const Columns c = columns(ui, ImGui::GetCursorScreenPos().x, ImGui::GetContentRegionAvail().x);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 2));
-  if (ui.state.placement->settings.method == Method::balanced) {
+  if (ui.state.derived().placement->settings.method == Method::balanced) {
     draw_robots(ui, c);
     return ImGui::PopStyleVar();
   }

@@ -7,7 +7,6 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
-#include "state/browser.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
 #include "widgets/text.h"
@@ -130,7 +129,8 @@ void draw_failures_below(const Ui& ui) {
 }
 
 void draw_way_to_best_ratio(const Ui& ui, const Verdict& v) {
-  if (ui.state.best_ratio && v.mood != Mood::drawing) draw_lower_ratio(ui, *ui.state.best_ratio);
+  if (ui.state.derived().best_ratio && v.mood != Mood::drawing)
+    draw_lower_ratio(ui, *ui.state.derived().best_ratio);
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ void draw_embedded_verdict(const Ui& ui) {
   const bool pressed =
       named ? text_button(ui, "out", Icon::open_out, "Open in evenlift", nullptr, size)
             : icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size);
-  if (pressed) browser::open_page();
+  if (pressed) ui.push(OpenPage{});
   end_card(ui);
 }
 

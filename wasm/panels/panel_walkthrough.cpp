@@ -9,7 +9,6 @@
 #include "actions/actions.h"
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
-#include "state/browser.h"
 #include "walkthrough/questions.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
@@ -93,7 +92,7 @@ void draw_choices(const Ui& ui, const Ask& ask, bool beside) {
 }
 
 void draw_question(const Ui& ui, const Faces& faces) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   if (!walk.ask) return;
   space(4);
   text_block(faces.strong, ui.theme.accent, walk.ask->text);
@@ -103,7 +102,7 @@ void draw_question(const Ui& ui, const Faces& faces) {
 }
 
 void draw_answers(const Ui& ui, const Faces& faces) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   if (!walk.verdict.empty()) {
     const Colour colour = walk.was_right ? ui.theme.hull_text : ui.theme.amber;
     draw_box(ui.theme.well, colour, faces.strong, walk.verdict);
@@ -119,7 +118,7 @@ void draw_answers(const Ui& ui, const Faces& faces) {
 }
 
 void draw_words(const Ui& ui, const Faces& faces) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   if (const std::string words = words_of_stop(ui.state); !words.empty())
     text_block(faces.words, ui.theme.text, words);
   if (!walk.caption.empty())
@@ -129,7 +128,7 @@ void draw_words(const Ui& ui, const Faces& faces) {
 
 // The formula, and what its letters stand for.
 void draw_formula(const Ui& ui, const Faces& faces) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   if (walk.formula.empty()) return;
   draw_box(ui.theme.well, ui.theme.text, faces.formula, walk.formula);
   if (const std::string_view letters = formula_letters(*walk.trace, walk.detail); !letters.empty())
@@ -144,7 +143,7 @@ void draw_left_out(const Ui& ui, const Faces& faces) {
 }  // namespace
 
 void draw_walkthrough_step(const Ui& ui) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   const float button = ui.layout.wide ? ui.control() : 0;  // in the corner
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 8));
   if (walk.script)
@@ -163,18 +162,18 @@ void draw_walkthrough_step(const Ui& ui) {
 // The same in a box of constant height, in which what is longer scrolls: in a closed sheet, an <iframe>, or before a room. A
 // question takes the place of the words, and its buttons stand below the box unless that would leave less than two lines.
 void draw_walkthrough_briefly(const Ui& ui, float height) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   constexpr float little = 120;
-  const Faces& faces = ui.state.presenting ? for_a_room
-                       : height < little   ? in_little_room
-                                           : in_a_row;
+  const Faces& faces = ui.state.view.presenting ? for_a_room
+                       : height < little        ? in_little_room
+                                                : in_a_row;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4));
   const float row = ui.control() + 4, two_lines = 40;
   const bool apart = walk.ask && height - row >= two_lines;
   begin_scrolling_box(ui, "told", apart ? height - row : height);
   const int moment = static_cast<int>(2 * walk.at + (walk.ask ? 1 : 0));
   if (in_last_frame("moment", moment, -1) != moment) ImGui::SetScrollY(0);
-  const std::string name = walk.script && ui.state.presenting
+  const std::string name = walk.script && ui.state.view.presenting
                                ? walk.script->lesson.title
                                : std::string(title(walk.detail.step.chapter));
   text_block(Face::strong_label, ui.theme.second_text,
@@ -209,7 +208,7 @@ void draw_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour)
 void draw_ranked(const Ui& ui, const TeamScores& scores, std::size_t place, double best) {
   const std::uint32_t c = scores.ranking[place];
   const Score& score = scores.of_candidate[c];
-  const std::optional<std::uint32_t>& measured = ui.state.walkthrough.measured;
+  const std::optional<std::uint32_t>& measured = ui.state.view.walkthrough.measured;
   const bool first = place == 0;
   const float width = full_width(), height = ui.control() > 40 ? 36.0f : 24.0f;
   ImGui::PushID(static_cast<int>(c));
@@ -263,7 +262,7 @@ void draw_code_line(const Ui& ui, std::string_view line, bool current) {
 
 // The eligible candidates with their scores, the best first.
 void draw_walkthrough_ranking(const Ui& ui) {
-  const TeamScores& scores = *ui.state.walkthrough.detail.scores;
+  const TeamScores& scores = *ui.state.view.walkthrough.detail.scores;
   text_line(Face::strong_label, ui.theme.second_text, title_of_ranking(scores.rule));
   const double best = std::max(scores.of_candidate[scores.ranking[0]].value, 1e-300);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
@@ -278,7 +277,7 @@ void draw_walkthrough_ranking(const Ui& ui) {
 
 // In a box that scrolls to its current line, so that the caption above stays where it is.
 void draw_walkthrough_code(const Ui& ui) {
-  const Walkthrough& walk = ui.state.walkthrough;
+  const Walkthrough& walk = ui.state.view.walkthrough;
   const auto lines = pseudo_code(settings(ui.state));
   const std::uint32_t current = pseudo_line(*walk.trace, walk.detail);
   text_line(Face::strong_label, ui.theme.second_text, "The algorithm");
@@ -290,7 +289,7 @@ void draw_walkthrough_code(const Ui& ui) {
     draw_code_line(ui, lines[i], i == current);
     if (i == current && moved) {
       ImGui::SetScrollHereY(0.4f);
-      browser::request_frame();
+      ui.push(LayOutAgain{});
     }
   }
   end_scrolling_box(ui);
@@ -298,7 +297,7 @@ void draw_walkthrough_code(const Ui& ui) {
 }
 
 void draw_walkthrough_history(const Ui& ui) {
-  const std::vector<Visited>& visited = ui.state.walkthrough.visited;
+  const std::vector<Visited>& visited = ui.state.view.walkthrough.visited;
   text_line(Face::strong_label, ui.theme.second_text, "Seen before");
   const float width = full_width();
   const std::size_t from = visited.size() - 1;

@@ -7,7 +7,6 @@
 
 #include "actions/actions.h"
 #include "panels/summary.h"
-#include "state/browser.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
 #include "widgets/text.h"
@@ -15,7 +14,9 @@
 namespace evenlift::view {
 namespace {
 
-bool compares(const AppState& s) { return s.second.has_value() && s.second_method.has_value(); }
+bool compares(const AppState& s) {
+  return s.derived().second.has_value() && s.work.second_method.has_value();
+}
 
 // Top to bottom. What is set stands above what results, so that no control moves when a result changes.
 constexpr Panel side_panel[] = {
@@ -24,10 +25,10 @@ constexpr Panel side_panel[] = {
     {"teams", draw_teams, true},        {"numbers", draw_numbers, true},
 };
 bool ranks(const AppState& s) {
-  const auto& scores = s.walkthrough.detail.scores;
+  const auto& scores = s.view.walkthrough.detail.scores;
   return scores && !scores->ranking.empty();
 }
-bool has_history(const AppState& s) { return s.walkthrough.visited.size() > 1; }
+bool has_history(const AppState& s) { return s.view.walkthrough.visited.size() > 1; }
 constexpr Panel walkthrough_panel[] = {
     {"step", draw_walkthrough_step, true},
     {"ranking", draw_walkthrough_ranking, true, ranks},
@@ -54,12 +55,12 @@ void draw_sections(const Ui& ui, std::size_t first) {
   for (std::size_t i = first; i < panels.size(); ++i) {
     if (panels[i].shown && !panels[i].shown(ui.state)) continue;
     // Beside a shape that is being drawn, the results of the former one would be taken for its own.
-    if (panels[i].of_result && ui.state.tool == Tool::draw) continue;
+    if (panels[i].of_result && ui.state.view.tool == Tool::draw) continue;
     if (i > first) rule(ui);
     ImGui::PushID(panels[i].name);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     panels[i].draw(ui);
-    if (panels[i].of_result && ui.state.refusal) dim(ui, from);
+    if (panels[i].of_result && ui.state.derived().refusal) dim(ui, from);
     ImGui::PopID();
   }
 }
@@ -84,7 +85,7 @@ void draw_close_button(const Ui& ui) {
 
 // Whoever opens a document, or begins or leaves a lesson, sees the head of the panel.
 void begin_at_head(const Ui& ui) {
-  const int shown = 2 * ui.state.opened + (walkthrough_is_open(ui.state) ? 1 : 0);
+  const int shown = 2 * ui.state.session.opened + (walkthrough_is_open(ui.state) ? 1 : 0);
   if (in_last_frame("shows", shown, shown) != shown) ImGui::SetScrollY(0);
 }
 
@@ -100,7 +101,7 @@ void draw_verdict_and_rest(const Ui& ui) {
   begin_at_head(ui);
   draw_sections(ui, 1);
   const float now = ImGui::GetCursorPosY();
-  if (std::exchange(content, now) != now) browser::request_frame();
+  if (std::exchange(content, now) != now) ui.push(LayOutAgain{});
   end_scrolling_box(ui);
 }
 
@@ -135,7 +136,7 @@ constexpr float handle_height = 24;
 
 // The sheet so many steps further open than now; without a half it is closed or open as far as it goes.
 Sheet opened_further(const AppState& state, int by) {
-  auto wanted = static_cast<Sheet>(std::clamp(static_cast<int>(state.sheet) + by, 0, 2));
+  auto wanted = static_cast<Sheet>(std::clamp(static_cast<int>(state.view.sheet) + by, 0, 2));
   if (wanted == Sheet::half && !has_half_sheet(state))
     wanted = by > 0 ? Sheet::full : Sheet::closed;
   return wanted;
@@ -153,7 +154,8 @@ void draw_handle(const Ui& ui) {
     const int step = std::abs(dragged) > 260 ? 2 : 1;
     ui.push(SetSheet{opened_further(ui.state, dragged < 0 ? step : -step)});
   } else if (pressed) {
-    ui.push(SetSheet{ui.state.sheet == Sheet::full ? Sheet::closed : opened_further(ui.state, 1)});
+    ui.push(
+        SetSheet{ui.state.view.sheet == Sheet::full ? Sheet::closed : opened_further(ui.state, 1)});
   }
 }
 
@@ -177,7 +179,8 @@ void draw_step_and_row(const Ui& ui) {
 // What is selected, or the next edge while one draws, stands where the teams are otherwise: over the drawing it would cover that.
 void draw_row_below_verdict(const Ui& ui) {
   if (vertex_is_on_sheet(ui.state)) return draw_vertex_buttons(ui);
-  if (ui.state.tool != Tool::draw || ui.state.drawing.points.empty()) return draw_teams_stepper(ui);
+  if (ui.state.view.tool != Tool::draw || ui.state.view.drawing.points.empty())
+    return draw_teams_stepper(ui);
   const float labels = text_size(Face::label, "Length").x + text_size(Face::label, "Angle").x;
   const float width = (ImGui::GetContentRegionAvail().x - labels - 20) / 2;
   draw_edge_fields(ui, width, width);
@@ -194,14 +197,14 @@ void draw_closed_sheet(const Ui& ui) {
   if (walkthrough_is_open(ui.state))
     return ui.layout.brief ? draw_player_row(ui) : draw_step_and_row(ui);
   constexpr double too_low = 8;  // so many pixels of the row's margin may be missing
-  if (!ui.layout.brief && ui.state.closed_sheet_height > ui.layout.panel.height() + too_low)
+  if (!ui.layout.brief && ui.state.session.closed_sheet_height > ui.layout.panel.height() + too_low)
     return draw_low_sheet(ui);
   draw_verdict(ui);
   draw_row_below_verdict(ui);
   if (ui.layout.brief) return;
   const double height =
       static_cast<double>(ImGui::GetItemRectMax().y - ImGui::GetWindowPos().y) + 16;
-  if (std::abs(height - ui.state.closed_sheet_height) > 0.5) ui.push(MeasureSheet{height});
+  if (std::abs(height - ui.state.session.closed_sheet_height) > 0.5) ui.push(MeasureSheet{height});
 }
 
 // What the result is, or the player, stays in sight while what is below it scrolls.
@@ -229,7 +232,7 @@ void draw_sheet(const Ui& ui) {
              {.fixed_height = true, .padding = 16, .scrolls = false, .stays_below = true});
   draw_handle(ui);
   ImGui::SetCursorPosY(handle_height + 6);
-  if (ui.state.sheet == Sheet::closed)
+  if (ui.state.view.sheet == Sheet::closed)
     draw_closed_sheet(ui);
   else
     draw_open_sheet(ui);
@@ -239,10 +242,11 @@ void draw_sheet(const Ui& ui) {
 
 // The player at the foot of the drawing; in an <iframe> and before a room it also says what the step shows.
 void draw_floating_player(const Ui& ui) {
-  const bool tells = ui.state.screen.embed || ui.state.presenting;
-  begin_card(
-      ui, "player", ui.layout.player,
-      {.fixed_height = true, .padding = ui.state.screen.embed ? 8.0f : 12.0f, .scrolls = false});
+  const bool tells = ui.state.session.screen.embed || ui.state.view.presenting;
+  begin_card(ui, "player", ui.layout.player,
+             {.fixed_height = true,
+              .padding = ui.state.session.screen.embed ? 8.0f : 12.0f,
+              .scrolls = false});
   if (tells)
     draw_step_and_row(ui);
   else
@@ -258,20 +262,21 @@ void draw_panels(const AppState& state, Commands& commands) {
   apply_style(state, places.control);
   Pick row;
   const Ui ui{state, theme(state), places, commands, row};
-  if (!state.screen.embed && !state.presenting) {
+  if (!state.session.screen.embed && !state.view.presenting) {
     if (!places.wide)
       draw_sheet(ui);
-    else if (state.panel_open)
+    else if (state.view.panel_open)
       draw_side_panel(ui);
     else
       draw_rail(ui);
     draw_view_tools(ui);
   }
-  if (walkthrough_is_open(state) && (places.wide || state.screen.embed || state.presenting))
+  if (walkthrough_is_open(state) &&
+      (places.wide || state.session.screen.embed || state.view.presenting))
     draw_floating_player(ui);
-  else if (state.screen.embed)
+  else if (state.session.screen.embed)
     draw_embedded_verdict(ui);
-  if (!state.screen.embed && !state.presenting) {
+  if (!state.session.screen.embed && !state.view.presenting) {
     draw_toolbar(ui);
     draw_tool_bar(ui);
   }
@@ -280,10 +285,10 @@ void draw_panels(const AppState& state, Commands& commands) {
   draw_notice(ui);
   const bool list_open =
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (list_open != state.list_open) ui.push(ListIsOpen{list_open});
+  if (list_open != state.session.list_open) ui.push(ListIsOpen{list_open});
   // A finger hovers over nothing.
-  const bool hovers = ImGui::GetIO().WantCaptureMouse && !state.screen.touch;
-  if (hovers && !(row == state.hover)) ui.push(SetHover{row});
+  const bool hovers = ImGui::GetIO().WantCaptureMouse && !state.session.screen.touch;
+  if (hovers && !(row == state.view.hover)) ui.push(SetHover{row});
 }
 
 }  // namespace evenlift::view

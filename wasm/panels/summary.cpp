@@ -12,19 +12,19 @@ namespace evenlift::view {
 
 bool is_overloaded(const AppState& state) {
   const std::optional<double>& capacity = shown(state).capacity;
-  return capacity && state.outlook.greatest > *capacity;
+  return capacity && state.derived().outlook.greatest > *capacity;
 }
 
 namespace {
 
 Verdict of_placement(const AppState& state) {
-  const Placement& placement = *state.placement;
+  const Placement& placement = *state.derived().placement;
   const bool as_asked =
       !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
-  const std::string tips =
-      placement.teams.empty()
-          ? std::string()
-          : tipping_in_words(state.outlook.robustness, shown(state).com_radius, shown(state).units);
+  const std::string tips = placement.teams.empty()
+                               ? std::string()
+                               : tipping_in_words(state.derived().outlook.robustness,
+                                                  shown(state).com_radius, shown(state).units);
   const bool good = as_asked && placement.coverage >= good_coverage && is_held(placement) &&
                     !is_overloaded(state) && tips.empty();
   std::string detail =
@@ -32,7 +32,8 @@ Verdict of_placement(const AppState& state) {
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " So the goal, to hold, is not reached.";
   return {good ? Mood::good : Mood::not_quite,
-          loads_in_words({placement, shown(state)}, state.outlook.model, state.outlook.loads),
+          loads_in_words({placement, shown(state)}, state.derived().outlook.model,
+                         state.derived().outlook.loads),
           std::move(detail)};
 }
 
@@ -44,7 +45,7 @@ Verdict of_failure(const AppState& state, const Failure& failure) {
 }
 
 const char* press_word(const AppState& state) {
-  return state.screen.touch || state.screen.finger ? "Tap" : "Click";
+  return state.session.screen.touch || state.session.screen.finger ? "Tap" : "Click";
 }
 
 Verdict of_measuring(const AppState& state) {
@@ -54,17 +55,17 @@ Verdict of_measuring(const AppState& state) {
 }
 
 Verdict of_drawing(const AppState& state) {
-  const std::size_t n = state.drawing.points.size();
+  const std::size_t n = state.view.drawing.points.size();
   const std::string press = press_word(state);
   if (n == 0) return {Mood::drawing, "Draw a shape.", press + " where its first vertex is."};
-  const auto crossed = crossings(state.drawing.points);
+  const auto crossed = crossings(state.view.drawing.points);
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
           !crossed.empty() ? "Edges " + std::to_string(crossed.front().first + 1) + " and " +
                                  std::to_string(crossed.front().second + 1) +
                                  " cross. Move a vertex, or take it back."
           : n < 3 ? "A shape needs at least three."
-          : state.drawing.refusal
-              ? "It cannot be closed as it is: " + sentence(*state.drawing.refusal) +
+          : state.view.drawing.refusal
+              ? "It cannot be closed as it is: " + sentence(*state.view.drawing.refusal) +
                     ". Move a vertex, or take it back."
               : press + " the first one to close the shape."};
 }
@@ -98,7 +99,7 @@ std::string loads_while_failing(const Failure& failure, const Units& units) {
 
 // The last vertex, and the cursor if keys move it.
 std::string news_of_drawing(const AppState& state) {
-  const Drawing& drawing = state.drawing;
+  const Drawing& drawing = state.view.drawing;
   std::string lines;
   if (!drawing.points.empty())
     lines += "Vertex " + std::to_string(drawing.points.size()) + " at " +
@@ -107,7 +108,7 @@ std::string news_of_drawing(const AppState& state) {
     return drawing.points.empty()
                ? "By keys: arrow keys move a cursor, and Enter places a vertex there.\n"
                : lines;
-  if (closes(state, state.camera.to_screen(*drawing.cursor)))
+  if (closes(state, state.view.camera.to_screen(*drawing.cursor)))
     return lines + (drawing.refusal
                         ? "The shape cannot be closed: " + sentence(*drawing.refusal) + ".\n"
                         : "On the first vertex: Enter closes the shape.\n");
@@ -121,36 +122,37 @@ std::string news_of_drawing(const AppState& state) {
 
 std::string need_in_words(const AppState& state) {
   const std::optional<double>& capacity = shown(state).capacity;
-  if (!capacity || !state.placement) return {};
+  if (!capacity || !state.derived().placement) return {};
   const Outlook& outlook = shown_outlook(state);
   std::vector<double> greatest;
   for (const LoadRange& range : outlook.loads) greatest.push_back(range.greatest);
   const Failure* failure = failing(state);
-  return capacity_in_words({*state.placement, shown(state)}, *capacity,
-                           state.plan ? &*state.plan : nullptr,
+  return capacity_in_words({*state.derived().placement, shown(state)}, *capacity,
+                           state.derived().plan ? &*state.derived().plan : nullptr,
                            overloaded_robots(greatest, *capacity), outlook.model,
                            failure ? std::optional(failure->robot) : std::nullopt,
-                           state.spare && !failure ? &*state.spare : nullptr);
+                           state.derived().spare && !failure ? &*state.derived().spare : nullptr);
 }
 
 std::string overload_in_brief(const AppState& state) {
-  const bool wanted = state.placement && !state.refusal && state.tool != Tool::draw &&
-                      !failing(state) && is_overloaded(state);
+  const bool wanted = state.derived().placement && !state.derived().refusal &&
+                      state.view.tool != Tool::draw && !failing(state) && is_overloaded(state);
   if (!wanted) return {};
   return "A robot can carry " + given_weight(*shown(state).capacity, shown(state).units) +
          ": not enough. ";
 }
 
 std::string model_words(const AppState& state) {
-  const std::optional<ModelLoads>& models = state.outlook.models;
-  return models ? model_in_words(state.load_model, *models, shown(state).units) : std::string();
+  const std::optional<ModelLoads>& models = state.derived().outlook.models;
+  return models ? model_in_words(state.view.load_model, *models, shown(state).units)
+                : std::string();
 }
 
 std::string doubt_words(const AppState& state) {
-  const std::optional<ModelLoads>& models = state.outlook.models;
+  const std::optional<ModelLoads>& models = state.derived().outlook.models;
   const Shown& now = shown(state);
   if (!models || now.com_radius == 0) return {};
-  const Robustness& robustness = state.outlook.robustness;
+  const Robustness& robustness = state.derived().outlook.robustness;
   std::string text = doubt_in_words(*models, robustness, now.com_radius, now.units);
   if (now.capacity)
     text += " " + doubt_of_capacity_in_words(*models, robustness, *now.capacity, now.units);
@@ -165,38 +167,39 @@ Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
 }
 
 std::string failure_words(const AppState& state, std::size_t robot) {
-  const std::size_t all = count_robots(state.placement->teams);
-  if (state.failure && state.failure->robot == robot)
-    return failure_in_words(robot, all, state.failure->rest, shown(state).capacity,
+  const std::size_t all = count_robots(state.derived().placement->teams);
+  if (state.derived().failure && state.derived().failure->robot == robot)
+    return failure_in_words(robot, all, state.derived().failure->rest, shown(state).capacity,
                             shown(state).units);
-  if (robot >= state.failures.size()) return {};
-  return failure_in_words(robot, all, state.failures[robot], shown(state).capacity,
+  if (robot >= state.derived().failures.size()) return {};
+  return failure_in_words(robot, all, state.derived().failures[robot], shown(state).capacity,
                           shown(state).units);
 }
 
 Verdict verdict(const AppState& state) {
-  if (state.measuring) return of_measuring(state);
-  if (state.tool == Tool::draw) return of_drawing(state);
-  if (state.refusal) {
-    return {Mood::refused, sentence(*state.refusal) + ".",
-            state.placement ? "The last result is shown dimmed." : ""};
+  if (state.view.measuring) return of_measuring(state);
+  if (state.view.tool == Tool::draw) return of_drawing(state);
+  if (state.derived().refusal) {
+    return {Mood::refused, sentence(*state.derived().refusal) + ".",
+            state.derived().placement ? "The last result is shown dimmed." : ""};
   }
-  if (!state.placement) return {Mood::refused, "Nothing is open.", ""};
+  if (!state.derived().placement) return {Mood::refused, "Nothing is open.", ""};
   if (const Failure* failure = failing(state)) return of_failure(state, *failure);
   Verdict v = of_placement(state);
-  v.searching = state.search.under_way && !state.placement->search_ended;
-  const bool waits = state.edit_open && !state.placement->search_ended &&
+  v.searching = state.derived().search.under_way && !state.derived().placement->search_ended;
+  const bool waits = state.work.edit_open && !state.derived().placement->search_ended &&
                      settings(state).method == Method::balanced;
   if (waits && !v.searching) v.detail += " Better places are looked for when you let go.";
   if (v.searching)
-    v.detail += state.placement->teams.empty() ? "They are being looked for."
-                                               : " Better places are being looked for.";
+    v.detail += state.derived().placement->teams.empty() ? "They are being looked for."
+                                                         : " Better places are being looked for.";
   return v;
 }
 
 std::string presumed_in_words(const AppState& state) {
-  const bool shown = state.placement && !state.refusal && !state.measuring &&
-                     state.tool != Tool::draw && !state.placement->teams.empty();
+  const bool shown = state.derived().placement && !state.derived().refusal &&
+                     !state.view.measuring && state.view.tool != Tool::draw &&
+                     !state.derived().placement->teams.empty();
   if (!shown) return {};
   if (failing(state))
     return "Loads are those of equally stiff and level robots; a sudden failure can double their "
@@ -207,15 +210,15 @@ std::string presumed_in_words(const AppState& state) {
 
 std::string summary(const AppState& state) {
   const Verdict v = verdict(state);
-  if (walkthrough_is_open(state) && !state.refusal) return walkthrough_in_words(state);
+  if (walkthrough_is_open(state) && !state.derived().refusal) return walkthrough_in_words(state);
   std::string text = v.headline;
   if (!v.detail.empty()) text += " " + v.detail;
-  if (state.refusal || !state.placement) return text;
+  if (state.derived().refusal || !state.derived().placement) return text;
   if (const Failure* failure = failing(state))
     return text + loads_while_failing(*failure, shown(state).units);
   for (const std::string& more : {need_in_words(state), model_words(state), doubt_words(state)})
     if (!more.empty()) text += " " + more;
-  const Placement& placement = *state.placement;
+  const Placement& placement = *state.derived().placement;
   const Settings& settings = placement.settings;
   if (settings.method == Method::balanced) return text + balanced_in_words(placement);
   text += " " + count_of(placement.teams.size(), "team", "teams") + " of " +
@@ -239,33 +242,33 @@ std::string weight_unit(const AppState& state) {
 }
 
 std::string link_lacks_in_words(const AppState& state) {
-  if (state.tool == Tool::draw && !state.drawing.points.empty())
+  if (state.view.tool == Tool::draw && !state.view.drawing.points.empty())
     return "The shape that you are drawing is not closed yet: the link holds the one before.";
-  if (state.refusal)
+  if (state.derived().refusal)
     return "The shape on the screen is refused: the link holds the last one that was not.";
   std::string lacking;
   for (const auto& [lacks, what] :
-       {std::pair(state.load_model != LoadModel::plan, "which loads are shown"),
+       {std::pair(state.view.load_model != LoadModel::plan, "which loads are shown"),
         {failing(state) != nullptr, "that a robot fails"},
-        {state.second_method.has_value(), "the comparison"}})
+        {state.work.second_method.has_value(), "the comparison"}})
     if (lacks) lacking += (lacking.empty() ? "It does not hold " : ", nor ") + std::string(what);
   return lacking.empty() ? lacking : lacking + ".";
 }
 
 std::string news(const AppState& state) {
   std::string lines;
-  const Points& vertices = state.document.vertices;
-  if (state.selected && *state.selected < vertices.size())
-    lines += "Vertex " + std::to_string(*state.selected + 1) + " of " +
+  const Points& vertices = state.work.document().vertices;
+  if (state.view.selected && *state.view.selected < vertices.size())
+    lines += "Vertex " + std::to_string(*state.view.selected + 1) + " of " +
              std::to_string(vertices.size()) + ", " +
-             point_in_words(vertices[*state.selected], coordinate_decimals(vertices)) + ".\n";
-  if (state.tool == Tool::transform)
+             point_in_words(vertices[*state.view.selected], coordinate_decimals(vertices)) + ".\n";
+  if (state.view.tool == Tool::transform)
     lines += "The whole shape is in hand: arrow keys move it, [ and ] turn it, { and } scale it.\n";
-  if (state.tool == Tool::draw) lines += news_of_drawing(state);
+  if (state.view.tool == Tool::draw) lines += news_of_drawing(state);
   // Elsewhere a notice tells it.
-  const bool bar = state.tool != Tool::parts || state.selected;
-  if (bar && state.snap.grid) lines += "Points snap to the grid.\n";
-  if (bar && state.snap.axis) lines += "Points snap to the axis.\n";
+  const bool bar = state.view.tool != Tool::parts || state.view.selected;
+  if (bar && state.view.snap.grid) lines += "Points snap to the grid.\n";
+  if (bar && state.view.snap.axis) lines += "Points snap to the axis.\n";
   for (const auto& [overlay, name] : {std::pair(&Overlays::lifting_base, "the lifting base"),
                                       {&Overlays::chords, "chords"},
                                       {&Overlays::candidates, "candidates"},
@@ -274,14 +277,15 @@ std::string news(const AppState& state) {
                                       {&Overlays::tipping, "the force that tips"},
                                       {&Overlays::halo, "how far the centre of mass may be off"}})
     lines += (shown(state).overlays.*overlay ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
-  if (state.second_method)
+  if (state.work.second_method)
     lines +=
-        "Compared with " + std::string(name(*state.second_method)) +
-        (state.second ? ": " +
-                            loads_in_words({*state.second, shown(state)},
-                                           state.second_outlook.model, state.second_outlook.loads) +
-                            " " + detail_in_words({*state.second, shown(state)})
-                      : ".") +
+        "Compared with " + std::string(name(*state.work.second_method)) +
+        (state.derived().second ? ": " +
+                                      loads_in_words({*state.derived().second, shown(state)},
+                                                     state.derived().second_outlook.model,
+                                                     state.derived().second_outlook.loads) +
+                                      " " + detail_in_words({*state.derived().second, shown(state)})
+                                : ".") +
         '\n';
   return lines;
 }

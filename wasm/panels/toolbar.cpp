@@ -6,7 +6,6 @@
 
 #include "panels/action_button.h"
 #include "panels/panels.h"
-#include "state/browser.h"
 #include "state/seen.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
@@ -167,8 +166,10 @@ void draw_view_tools(const Ui& ui) {
 
 // The way back to an object that was moved out of the window, or whose outline is all around it.
 void draw_way_back(const Ui& ui) {
-  if (ui.state.camera_follows || ui.state.tool == Tool::draw || !ui.state.placement) return;
-  if (!ui.layout.wide && ui.state.sheet == Sheet::full) return;  // it covers the drawing
+  if (ui.state.view.camera_follows || ui.state.view.tool == Tool::draw ||
+      !ui.state.derived().placement)
+    return;
+  if (!ui.layout.wide && ui.state.view.sheet == Sheet::full) return;  // it covers the drawing
   if (outline_is_seen(ui.state)) return;
   const Rect& free = ui.layout.free;
   const float width = text_size(Face::text, "Show the object").x + 28;
@@ -181,7 +182,7 @@ void draw_way_back(const Ui& ui) {
 }
 
 void draw_notice(const Ui& ui) {
-  const Notice& notice = ui.state.notice;
+  const Notice& notice = ui.state.session.notice;
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
   const Rect& seat = ui.layout.notice;
@@ -206,7 +207,7 @@ void draw_notice(const Ui& ui) {
   ImGui::SetCursorScreenPos(after);
   ImGui::Dummy(ImVec2(0, 0));
   const double height = static_cast<double>(ImGui::GetWindowHeight());
-  if (std::abs(height - ui.state.notice_height) > 0.5) ui.push(MeasureNotice{height});
+  if (std::abs(height - ui.state.session.notice_height) > 0.5) ui.push(MeasureNotice{height});
   end_card(ui);
 }
 

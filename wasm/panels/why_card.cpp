@@ -16,7 +16,7 @@ namespace {
 constexpr double widest = 320, away = 26;  // pixels from what it is about
 
 Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
-  Vec2 at = ui.state.camera.to_screen(explanation.of.at);
+  Vec2 at = ui.state.view.camera.to_screen(explanation.of.at);
   if (!explanation.of.second) return at;
   return at + Vec2(ui.layout.second.left - ui.layout.first.left,
                    ui.layout.second.top - ui.layout.first.top);
@@ -36,20 +36,20 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const bool low = spot.y() >= free.middle().y();
   if (!ui.layout.wide) {
     constexpr double least = 240;  // what does not fit scrolls
-    const double foot = ui.state.screen.height - 4;
+    const double foot = ui.state.session.screen.height - 4;
     const double head =
         std::max(spot.y() + away, free.bottom);  // the loads above the sheet stay in sight
     return {{left, std::clamp(head, top, foot - least), right, foot}, true, true};
   }
-  if (ui.layout.low && ui.state.panel_open) return {ui.layout.panel, false, true};
+  if (ui.layout.low && ui.state.view.panel_open) return {ui.layout.panel, false, true};
   const double width = std::min(widest, right - left);
   const bool outward_left =
-      spot.x() < ui.state.camera.to_screen(ui.state.placement->centre_of_mass).x();
+      spot.x() < ui.state.view.camera.to_screen(ui.state.derived().placement->centre_of_mass).x();
   const double before = spot.x() - away - width, behind = spot.x() + away;
   const bool at_left = outward_left ? before >= left : behind + width > right;
   // As far as there is room, beyond the body of a robot that has a size.
   const RobotSize& robot = settings(ui.state).robot;
-  const double body = ui.state.camera.scale * (robot.reach + 2 * robot.radius);
+  const double body = ui.state.view.camera.scale * (robot.reach + 2 * robot.radius);
   const double x =
       std::clamp(at_left ? before - body : behind + body, left, std::max(left, right - width));
   const double foot =
@@ -120,8 +120,10 @@ void draw_words(const Ui& ui, const Explanation& explanation) {
 }  // namespace
 
 void draw_why_card(const Ui& ui) {
-  if (!ui.state.explanation || !ui.state.placement || ui.state.screen.embed) return;
-  const Explanation& explanation = *ui.state.explanation;
+  if (!ui.state.derived().explanation || !ui.state.derived().placement ||
+      ui.state.session.screen.embed)
+    return;
+  const Explanation& explanation = *ui.state.derived().explanation;
   const CardPlace place = place_of(ui, spot_of(ui, explanation));
   begin_card(ui, "why here", place.rect,
              {.at_bottom = place.at_bottom,

@@ -31,7 +31,7 @@ struct CanvasView {
     const std::optional<double>& capacity = shown(state).capacity;
     return capacity && load > *capacity;
   }
-  bool current() const { return placement && !state.refusal; }
+  bool current() const { return placement && !state.derived().refusal; }
 };
 
 }  // namespace evenlift::view

@@ -29,9 +29,10 @@ Points hull_of(const std::vector<Shape>& shapes) {
 void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>& before,
                   double now) {
   scene.progress = 1;
-  const bool many = state.placement && state.placement->teams.size() > most_single_robots;
-  const bool wanted = state.motion && !state.screen.reduced_motion && !many;
-  const bool moved = state.edit_open || state.held.kind == Pick::Kind::robot;  // by hand
+  const bool many =
+      state.derived().placement && state.derived().placement->teams.size() > most_single_robots;
+  const bool wanted = state.view.motion && !state.session.screen.reduced_motion && !many;
+  const bool moved = state.work.edit_open || state.view.held.kind == Pick::Kind::robot;  // by hand
   if (!wanted || moved || before.empty() || scene.shapes.empty()) return;
   if (before[0].points != scene.shapes[0].points) return;  // another polygon
   scene.hull_before = hull_of(before);
@@ -53,7 +54,7 @@ void follow_anew(Scene& scene, const AppState& state, const Placement& placement
   }
   scene.heat.clear();
   scene.coverage = place_coverage(placement, scene.coverage.at);
-  scene.revision = state.revision;
+  scene.revision = state.derived().revision;
   begin_motion(scene, state, before, now);
 }
 
@@ -62,7 +63,7 @@ void follow_anew(Scene& scene, const AppState& state, const Placement& placement
 void follow(Scene& scene, const AppState& state, const Placement& placement, double now) {
   // Even while the document is refused its overlays are shown, with the last good placement.
   const Overlays& overlays = shown(state).overlays;
-  const bool anew = scene.revision != state.revision;
+  const bool anew = scene.revision != state.derived().revision;
   if (anew || !(scene.overlays == overlays)) {
     const std::vector<Shape> before = std::move(scene.shapes);
     scene.shapes = make_picture(placement, overlays, most_lines);

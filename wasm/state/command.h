@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "state/browser.h"
+#include "state/effects.h"
 #include "state/opened.h"
 #include "state/state.h"
 
@@ -58,6 +58,13 @@ struct MoveRobot {
   Vec2 to;            // the robot goes to the nearest point of the outline
 };
 struct ResetRobots {};  // back to where they were found
+
+// What the search of this number found (Given::Found); it is told without `robots` that it cannot go on.
+struct TakeRobots {
+  std::uint64_t number;
+  std::optional<std::string> robots;
+  bool ended = true;
+};
 
 // The other commands change neither the polygon nor its placement.
 // What is shown: one step of undo, unless only overlays differ.
@@ -215,10 +222,51 @@ struct TypeValue {
   const char* control;
 };
 struct OpenDialog {
-  browser::Dialog dialog;
+  Dialog dialog;
 };
+struct OpenPage {};     // of an <iframe>, in a new tab
+struct LayOutAgain {};  // something on a panel moved, so what is there is drawn once more
 struct ShowNotice {
   Notice notice;
+};
+struct EndNotice {};  // unless it says that something went wrong
+
+// What the page around the view tells of itself, or kept of the last visit. Nothing of it is a step of undo.
+struct SetCanvas {
+  double css_width, css_height, css_ratio;
+};
+struct SetPreferences {
+  bool dark, reduced_motion, finger;
+};
+struct SetTouch {  // the pointer is a finger now, or no more
+  bool on;
+};
+// A window of the page covers so much at the left, at the right and at the foot, in CSS pixels.
+struct CoverScreen {
+  double left, right, foot;
+};
+// A card of the page stands at the foot of the drawing, so high in CSS pixels; 0 for none.
+struct MakeRoom {
+  double height;
+};
+// A picture lies behind the drawing, to be traced.
+struct LayPicture {
+  Vec2 low, high;
+};
+struct TakePictureAway {};
+struct SetMeasuring {
+  bool on;
+};
+struct KeepMotion {
+  bool on;
+};
+struct KeepComparison {
+  Method method;
+};
+struct ForgetSteps {};
+struct AddStep {
+  bool redo;
+  History::Kept step;
 };
 
 using Command = std::variant<
@@ -230,7 +278,9 @@ using Command = std::variant<
     PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
     SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen,
     SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
-    MeasureNotice, CopyLink, TypeValue, OpenDialog, ShowNotice>;
+    MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice,
+    EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture,
+    TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

@@ -84,7 +84,7 @@ void seat_player(Layout& l, double right, double height) {
 // One card at the foot: what the step says and one row of buttons, or else what the result is. Its height is the same at
 // every step.
 Layout embedded(const AppState& state) {
-  const Screen& screen = state.screen;
+  const Screen& screen = state.session.screen;
   Layout l;
   l.margin = 8;
   l.control = screen.finger ? 44 : 32;
@@ -102,13 +102,14 @@ Layout embedded(const AppState& state) {
 
 // Before a room a card stands below the words, so that the drawing keeps its size.
 bool seats_card_below_words(const AppState& state) {
-  const Screen& screen = state.screen;
-  return state.presenting && screen.width > screen.height && screen.height >= least_height_for_both;
+  const Screen& screen = state.session.screen;
+  return state.view.presenting && screen.width > screen.height &&
+         screen.height >= least_height_for_both;
 }
 
 // Before a room: the drawing, and the words beside it, or below it on an upright screen.
 Layout presenting(const AppState& state) {
-  const Screen& screen = state.screen;
+  const Screen& screen = state.session.screen;
   Layout l;
   l.control = 44;
   l.wide = screen.width > screen.height;
@@ -132,11 +133,11 @@ Layout presenting(const AppState& state) {
 
 Layout wide(const AppState& state) {
   Layout l;
-  const Screen& screen = state.screen;
+  const Screen& screen = state.session.screen;
   l.control = screen.finger ? 44 : 32;
   l.low = screen.height < least_height_for_tools;
   if (l.low) l.margin = 8;
-  const double width = state.panel_open ? panel_width : rail_width + l.control - 32;
+  const double width = state.view.panel_open ? panel_width : rail_width + l.control - 32;
   l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin,
              screen.height - l.margin};
   l.toolbar = {l.margin, l.margin, l.panel.left - l.margin, l.margin + bar_height(l)};
@@ -147,12 +148,12 @@ Layout wide(const AppState& state) {
   l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
-  if (state.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
-  if (state.tool == Tool::mark && (l.low || state.second_method))
+  if (state.view.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
+  if (state.view.tool == Tool::mark && (l.low || state.work.second_method))
     l.free.top += tool_bar_height(l);  // the boundary is wanted, and so are captions
   // The corners of a frame stand farther out than robots, and clear of the tools of the view.
-  const double below = state.tool == Tool::transform ? 108 : 84;
-  split(l, screen, state.second_method.has_value(), 88, 68, below);
+  const double below = state.view.tool == Tool::transform ? 108 : 84;
+  split(l, screen, state.work.second_method.has_value(), 88, 68, below);
   return l;
 }
 
@@ -161,44 +162,44 @@ double half_sheet_height(const Screen& screen) { return screen.height * 0.47; }
 
 double closed_sheet_height(const AppState& state) {
   // In a lesson the same at every step, so that the drawing stands still; longer words scroll.
-  const double height = walkthrough_is_open(state) ? 296 : state.closed_sheet_height;
-  return std::min(height, half_sheet_height(state.screen));
+  const double height = walkthrough_is_open(state) ? 296 : state.session.closed_sheet_height;
+  return std::min(height, half_sheet_height(state.session.screen));
 }
 
 bool has_bar(const AppState& state) {
-  return state.tool == Tool::transform || state.tool == Tool::mark;
+  return state.view.tool == Tool::transform || state.view.tool == Tool::mark;
 }
 
 // Besides the drawing there is a card at its foot, a bar above it, or a second picture.
 bool asks_for_room(const AppState& state) {
-  return state.screen.foot > 0 || has_bar(state) || state.second_method;
+  return state.session.screen.foot > 0 || has_bar(state) || state.work.second_method;
 }
 
 // What a closed sheet of this height leaves of a narrow screen to one picture.
 double room_above(const Layout& l, const AppState& state, double sheet) {
-  const Screen& screen = state.screen;
+  const Screen& screen = state.session.screen;
   double room = screen.height - bar_height(l) - 2 * l.margin - sheet - screen.foot;
-  if (has_bar(state)) room -= tool_bar_height(l) + (state.tool == Tool::transform ? knob : 0);
-  return state.second_method ? room / 2 - caption_above : room;
+  if (has_bar(state)) room -= tool_bar_height(l) + (state.view.tool == Tool::transform ? knob : 0);
+  return state.work.second_method ? room / 2 - caption_above : room;
 }
 
 Layout narrow(const AppState& state) {
   Layout l;
-  const Screen& screen = state.screen;
+  const Screen& screen = state.session.screen;
   l.wide = false;
   l.control = 44;
   l.margin = 8;
   l.bar_padding = 2;
   const double most = half_sheet_height(screen);
   double height = closed_sheet_height(state);
-  l.brief = state.sheet == Sheet::closed && asks_for_room(state) &&
+  l.brief = state.view.sheet == Sheet::closed && asks_for_room(state) &&
             room_above(l, state, height) < least_room;
   if (l.brief) height = std::min(height, walkthrough_is_open(state) ? brief_row : brief_verdict);
-  if (state.sheet == Sheet::half) height = most;
-  if (state.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
+  if (state.view.sheet == Sheet::half) height = most;
+  if (state.view.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};
   // A sheet that is pulled up to the top ends above a card of the page, which stands at the foot of the screen then.
-  if (state.sheet == Sheet::full && screen.card > 0)
+  if (state.view.sheet == Sheet::full && screen.card > 0)
     l.panel.bottom -= std::min(screen.card + 2 * l.margin, height / 2);
   l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + bar_height(l)};
   // A sheet that is pulled up to the top covers the drawing for a moment; the drawing does not
@@ -211,18 +212,19 @@ Layout narrow(const AppState& state) {
              screen.width - l.margin, l.panel.top - l.margin};
   // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots; a window would cover them.
   l.low = screen.height < least_height_beside_sheet;
-  if (l.low || state.sheet != Sheet::closed || state.second_method || screen.window_foot > 0)
+  if (l.low || state.view.sheet != Sheet::closed || state.work.second_method ||
+      screen.window_foot > 0)
     l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
-  split(l, screen, state.second_method.has_value(), 60, 52, 52);
+  split(l, screen, state.work.second_method.has_value(), 60, 52, 52);
   // Beside the tools: a corner of the frame is no use under them.
-  if (state.tool == Tool::transform && l.tools.height() > 0)
+  if (state.view.tool == Tool::transform && l.tools.height() > 0)
     l.room.right = std::max(l.room.middle().x(), l.tools.left - 54);
   return l;
 }
 
 Layout in_mode(const AppState& state) {
-  const Screen& screen = state.screen;
-  if (state.presenting) return presenting(state);
+  const Screen& screen = state.session.screen;
+  if (state.view.presenting) return presenting(state);
   if (screen.embed) return embedded(state);
   // A phone on its side is wide, too: a sheet would leave nothing of the drawing.
   const bool side = screen.width >= 900 || (screen.width >= 640 && screen.width > screen.height);
@@ -232,7 +234,7 @@ Layout in_mode(const AppState& state) {
 }  // namespace
 
 bool has_half_sheet(const AppState& state) {
-  return half_sheet_height(state.screen) - closed_sheet_height(state) > 24;
+  return half_sheet_height(state.session.screen) - closed_sheet_height(state) > 24;
 }
 
 namespace {
@@ -242,15 +244,15 @@ Rect seat_of_card(const AppState& state, const Layout& l) {
   constexpr double least = 520;  // beside the tools of the view
   const double left = l.free.left + l.margin, right = l.free.right - l.margin;
   if (seats_card_below_words(state)) {
-    const double height = state.screen.height;
+    const double height = state.session.screen.height;
     return {l.player.left, l.player.top + share_of_words * height, l.player.right,
             height - l.margin};
   }
-  if (state.screen.embed || state.presenting || state.screen.window_foot > 0)
-    return {left, l.free.top, right, l.free.bottom + state.screen.foot - l.margin};
-  if (!l.wide && state.sheet == Sheet::full)
-    return {left, l.panel.top + (state.screen.height - l.panel.top) / 2, right,
-            state.screen.height - l.margin};
+  if (state.session.screen.embed || state.view.presenting || state.session.screen.window_foot > 0)
+    return {left, l.free.top, right, l.free.bottom + state.session.screen.foot - l.margin};
+  if (!l.wide && state.view.sheet == Sheet::full)
+    return {left, l.panel.top + (state.session.screen.height - l.panel.top) / 2, right,
+            state.session.screen.height - l.margin};
   if (!l.wide) return {left, l.free.top, l.tools.left - l.margin, l.tools.bottom};
   if (right - l.tools.right - l.margin >= least)
     return {l.tools.right + l.margin, l.free.top, right, l.tools.bottom};
@@ -265,9 +267,11 @@ Rect inset(const Rect& r, double by) {
 // that is pulled up to the top, at its foot: the verdict is at its head.
 Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
-  if (!l.wide && state.sheet == Sheet::full && !state.presenting && !state.screen.embed)
-    return {l.margin, l.panel.middle().y(), state.screen.width - l.margin, l.panel.bottom - gap};
-  const Rect seat = state.presenting ? inset(l.free, gap) : seat_of_card(state, l);
+  if (!l.wide && state.view.sheet == Sheet::full && !state.view.presenting &&
+      !state.session.screen.embed)
+    return {l.margin, l.panel.middle().y(), state.session.screen.width - l.margin,
+            l.panel.bottom - gap};
+  const Rect seat = state.view.presenting ? inset(l.free, gap) : seat_of_card(state, l);
   const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
                head = l.toolbar.bottom + 12;
   const double foot = std::min(seat.bottom, l.free.bottom - gap);
@@ -277,13 +281,15 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
 // A notice of several lines would cover robots at the foot of the lower picture: the polygon makes room for it. Where that is
 // not enough, the notice goes down over the closed sheet.
 void make_room_for_notice(const AppState& state, Layout& l) {
-  if (state.notice.text.empty()) return;
+  if (state.session.notice.text.empty()) return;
   constexpr double robot = 16;
   const bool two = l.second.width() > 0;
-  const bool over_sheet = !l.wide && state.sheet == Sheet::closed && state.screen.foot == 0 &&
-                          !state.presenting && !state.screen.embed;
+  const bool over_sheet = !l.wide && state.view.sheet == Sheet::closed &&
+                          state.session.screen.foot == 0 && !state.view.presenting &&
+                          !state.session.screen.embed;
   const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
-  const double covered = std::max(0.0, lowest + robot - (l.notice.bottom - state.notice_height));
+  const double covered =
+      std::max(0.0, lowest + robot - (l.notice.bottom - state.session.notice_height));
   const double made = std::min(covered, l.room.height() * (over_sheet ? 0.4 : 0.75));
   l.room.bottom -= made;
   if (!over_sheet) return;
@@ -342,10 +348,11 @@ Camera camera_of_backdrop(const Backdrop& picture, const Layout& l) {
 
 Camera fitting_camera(const AppState& state) {
   const Layout l = layout(state);
-  if (state.backdrop && state.tool == Tool::draw) return camera_of_backdrop(*state.backdrop, l);
+  if (state.work.backdrop && state.view.tool == Tool::draw)
+    return camera_of_backdrop(*state.work.backdrop, l);
   const Rect& room = l.room;
-  const Points& vertices = state.document.vertices;
-  const std::optional<Vec2>& centre = state.document.centre_of_mass;
+  const Points& vertices = state.work.document().vertices;
+  const std::optional<Vec2>& centre = state.work.document().centre_of_mass;
   if (vertices.empty()) return fit(vertices, room);
   Box box = bounding_box(vertices);
   if (centre) box = {box.low.cwiseMin(*centre), box.high.cwiseMax(*centre)};

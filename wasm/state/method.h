@@ -10,10 +10,12 @@
 namespace evenlift::view {
 
 // How many teams are placed; of balanced robots two count as one. 3 if nothing is placed.
+inline std::uint32_t placed_teams(const std::optional<Placement>& placement) {
+  if (!placement) return 3;
+  return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count_robots(placement->teams) / 2));
+}
 inline std::uint32_t placed_teams(const AppState& state) {
-  if (!state.placement) return 3;
-  return std::max<std::uint32_t>(
-      1, static_cast<std::uint32_t>(count_robots(state.placement->teams) / 2));
+  return placed_teams(state.derived().placement);
 }
 
 // Whether a method looks for places, for robots of a size; to the others robots are points.

@@ -4,8 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "state/browser.h"
-
 namespace evenlift::view {
 
 namespace {
@@ -19,15 +17,17 @@ double reading_time(const std::string& text) {
 
 void show(AppState& state, Notice notice) {
   // What is refused again is told again, but not for each point of a drag.
-  const bool again = notice.kind == Notice::Kind::problem && !state.edit_open;
-  if (again || notice.text != state.notice.text) browser::announce(notice.text);
-  state.notice = std::move(notice);
-  const bool ends = !state.notice.text.empty() && state.notice.kind == Notice::Kind::info;
-  browser::end_notice_after(ends ? std::optional(reading_time(state.notice.text)) : std::nullopt);
+  const bool again = notice.kind == Notice::Kind::problem && !state.work.edit_open;
+  if (again || notice.text != state.session.notice.text) announce(state, notice.text);
+  state.session.notice = std::move(notice);
+  const bool ends =
+      !state.session.notice.text.empty() && state.session.notice.kind == Notice::Kind::info;
+  emit(state, EndNoticeAfter{ends ? std::optional(reading_time(state.session.notice.text))
+                                  : std::nullopt});
 }
 
 void end_notice(AppState& state) {
-  if (state.notice.kind == Notice::Kind::info) state.notice = {};
+  if (state.session.notice.kind == Notice::Kind::info) state.session.notice = {};
 }
 
 }  // namespace evenlift::view

@@ -70,6 +70,11 @@ Result<Trace> compute_trace(const Placement& placement, const Units& units, Hist
   return make_trace(placement, length, units);
 }
 
+CapacityPlan compute_plan(const Placement& placement, double capacity) {
+  ++so_far.plans;
+  return plan_capacity(placement, capacity);
+}
+
 Computed computed() { return so_far; }
 
 Result<Opened> opened(Document document) {

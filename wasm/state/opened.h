@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "evenlift/capacity.h"
 #include "evenlift/placement.h"
 #include "evenlift/trace.h"
 
@@ -49,8 +50,12 @@ Result<Placement> compute_placement(const Document& document,
 bool waits_for_exchange(const Placement& placement);
 Result<Trace> compute_trace(const Placement& placement, const Units& units,
                             HistoryLength length = HistoryLength::whole);
+
+// How many teams a capacity needs; counted, too. Costs as much as plan_capacity().
+CapacityPlan compute_plan(const Placement& placement, double capacity);
+
 struct Computed {
-  std::uint64_t placements = 0, traces = 0;
+  std::uint64_t placements = 0, traces = 0, plans = 0;
 };
 Computed computed();  // since the start
 

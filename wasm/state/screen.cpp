@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "state/browser.h"
+#include "state/layout.h"
 
 namespace evenlift::view {
 namespace {
@@ -11,9 +11,9 @@ namespace {
 constexpr double room_width = 880, room_height = 500;
 
 void measure_screen(AppState& state) {
-  Screen& screen = state.screen;
+  Screen& screen = state.session.screen;
   const double fitting = std::min(screen.css_width / room_width, screen.css_height / room_height);
-  screen.zoom = state.presenting ? std::clamp(fitting, 1.0, 5.0) : 1;
+  screen.zoom = state.view.presenting ? std::clamp(fitting, 1.0, 5.0) : 1;
   screen.width = screen.css_width / screen.zoom;
   screen.height = screen.css_height / screen.zoom;
   screen.ratio = screen.css_ratio * screen.zoom;
@@ -22,18 +22,33 @@ void measure_screen(AppState& state) {
 }  // namespace
 
 void set_canvas(AppState& state, double css_width, double css_height, double css_ratio) {
-  Screen& screen = state.screen;
+  Screen& screen = state.session.screen;
   screen.css_width = css_width;
   screen.css_height = css_height;
   screen.css_ratio = css_ratio;
   measure_screen(state);
 }
 
+void cover_screen(AppState& state, double left, double right, double foot) {
+  Screen& screen = state.session.screen;
+  screen.window_left = std::clamp(left / screen.zoom, 0.0, screen.width);
+  screen.window_right = std::clamp(right / screen.zoom, 0.0, screen.width);
+  screen.window_foot = std::clamp(foot / screen.zoom, 0.0, screen.height);
+}
+
+void make_room(AppState& state, double height) {
+  Screen& screen = state.session.screen;
+  screen.foot = 0;
+  screen.card = height / screen.zoom;
+  if (height > 0)
+    screen.foot = std::max(0.0, layout(state).free.bottom - card_seat(state).bottom + screen.card);
+}
+
 void set_presenting(AppState& state, bool on) {
-  if (state.presenting == on) return;
-  state.presenting = on;
+  if (state.view.presenting == on) return;
+  state.view.presenting = on;
   measure_screen(state);
-  browser::show_full_screen(on);
+  emit(state, ShowFullScreen{on});
 }
 
 }  // namespace evenlift::view

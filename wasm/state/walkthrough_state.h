@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,10 +72,11 @@ struct Guesses {
 };
 
 struct Walkthrough {
-  std::optional<Trace> trace;       // of the placement, while the walkthrough is open
-  std::uint32_t at = 0;             // the step that is shown; kept when it is closed
-  std::vector<std::uint32_t> main;  // evenlift/main_steps.h
-  bool all_steps = false;           // otherwise only the main ones are shown
+  std::shared_ptr<const Trace> trace;  // of the placement, while the walkthrough is open
+  std::uint32_t at = 0;                // the step that is shown; kept when it is closed
+  std::vector<std::uint32_t> main;     // evenlift/main_steps.h
+  bool all_steps = false;              // otherwise only the main ones are shown
+  bool resumes = false;                // it is opened where it was left
   StepDetail detail;
   Progress known;
   std::vector<Figure> figures;            // of the step

@@ -10,8 +10,8 @@ namespace evenlift::view {
 namespace {
 
 Vec2 vertex_on_screen(const AppState& state, std::size_t i) {
-  const Points& vertices = state.document.vertices;
-  return state.camera.to_screen(vertices[i == vertices.size() ? 0 : i]);
+  const Points& vertices = state.work.document().vertices;
+  return state.view.camera.to_screen(vertices[i == vertices.size() ? 0 : i]);
 }
 
 // The part of the segment a b within a disc, from 0 to 1; widened to four decimals, since marks are read and typed as text.
@@ -36,7 +36,7 @@ double reach_of(bool finger) { return finger ? finger_reach : brush_reach; }
 std::optional<BrushedPlace> brushed_place(const AppState& state, const Vec2& screen, bool finger) {
   std::optional<BrushedPlace> nearest;
   double least = reach_of(finger);
-  for (std::size_t i = 0; i < state.document.vertices.size(); ++i) {
+  for (std::size_t i = 0; i < state.work.document().vertices.size(); ++i) {
     const Vec2 a = vertex_on_screen(state, i), b = vertex_on_screen(state, i + 1);
     const Vec2 at = nearest_on_segment(a, b, screen);
     if (!(length(at - screen) < least)) continue;
@@ -50,14 +50,14 @@ Settings brushed(const AppState& state, const Vec2& from, const Vec2& to, bool f
   Settings changed = settings(state);
   const double radius = reach_of(finger);
   const int steps = std::clamp(static_cast<int>(length(to - from) / (radius / 3)) + 1, 1, 200);
-  for (std::uint32_t i = 0; i < state.document.vertices.size(); ++i) {
+  for (std::uint32_t i = 0; i < state.work.document().vertices.size(); ++i) {
     const Vec2 a = vertex_on_screen(state, i), b = vertex_on_screen(state, i + std::size_t{1});
     for (int step = 0; step <= steps; ++step) {
       const auto part = within_disc(a, b, from + (to - from) * (double(step) / steps), radius);
       if (!part) continue;
       const EdgePart met{i, part->from, part->to};
       std::vector<EdgePart> marks =
-          state.erases ? without_part(changed.no_go, met) : with_part(changed.no_go, met);
+          state.view.erases ? without_part(changed.no_go, met) : with_part(changed.no_go, met);
       if (marks.size() <= most_no_go) changed.no_go = std::move(marks);
     }
   }
@@ -66,8 +66,8 @@ Settings brushed(const AppState& state, const Vec2& from, const Vec2& to, bool f
 
 Settings with_whole_edge(const AppState& state, std::uint32_t edge) {
   Settings changed = settings(state);
-  std::vector<EdgePart> marks = state.erases ? without_part(changed.no_go, {edge, 0, 1})
-                                             : with_part(changed.no_go, {edge, 0, 1});
+  std::vector<EdgePart> marks = state.view.erases ? without_part(changed.no_go, {edge, 0, 1})
+                                                  : with_part(changed.no_go, {edge, 0, 1});
   if (marks.size() <= most_no_go) changed.no_go = std::move(marks);
   return changed;
 }

@@ -6,8 +6,6 @@
 namespace evenlift::view {
 namespace {
 
-using browser::Cursor;
-
 Cursor over_frame(FrameGrip grip, bool held) {
   switch (grip) {
     case FrameGrip::low_left:
@@ -27,12 +25,12 @@ Cursor over_frame(FrameGrip grip, bool held) {
 }  // namespace
 
 Cursor cursor(const AppState& state) {
-  const bool holds = state.held.kind != Pick::Kind::none;
-  if (state.tool == Tool::draw) {
-    if (state.held.kind == Pick::Kind::vertex) return Cursor::grabbing;
-    return state.hover.kind == Pick::Kind::vertex ? Cursor::grab : Cursor::crosshair;
+  const bool holds = state.view.held.kind != Pick::Kind::none;
+  if (state.view.tool == Tool::draw) {
+    if (state.view.held.kind == Pick::Kind::vertex) return Cursor::grabbing;
+    return state.view.hover.kind == Pick::Kind::vertex ? Cursor::grab : Cursor::crosshair;
   }
-  const Pick& at = holds ? state.held : state.hover;
+  const Pick& at = holds ? state.view.held : state.view.hover;
   switch (at.kind) {
     case Pick::Kind::vertex:
     case Pick::Kind::centre:
@@ -41,7 +39,7 @@ Cursor cursor(const AppState& state) {
     case Pick::Kind::frame:
       return over_frame(static_cast<FrameGrip>(at.index), holds);
     case Pick::Kind::edge:
-      return state.screen.embed ? Cursor::arrow : Cursor::add;
+      return state.session.screen.embed ? Cursor::arrow : Cursor::add;
     case Pick::Kind::robot:
       if (can_take_robot(state, at)) return holds ? Cursor::grabbing : Cursor::grab;
       return Cursor::press;
@@ -54,7 +52,8 @@ Cursor cursor(const AppState& state) {
     case Pick::Kind::none:
       break;
   }
-  return walkthrough_is_open(state) && state.walkthrough.hovered ? Cursor::press : Cursor::arrow;
+  return walkthrough_is_open(state) && state.view.walkthrough.hovered ? Cursor::press
+                                                                      : Cursor::arrow;
 }
 
 }  // namespace evenlift::view

@@ -1,11 +1,11 @@
 // What the mouse pointer looks like over the drawing, so that it can be seen what a press would do.
 #pragma once
 
-#include "state/browser.h"
+#include "state/effects.h"
 #include "state/state.h"
 
 namespace evenlift::view {
 
-browser::Cursor cursor(const AppState& state);
+Cursor cursor(const AppState& state);
 
 }  // namespace evenlift::view

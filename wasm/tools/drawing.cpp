@@ -52,17 +52,17 @@ double units_of_rounding(double size) {
 }  // namespace
 
 bool closes(const AppState& state, const Vec2& screen) {
-  const Points& points = state.drawing.points;
+  const Points& points = state.view.drawing.points;
   return points.size() >= 3 &&
-         length(state.camera.to_screen(points.front()) - screen) <= closing_reach;
+         length(state.view.camera.to_screen(points.front()) - screen) <= closing_reach;
 }
 
 std::optional<std::size_t> placed_at(const AppState& state, const Vec2& screen) {
-  double reach = state.screen.touch ? 22.0 : 10.0;
+  double reach = state.session.screen.touch ? 22.0 : 10.0;
   std::optional<std::size_t> nearest;
-  const Points& points = state.drawing.points;
+  const Points& points = state.view.drawing.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double away = length(state.camera.to_screen(points[i]) - screen);
+    const double away = length(state.view.camera.to_screen(points[i]) - screen);
     if (away > reach) continue;
     reach = away;
     nearest = i;
@@ -76,7 +76,7 @@ Edge edge_between(const Vec2& from, const Vec2& to) {
 }
 
 std::string length_in_words(const AppState& state, double length) {
-  const double step = grid_step(state.camera);
+  const double step = grid_step(state.view.camera);
   return fixed(length, std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 0, 6));
 }
 
@@ -113,9 +113,10 @@ std::optional<Vec2> centroid_of(const Points& chain) {
 }
 
 Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Vec2& after) {
-  Vec2 at = state.snap.grid ? nearest_dot(state.camera, to) : rounded_to_pixels(state.camera, to);
-  if (state.snap.axis) {
-    const double reach = 12 / state.camera.scale;
+  Vec2 at = state.view.snap.grid ? nearest_dot(state.view.camera, to)
+                                 : rounded_to_pixels(state.view.camera, to);
+  if (state.view.snap.axis) {
+    const double reach = 12 / state.view.camera.scale;
     double x = to.x(), y = to.y();
     pull(x, before.x(), after.x(), reach);
     pull(y, before.y(), after.y(), reach);
@@ -126,12 +127,12 @@ Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Ve
 }
 
 Vec2 next_point(const AppState& state, const Vec2& world) {
-  const Points& points = state.drawing.points;
-  if (!points.empty() && (state.drawing.length || state.drawing.degrees))
-    return typed_end(state.drawing, world);
+  const Points& points = state.view.drawing.points;
+  if (!points.empty() && (state.view.drawing.length || state.view.drawing.degrees))
+    return typed_end(state.view.drawing, world);
   if (!points.empty()) return snapped(state, world, points.back(), points.front());
-  return state.snap.grid ? nearest_dot(state.camera, world)
-                         : rounded_to_pixels(state.camera, world);
+  return state.view.snap.grid ? nearest_dot(state.view.camera, world)
+                              : rounded_to_pixels(state.view.camera, world);
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain) {

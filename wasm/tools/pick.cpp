@@ -24,16 +24,17 @@ struct Nearest {
 };
 
 Pick part_at(const AppState& state, const Vec2& screen) {
-  Nearest nearest{state.screen.touch ? 24.0 : 12.0};
-  const Points& vertices = state.document.vertices;
+  Nearest nearest{state.session.screen.touch ? 24.0 : 12.0};
+  const Points& vertices = state.work.document().vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    nearest.offer(distance(state.camera.to_screen(vertices[i]), screen),
+    nearest.offer(distance(state.view.camera.to_screen(vertices[i]), screen),
                   {Pick::Kind::vertex, i, 0, vertices[i]});
   }
   if (const std::optional<Vec2> grip = doubt_grip(state))
-    nearest.offer(distance(*grip, screen), {Pick::Kind::doubt, 0, 0, state.camera.to_world(*grip)});
+    nearest.offer(distance(*grip, screen),
+                  {Pick::Kind::doubt, 0, 0, state.view.camera.to_world(*grip)});
   const Vec2 centre = centre_of_mass(state);
-  nearest.offer(distance(state.camera.to_screen(centre), screen),
+  nearest.offer(distance(state.view.camera.to_screen(centre), screen),
                 {Pick::Kind::centre, 0, 0, centre});
   return nearest.pick;
 }
@@ -45,7 +46,7 @@ Pick robot_at(const AppState& state, const Placement& placement, const Vec2& scr
     const std::vector<Robot>& robots = teams[i].robots;
     for (std::size_t k = 0; k < robots.size(); ++k) {
       const Vec2& at = robots[k].point.position;
-      nearest.offer(distance(state.camera.to_screen(at), screen),
+      nearest.offer(distance(state.view.camera.to_screen(at), screen),
                     {Pick::Kind::robot, i, static_cast<int>(k), at});
     }
   }
@@ -53,13 +54,13 @@ Pick robot_at(const AppState& state, const Placement& placement, const Vec2& scr
 }
 
 Pick edge_at(const AppState& state, const Vec2& screen) {
-  Nearest nearest{state.screen.touch ? 16.0 : 8.0};
-  const Points& vertices = state.document.vertices;
-  const Vec2 world = state.camera.to_world(screen);
+  Nearest nearest{state.session.screen.touch ? 16.0 : 8.0};
+  const Points& vertices = state.work.document().vertices;
+  const Vec2 world = state.view.camera.to_world(screen);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec2 at =
         nearest_on_segment(vertices[i], vertices[i + 1 == vertices.size() ? 0 : i + 1], world);
-    nearest.offer(distance(state.camera.to_screen(at), screen), {Pick::Kind::edge, i, 0, at});
+    nearest.offer(distance(state.view.camera.to_screen(at), screen), {Pick::Kind::edge, i, 0, at});
   }
   return nearest.pick;
 }
@@ -68,11 +69,12 @@ Pick chord_at(const AppState& state, const Placement& placement, const Vec2& scr
   if (placement.settings.method == Method::balanced) return {};  // they have none
   Nearest nearest{6};
   const std::vector<Team>& teams = placement.teams;
-  const Vec2 world = state.camera.to_world(screen);
+  const Vec2 world = state.view.camera.to_world(screen);
   for (std::size_t i = 0; i < teams.size(); ++i) {
     for (const Segment& line : joining_lines(teams[i], placement.centre_of_mass)) {
       const Vec2 at = nearest_on_segment(line.from, line.to, world);
-      nearest.offer(distance(state.camera.to_screen(at), screen), {Pick::Kind::chord, i, 0, at});
+      nearest.offer(distance(state.view.camera.to_screen(at), screen),
+                    {Pick::Kind::chord, i, 0, at});
     }
   }
   return nearest.pick;
@@ -80,12 +82,13 @@ Pick chord_at(const AppState& state, const Placement& placement, const Vec2& scr
 
 Pick candidate_at(const AppState& state, const Placement& placement, const Vec2& screen) {
   if (!shown(state).overlays.candidates || placement.settings.method == Method::balanced) return {};
-  Nearest nearest{state.screen.touch ? 12.0 : 6.0};
-  const Vec2 world = state.camera.to_world(screen);
+  Nearest nearest{state.session.screen.touch ? 12.0 : 6.0};
+  const Vec2 world = state.view.camera.to_world(screen);
   for (std::size_t i = 0; i < placement.candidates.size(); ++i) {
     const Chord& chord = placement.candidates[i].chord;
     const Vec2 at = nearest_on_segment(chord.r1.position, chord.r2.position, world);
-    nearest.offer(distance(state.camera.to_screen(at), screen), {Pick::Kind::candidate, i, 0, at});
+    nearest.offer(distance(state.view.camera.to_screen(at), screen),
+                  {Pick::Kind::candidate, i, 0, at});
   }
   return nearest.pick;
 }
@@ -96,38 +99,42 @@ namespace {
 
 // Whether the card about this robot is open.
 bool is_asked_about(const AppState& state, const Pick& pick) {
-  if (pick.kind != Pick::Kind::robot || !state.explanation || state.explanation->of.second)
+  if (pick.kind != Pick::Kind::robot || !state.derived().explanation ||
+      state.derived().explanation->of.second)
     return false;
   const std::size_t in_team = shown_placement(state).teams.front().robots.size();
-  return state.explanation->robot == pick.index * in_team + static_cast<std::size_t>(pick.end);
+  return state.derived().explanation->robot ==
+         pick.index * in_team + static_cast<std::size_t>(pick.end);
 }
 
 // pixels between the ring and its grip.
-double grip_stands_off(const AppState& state) { return state.screen.finger ? 40 : 28; }
+double grip_stands_off(const AppState& state) { return state.session.screen.finger ? 40 : 28; }
 
 }  // namespace
 
 std::optional<Vec2> doubt_grip(const AppState& state) {
-  const bool there = shown(state).overlays.halo && !state.screen.embed &&
-                     state.tool == Tool::parts && !state.refusal && !walkthrough_is_open(state);
-  if (!there || !state.placement || state.placement->teams.empty()) return std::nullopt;
+  const bool there = shown(state).overlays.halo && !state.session.screen.embed &&
+                     state.view.tool == Tool::parts && !state.derived().refusal &&
+                     !walkthrough_is_open(state);
+  if (!there || !state.derived().placement || state.derived().placement->teams.empty())
+    return std::nullopt;
   const Vec2 up_and_right(0.70710678, -0.70710678);
-  return Vec2(state.camera.to_screen(centre_of_mass(state)) +
+  return Vec2(state.view.camera.to_screen(centre_of_mass(state)) +
               up_and_right *
-                  (shown(state).com_radius * state.camera.scale + grip_stands_off(state)));
+                  (shown(state).com_radius * state.view.camera.scale + grip_stands_off(state)));
 }
 
 double doubt_for_grip(const AppState& state, const Vec2& screen) {
-  const double away = distance(state.camera.to_screen(centre_of_mass(state)), screen);
-  const double radius = std::max(0.0, away - grip_stands_off(state)) / state.camera.scale;
-  return std::max(0.0, rounded_to_pixels(state.camera, Vec2(radius, 0)).x());
+  const double away = distance(state.view.camera.to_screen(centre_of_mass(state)), screen);
+  const double radius = std::max(0.0, away - grip_stands_off(state)) / state.view.camera.scale;
+  return std::max(0.0, rounded_to_pixels(state.view.camera, Vec2(radius, 0)).x());
 }
 
 Pick marked_part(const AppState& state) {
-  const Pick::Kind over = state.hover.kind;
+  const Pick::Kind over = state.view.hover.kind;
   const bool part =
       over == Pick::Kind::robot || over == Pick::Kind::chord || over == Pick::Kind::candidate;
-  return part || !state.explanation ? state.hover : state.explanation->of;
+  return part || !state.derived().explanation ? state.view.hover : state.derived().explanation->of;
 }
 
 std::optional<Chord> chord_of_part(const Placement& placement, const Pick& part) {
@@ -139,14 +146,15 @@ std::optional<Chord> chord_of_part(const Placement& placement, const Pick& part)
 }
 
 Vec2 centre_of_mass(const AppState& state) {
-  if (state.document.centre_of_mass) return *state.document.centre_of_mass;
-  if (state.placement) return state.placement->centre_of_mass;
-  return state.document.vertices.empty() ? Vec2(0, 0) : state.document.vertices[0];
+  if (state.work.document().centre_of_mass) return *state.work.document().centre_of_mass;
+  if (state.derived().placement) return state.derived().placement->centre_of_mass;
+  return state.work.document().vertices.empty() ? Vec2(0, 0) : state.work.document().vertices[0];
 }
 
 const Placement* current_placement(const AppState& state, bool second) {
-  const std::optional<Placement>& placement = second ? state.second : state.placement;
-  return placement && !state.refusal ? &shown_placement(state, second) : nullptr;
+  const std::optional<Placement>& placement =
+      second ? state.derived().second : state.derived().placement;
+  return placement && !state.derived().refusal ? &shown_placement(state, second) : nullptr;
 }
 
 Pick pick(const AppState& state, const Vec2& screen, bool second) {
@@ -154,7 +162,9 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
   const Placement* placement = current_placement(state, second);
   if (placement) {
     const Pick robot = robot_at(state, *placement, screen);
-    const auto away = [&](const Pick& p) { return distance(state.camera.to_screen(p.at), screen); };
+    const auto away = [&](const Pick& p) {
+      return distance(state.view.camera.to_screen(p.at), screen);
+    };
     // On a vertex the robot whose card is open comes first: so it can be taken there.
     const bool first = !second && is_asked_about(state, robot) && can_take_robot(state, robot);
     if (robot.kind != Pick::Kind::none &&
@@ -165,7 +175,7 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
   if (found.kind == Pick::Kind::none && placement) found = chord_at(state, *placement, screen);
   if (found.kind == Pick::Kind::none && placement) found = candidate_at(state, *placement, screen);
   if (found.kind == Pick::Kind::none && placement) {
-    const Vec2 world = state.camera.to_world(screen);
+    const Vec2 world = state.view.camera.to_world(screen);
     if (inside(placement->vertices(), world)) found = {Pick::Kind::object, 0, 0, world};
   }
   found.second = second;
@@ -173,7 +183,7 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
 }
 
 bool can_take_robot(const AppState& state, const Pick& pick) {
-  if (pick.kind != Pick::Kind::robot || pick.second || state.screen.embed) return false;
+  if (pick.kind != Pick::Kind::robot || pick.second || state.session.screen.embed) return false;
   if (walkthrough_is_open(state)) return false;  // it shows other robots
   const Placement* placement = current_placement(state, false);
   if (!placement) return false;
@@ -200,10 +210,10 @@ Pick pick_explained(const AppState& state, const Vec2& screen, bool second) {
 }
 
 bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index) {
-  const Pick& held = state.held;
+  const Pick& held = state.view.held;
   if (held.kind != Pick::Kind::none && held.kind != Pick::Kind::ground)
     return held.kind == kind && held.index == index;
-  return state.hover.kind == kind && state.hover.index == index;
+  return state.view.hover.kind == kind && state.view.hover.index == index;
 }
 
 }  // namespace evenlift::view

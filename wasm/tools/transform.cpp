@@ -28,7 +28,7 @@ SetPolygon mapped(const PolygonGrip& grip, Map map) {
 }
 
 SetPolygon moved(const AppState& state, const PolygonGrip& grip, const Vec2& by) {
-  return mapped(grip, [&](const Vec2& p) { return rounded_finely(state.camera, p + by); });
+  return mapped(grip, [&](const Vec2& p) { return rounded_finely(state.view.camera, p + by); });
 }
 
 // `turn` is (cos, sin) of the angle, counter-clockwise.
@@ -37,14 +37,14 @@ SetPolygon turned(const AppState& state, const PolygonGrip& grip, const Vec2& tu
   return mapped(grip, [&](const Vec2& p) {
     const Vec2 d = p - about;
     const Vec2 to(d.x() * turn.x() - d.y() * turn.y(), d.x() * turn.y() + d.y() * turn.x());
-    return rounded_finely(state.camera, about + to);
+    return rounded_finely(state.view.camera, about + to);
   });
 }
 
 SetPolygon scaled(const AppState& state, const PolygonGrip& grip, const Vec2& about,
                   double factor) {
   return mapped(grip, [&](const Vec2& p) {
-    return rounded_finely(state.camera, about + (p - about) * factor);
+    return rounded_finely(state.view.camera, about + (p - about) * factor);
   });
 }
 
@@ -63,7 +63,7 @@ Vec2 knob_place(const AppState& state, const Rect& frame) {
 }
 
 PolygonGrip now(const AppState& state) {
-  return {state.document.vertices, state.document.centre_of_mass};
+  return {state.work.document().vertices, state.work.document().centre_of_mass};
 }
 
 Vec2 opposite_corner(const Box& box, FrameGrip grip) {
@@ -75,13 +75,13 @@ Vec2 opposite_corner(const Box& box, FrameGrip grip) {
 }  // namespace
 
 Rect transform_frame(const AppState& state) {
-  const Box box = bounding_box(state.document.vertices);
-  const Vec2 a = state.camera.to_screen(box.low), b = state.camera.to_screen(box.high);
+  const Box box = bounding_box(state.work.document().vertices);
+  const Vec2 a = state.view.camera.to_screen(box.low), b = state.view.camera.to_screen(box.high);
   return {a.x() - beyond, b.y() - beyond, b.x() + beyond, a.y() + beyond};
 }
 
 Transformed since_grip(const AppState& state) {
-  const Points &before = state.grip.vertices, &after = state.document.vertices;
+  const Points &before = state.view.grip.vertices, &after = state.work.document().vertices;
   if (before.empty() || before.size() != after.size()) return {};
   const Vec2 a = pivot(before), b = pivot(after);
   std::size_t farthest = 0;
@@ -93,9 +93,10 @@ Transformed since_grip(const AppState& state) {
 }
 
 Points turned_frame(const AppState& state) {
-  const Box box = bounding_box(state.grip.vertices);
-  const Vec2 about = state.camera.to_screen(pivot(state.grip.vertices)),
-             low = state.camera.to_screen(box.low), high = state.camera.to_screen(box.high);
+  const Box box = bounding_box(state.view.grip.vertices);
+  const Vec2 about = state.view.camera.to_screen(pivot(state.view.grip.vertices)),
+             low = state.view.camera.to_screen(box.low),
+             high = state.view.camera.to_screen(box.high);
   const double angle = since_grip(state).degrees * pi / 180, c = std::cos(angle),
                s = std::sin(angle);
   Points corners{{low.x() - beyond, high.y() - beyond},
@@ -129,7 +130,7 @@ Vec2 grip_place(const AppState& state, const Rect& frame, FrameGrip grip) {
 
 std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen) {
   const Rect frame = transform_frame(state);
-  double reach = state.screen.touch ? 24.0 : 12.0;
+  double reach = state.session.screen.touch ? 24.0 : 12.0;
   std::optional<FrameGrip> nearest;
   for (const FrameGrip grip : {FrameGrip::low_left, FrameGrip::low_right, FrameGrip::high_left,
                                FrameGrip::high_right, FrameGrip::turn}) {
@@ -144,22 +145,22 @@ std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen) {
 
 SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& from,
                            const Vec2& to) {
-  const PolygonGrip& grip = state.grip;
+  const PolygonGrip& grip = state.view.grip;
   const Box box = bounding_box(grip.vertices);
   SetPolygon polygon;
   if (held == FrameGrip::inside) {
-    Vec2 by = state.camera.to_world(to) - state.camera.to_world(from);
-    if (state.snap.grid) by = nearest_dot(state.camera, box.low + by) - box.low;
+    Vec2 by = state.view.camera.to_world(to) - state.view.camera.to_world(from);
+    if (state.view.snap.grid) by = nearest_dot(state.view.camera, box.low + by) - box.low;
     polygon = moved(state, grip, by);
   } else if (held == FrameGrip::turn) {
-    const Vec2 about = state.camera.to_screen(pivot(grip.vertices));
+    const Vec2 about = state.view.camera.to_screen(pivot(grip.vertices));
     const Vec2 a = from - about, b = to - about;
     const double lengths = length(a) * length(b);
     // On the screen y points down, so the sense is reversed.
     const Vec2 turn = lengths > 0 ? Vec2(Vec2(dot(a, b), -cross(a, b)) / lengths) : Vec2(1, 0);
     polygon = turned(state, grip, turn);
   } else {
-    const Vec2 about = opposite_corner(box, held), corner = state.camera.to_screen(about);
+    const Vec2 about = opposite_corner(box, held), corner = state.view.camera.to_screen(about);
     const Vec2 full_way = from - corner;
     const double share = dot(to - corner, full_way) / std::max(dot(full_way, full_way), 1e-9);
     polygon = scaled(state, grip, about, std::clamp(share, 0.02, 50.0));
@@ -169,7 +170,7 @@ SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& fr
 }
 
 SetPolygon moved_polygon(const AppState& state, int dots_x, int dots_y) {
-  const double step = grid_step(state.camera);
+  const double step = grid_step(state.view.camera);
   return moved(state, now(state), Vec2(step * dots_x, step * dots_y));
 }
 

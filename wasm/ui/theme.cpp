@@ -116,7 +116,7 @@ Colour heat_colour(const Theme& theme, double share) {
   return theme.heat[band];
 }
 
-const Theme& theme(const AppState& state) { return state.screen.dark ? dark : light; }
+const Theme& theme(const AppState& state) { return state.session.screen.dark ? dark : light; }
 
 void load_fonts(double ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -212,7 +212,7 @@ void apply_style(const AppState& state, double control_height) {
 }
 
 void sharpen(ImDrawList& list, const AppState& state) {
-  list._FringeScale = static_cast<float>(1 / state.screen.ratio);
+  list._FringeScale = static_cast<float>(1 / state.session.screen.ratio);
 }
 
 }  // namespace evenlift::view

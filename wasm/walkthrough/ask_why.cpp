@@ -5,15 +5,14 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
-#include "state/browser.h"
 
 namespace evenlift::view {
 namespace {
 
 // Why no balanced robot stands at the place of the boundary that is nearest.
 void ask_why_no_robot(AppState& state, const Vec2& at) {
-  Walkthrough& walk = state.walkthrough;
-  const double reach = (state.screen.touch ? 22 : 14) / state.camera.scale;
+  Walkthrough& walk = state.view.walkthrough;
+  const double reach = (state.session.screen.touch ? 22 : 14) / state.view.camera.scale;
   const WhyNoRobot answer = why_no_robot(*walk.trace, walk.at, at, reach);
   walk.why = why_no_robot_text(*walk.trace, answer);
   walk.why_taken =
@@ -21,7 +20,7 @@ void ask_why_no_robot(AppState& state, const Vec2& at) {
   walk.asked_places = {answer.place.position};
   for (const LiftingPoint& robot : answer.set.came)
     if (!walk.why_taken) walk.asked_places.push_back(robot.position);
-  browser::announce(walk.why);
+  announce(state, walk.why);
 }
 
 }  // namespace
@@ -34,13 +33,13 @@ void forget_why(Walkthrough& walk) {
 }
 
 void ask_why(AppState& state, const Vec2& at) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   if (!walkthrough_is_open(state)) return;
   if (walk.trace->balanced()) return ask_why_no_robot(state, at);
   const Trace& trace = *walk.trace;
   // Near a candidate the question is about that; elsewhere it is about the chord through the point.
   const auto& candidates = trace.placement.candidates;
-  const double reach = 9 / state.camera.scale;
+  const double reach = 9 / state.view.camera.scale;
   std::optional<std::uint32_t> nearest;
   double least = reach;
   for (std::uint32_t c = 0; c < candidates.size(); ++c) {
@@ -63,7 +62,7 @@ void ask_why(AppState& state, const Vec2& at) {
   }
   walk.why = why_not_text(trace, answer);
   walk.why_taken = answer.why == Why::taken;
-  browser::announce(walk.why);
+  announce(state, walk.why);
 }
 
 }  // namespace evenlift::view

@@ -129,7 +129,7 @@ void explain_candidate(Explanation& explanation, const ShownPlacement& of, const
 }  // namespace
 
 Explanation explain(const AppState& state, const Pick& pick) {
-  const Placement& placement = pick.second ? *state.second : *state.placement;
+  const Placement& placement = pick.second ? *state.derived().second : *state.derived().placement;
   const ShownPlacement of(placement, shown(state));
   Explanation explanation;
   explanation.of = pick;

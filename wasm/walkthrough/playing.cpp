@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "state/browser.h"
 #include "walkthrough/questions.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
@@ -23,7 +22,7 @@ std::optional<std::uint32_t> next_step(const AppState& state, int by) {
 }  // namespace
 
 void move_steps(AppState& state, int by) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   if (!walkthrough_is_open(state)) return;
   const auto next = next_step(state, by);
   if (!next) {
@@ -32,14 +31,14 @@ void move_steps(AppState& state, int by) {
   }
   const bool asked_already = walk.ask && walk.ask->step == *next;
   if (by > 0 && walk.predict && !asked_already && is_choice(*walk.trace, *next)) {
-    ask(walk, *next);
+    ask(state, *next);
     if (walk.ask) return;
   }
   go_to_position(state, timeline(state).at + static_cast<std::uint32_t>(by));
 }
 
 void move_chapters(AppState& state, int by) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   if (!walkthrough_is_open(state)) return;
   const Timeline now = timeline(state);
   const auto chapter = [&](std::uint32_t position) {
@@ -60,36 +59,36 @@ void move_chapters(AppState& state, int by) {
 }
 
 void set_playing(AppState& state, bool playing) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   if (!walkthrough_is_open(state)) return;
   // At the end, playing begins again.
   if (playing && !next_step(state, 1)) go_to_position(state, 0);
   walk.playing = playing;
   walk.turn_at.reset();
-  if (!playing) browser::drop_frame_after();
+  if (!playing) emit(state, DropFrameAfter{});
 }
 
 void set_speed(AppState& state, double speed) {
-  state.walkthrough.speed = std::clamp(speed, slowest_speed, fastest_speed);
-  state.walkthrough.turn_at.reset();
+  state.view.walkthrough.speed = std::clamp(speed, slowest_speed, fastest_speed);
+  state.view.walkthrough.turn_at.reset();
 }
 
 bool turn_over(AppState& state, double now) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   if (!walkthrough_is_open(state) || !walk.playing) return false;
   if (!walk.turn_at) {
     const double letters = static_cast<double>(walk.caption.size() + words_of_stop(state).size());
     const double pause = std::clamp(1 + 0.035 * letters, 1.5, 12.0) / walk.speed;
     walk.turn_at = now + pause;
-    browser::request_frame_after(pause);
+    emit(state, FrameAfter{pause});
     return false;
   }
   if (now < *walk.turn_at) {
-    if (*walk.turn_at - now < 0.05) browser::request_frame();
+    if (*walk.turn_at - now < 0.05) emit(state, NextFrame{});
     return false;
   }
   move_steps(state, 1);
-  browser::request_frame();
+  emit(state, NextFrame{});
   return true;
 }
 

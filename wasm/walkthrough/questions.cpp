@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "evenlift/output/words.h"
-#include "state/browser.h"
 #include "state/notice.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/timeline.h"
@@ -84,7 +83,8 @@ std::optional<Ask> question_of(const Trace& trace, std::uint32_t step) {
 
 // Whether any of the steps that are shown has a choice to predict.
 bool asks_anything(const AppState& state) {
-  const Trace& trace = *state.walkthrough.trace;
+  if (!walkthrough_is_open(state)) return true;  // its steps are not known yet
+  const Trace& trace = *state.view.walkthrough.trace;
   const std::uint32_t count = timeline(state).count;
   for (std::uint32_t at = 0; at < count; ++at) {
     const std::uint32_t step = step_of(state, at);
@@ -95,7 +95,8 @@ bool asks_anything(const AppState& state) {
 
 }  // namespace
 
-void ask(Walkthrough& walk, std::uint32_t step) {
+void ask(AppState& state, std::uint32_t step) {
+  Walkthrough& walk = state.view.walkthrough;
   std::optional<Ask> asked = question_of(*walk.trace, step);
   if (!asked || !may_ask(walk, *asked)) return;
   asked->pointed = first_offered(*asked);
@@ -106,20 +107,20 @@ void ask(Walkthrough& walk, std::uint32_t step) {
   walk.ask = std::move(asked);
   walk.playing = false;
   if (!walk.trace->balanced()) look_before_choice(walk);
-  browser::announce(walk.ask->text);
+  announce(state, walk.ask->text);
 }
 
 void set_predict(AppState& state, bool on) {
-  if (on == state.walkthrough.predict) return;
+  if (on == state.view.walkthrough.predict) return;
   if (on && !asks_anything(state))
     return show(state, {Notice::Kind::info, "No step of this lesson has a choice to predict."});
-  if (on) state.walkthrough.guesses = {};
-  state.walkthrough.predict = on;
+  if (on) state.view.walkthrough.guesses = {};
+  state.view.walkthrough.predict = on;
   show_step_again(state);  // a challenge shows less of some steps
 }
 
 void guess(AppState& state, std::uint32_t answer) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   if (!walkthrough_is_open(state) || !walk.ask) return;
   const Ask asked = *walk.ask;
   const bool right = answer == asked.question.answer;
@@ -145,11 +146,11 @@ void guess(AppState& state, std::uint32_t answer) {
   walk.answered = {asked, answer};
   walk.verdict = verdict;
   walk.was_right = right;
-  browser::announce(verdict);
+  announce(state, verdict);
 }
 
 bool asks_of_other_robots(const AppState& state) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   return walk.ask && walk.ask->question.kind == QuestionKind::even_chord &&
          walk.detail.step.kind != StepKind::mirror;
 }

@@ -14,7 +14,7 @@ inline constexpr std::size_t most_questions = 3;
 void set_predict(AppState& state, bool on);
 
 // Asks for the choice that this step shows, if it is not trivial.
-void ask(Walkthrough& walk, std::uint32_t step);
+void ask(AppState& state, std::uint32_t step);
 
 // Goes to the step of the question, and says whether the answer was right.
 void guess(AppState& state, std::uint32_t answer);

@@ -33,25 +33,25 @@ void settle_position(Walkthrough& walk) {
 }
 
 void begin_script(AppState& state, Script script) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   walk.predict = script.lesson.predict;
   walk.guesses = {};
   walk.all_steps = false;
   walk.aside.reset();
   walk.script = std::move(script);
-  walk.script->depth = state.history.depth();
+  walk.script->depth = state.work.history.depth();
   find_stops(walk);
   settle_position(walk);
 }
 
 bool script_is_true(const AppState& state) {
-  const std::optional<Script>& script = state.walkthrough.script;
-  return script && script->of.vertices == state.document.vertices &&
-         script->of.centre_of_mass == state.document.centre_of_mass;
+  const std::optional<Script>& script = state.view.walkthrough.script;
+  return script && script->of.vertices == state.work.document().vertices &&
+         script->of.centre_of_mass == state.work.document().centre_of_mass;
 }
 
 std::string words_of_stop(const AppState& state) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   if (!walk.script || walk.ask) return {};
   const Document& of = walk.script->of;
   if (!script_is_true(state) || of.settings != settings(state) ||

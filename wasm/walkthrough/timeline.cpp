@@ -6,7 +6,7 @@
 namespace evenlift::view {
 
 Timeline timeline(const AppState& state) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   if (!walk.trace) return {};
   if (walk.script)
     return {static_cast<std::uint32_t>(walk.script->position),
@@ -18,14 +18,14 @@ Timeline timeline(const AppState& state) {
 }
 
 std::uint32_t step_of(const AppState& state, std::uint32_t position) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   if (!walk.script && walk.all_steps) return position;
   if (!walk.script) return walk.main[std::min<std::size_t>(position, walk.main.size() - 1)];
   return walk.script->stops[std::min<std::size_t>(position, walk.script->stops.size() - 1)].step;
 }
 
 std::optional<std::uint32_t> position_of(const AppState& state, std::uint32_t step) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   if (!walk.script && walk.all_steps) return step;
   const Timeline now = timeline(state);
   if (step_of(state, now.at) == step) return now.at;
@@ -35,7 +35,7 @@ std::optional<std::uint32_t> position_of(const AppState& state, std::uint32_t st
 }
 
 std::vector<ChapterPart> chapter_parts(const AppState& state) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   const Timeline now = timeline(state);
   if (!walk.trace || walk.script) return {{0, now.count}};
   std::vector<ChapterPart> parts;

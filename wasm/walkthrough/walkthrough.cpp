@@ -7,9 +7,7 @@
 
 #include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
-#include "state/browser.h"
 #include "state/notice.h"
-#include "state/opened.h"
 #include "state/screen.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/script.h"
@@ -53,7 +51,7 @@ void look(Walkthrough& walk, std::uint32_t step) {
 
 // Whether the numbers of this step would answer the question that comes next.
 bool gives_answer_away(const AppState& state) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   const auto [at, count] = timeline(state);
   if (!walk.predict || walk.detail.step.kind != StepKind::sections || at + 1 >= count) return false;
   const std::uint32_t next = step_of(state, at + 1);
@@ -64,7 +62,7 @@ bool gives_answer_away(const AppState& state) {
 
 // Shows the present step, and in a challenge nothing of it that is about to be asked.
 void look_at_present(AppState& state) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   look(walk, walk.at);
   if (!gives_answer_away(state)) return;
   walk.caption = caption_before_choice(*walk.trace, walk.detail);
@@ -82,8 +80,8 @@ void remember(Walkthrough& walk) {
 
 // The step belongs to the document, so that links carry it; but it is no edit that could be undone.
 void publish(AppState& state, std::optional<std::uint32_t> step) {
-  state.document.shown.step = state.placed.shown.step = step;
-  browser::document_changed();
+  state.work.show().step = step;
+  emit(state, DocumentChanged{});
 }
 
 bool is_main(const Walkthrough& walk, std::uint32_t step) {
@@ -101,43 +99,15 @@ std::uint32_t shown_step(const Walkthrough& walk, std::uint32_t step) {
 }
 
 void enter(AppState& state, std::uint32_t step) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   forget_step(walk);
-  state.selected.reset();  // the bar of a vertex would stay over the drawing
+  state.view.selected.reset();  // the bar of a vertex would stay over the drawing
   walk.at = std::min(step, walk.trace->size() - 1);
   settle_position(walk);
   if (!walk.script && !is_main(walk, walk.at)) walk.all_steps = true;
   look_at_present(state);
   remember(walk);
   publish(state, walk.at);
-}
-
-// Balanced robots: the trace has searched to the end, so nobody need go on with it.
-void take_over_search(AppState& state) {
-  const Placement& found = state.walkthrough.trace->placement;
-  if (!state.walkthrough.trace->balanced() || !found.search_ended || state.placement->search_ended)
-    return;
-  if (state.search.under_way) browser::end_search();
-  state.search.under_way = state.search.due = false;
-  state.placement = found;
-  ++state.revision;
-}
-
-// Traces the placement. During a drag only the start of a search for balanced robots is traced. If that is impossible, says so in a notice and returns false.
-bool trace_it(AppState& state, std::optional<Trace> made = std::nullopt) {
-  const HistoryLength length = state.edit_open ? HistoryLength::start : HistoryLength::whole;
-  Result<Trace> trace = made ? Result<Trace>(std::move(*made))
-                             : compute_trace(*state.placement, shown(state).units, length);
-  if (!trace) {
-    show(state, {Notice::Kind::problem, sentence(trace.error()) + "."});
-    close_walkthrough(state);
-    return false;
-  }
-  state.walkthrough.trace = std::move(trace).value();
-  state.walkthrough.main = main_steps(*state.walkthrough.trace);
-  take_over_search(state);
-  find_stops(state.walkthrough);
-  return true;
 }
 
 }  // namespace
@@ -150,23 +120,25 @@ std::optional<InputError> check_step(std::uint32_t step, const Trace& trace) {
       {Place::Kind::option, 0, 0, "step"}};
 }
 
-void follow_placement(AppState& state, std::optional<Trace> made) {
-  Walkthrough& walk = state.walkthrough;
-  const std::optional<std::uint32_t> wanted = state.document.shown.step;
-  if (!wanted) {
-    if (walk.trace) close_walkthrough(state);
+void follow_trace(AppState& state) {
+  Walkthrough& walk = state.view.walkthrough;
+  const Derived& facts = state.derived();
+  const std::optional<std::uint32_t> wanted = shown(state).step;
+  const bool resumes = std::exchange(walk.resumes, false);
+  if (!facts.trace) {
+    if (walk.trace || (wanted && !facts.untraced.empty())) close_walkthrough(state);
+    if (!facts.untraced.empty()) show(state, {Notice::Kind::problem, facts.untraced});
     return;
   }
-  if (state.refusal || !state.placement) return;
-  const bool moved = !walk.trace || *wanted != walk.at;
-  const std::optional<Step> before =
-      moved ? std::nullopt : std::optional<Step>(walk.trace->step(walk.at));
-  if (!trace_it(state, std::move(made))) return;
-  if (before) {
-    enter(state, shown_step(walk, nearest_step(*walk.trace, *before)));
-    return;
-  }
+  if (walk.trace == facts.trace) return;
+  const bool follows = walk.trace && *wanted == walk.at;
+  const Step before = follows ? walk.trace->step(walk.at) : Step{};
+  walk.trace = facts.trace;
+  walk.main = main_steps(*walk.trace);
+  find_stops(walk);
+  if (follows) return enter(state, shown_step(walk, nearest_step(*walk.trace, before)));
   const std::uint32_t last = walk.trace->size() - 1;
+  if (resumes) return enter(state, shown_step(walk, std::min(*wanted, last)));
   enter(state, *wanted);
   if (*wanted <= last) return;
   show(state,
@@ -175,29 +147,27 @@ void follow_placement(AppState& state, std::optional<Trace> made) {
 }
 
 void open_walkthrough(AppState& state, std::optional<std::uint32_t> at) {
-  if (walkthrough_is_open(state) || !state.placement || state.refusal) return;
-  state.second_method.reset();
-  state.second.reset();
-  state.selected.reset();
-  state.tool = Tool::parts;
-  state.sheet = Sheet::closed;  // which shows the step and its buttons beside the drawing
-  Walkthrough& walk = state.walkthrough;
-  if (trace_it(state)) enter(state, at ? *at : shown_step(walk, walk.at));
+  if (walkthrough_is_open(state) || !state.derived().placement || state.derived().refusal) return;
+  state.work.second_method.reset();
+  state.view.selected.reset();
+  state.view.tool = Tool::parts;
+  state.view.sheet = Sheet::closed;  // which shows the step and its buttons beside the drawing
+  state.view.walkthrough.resumes = !at;
+  state.work.show().step = at.value_or(state.view.walkthrough.at);
 }
 
 void close_walkthrough(AppState& state) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   forget_step(walk);
   walk.trace.reset();
   walk.script.reset();
   walk.aside.reset();
   walk.playing = false;
-  browser::drop_frame_after();
+  emit(state, DropFrameAfter{});
   walk.figures.clear();
   walk.visited.clear();
   publish(state, std::nullopt);
   set_presenting(state, false);
-  ++state.revision;
 }
 
 void go_to_step(AppState& state, std::uint32_t step) {
@@ -205,12 +175,12 @@ void go_to_step(AppState& state, std::uint32_t step) {
 }
 
 void go_to_position(AppState& state, std::uint32_t position) {
-  if (state.walkthrough.script) state.walkthrough.script->position = position;
+  if (state.view.walkthrough.script) state.view.walkthrough.script->position = position;
   enter(state, step_of(state, position));
 }
 
 void measure(AppState& state, std::uint32_t candidate) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   if (walkthrough_is_open(state) && walk.detail.scores &&
       candidate < walk.detail.scores->of_candidate.size())
     show_gain(walk, candidate);
@@ -231,24 +201,25 @@ void look_before_choice(Walkthrough& walk) {
 
 void show_step_again(AppState& state) {
   if (!walkthrough_is_open(state)) return;
-  forget_step(state.walkthrough);
+  forget_step(state.view.walkthrough);
   look_at_present(state);
 }
 
 void leave_script(AppState& state) {
-  state.walkthrough.aside.reset();
-  if (!state.walkthrough.script) return;
-  state.walkthrough.script.reset();
+  state.view.walkthrough.aside.reset();
+  if (!state.view.walkthrough.script) return;
+  state.view.walkthrough.script.reset();
   // The step may be no main step; then all are shown around it.
-  if (walkthrough_is_open(state)) enter(state, state.walkthrough.at);
-  browser::document_changed();  // the address names the lesson no more
+  if (walkthrough_is_open(state)) enter(state, state.view.walkthrough.at);
+  emit(state, DocumentChanged{});  // the address names the lesson no more
 }
 
 void show_all_steps(AppState& state, bool all) {
-  Walkthrough& walk = state.walkthrough;
+  Walkthrough& walk = state.view.walkthrough;
   walk.all_steps = all;
   if (all && walk.script) walk.aside = std::exchange(walk.script, std::nullopt);
-  if (!all && walk.aside && walk.aside->of.vertices == state.document.vertices && walk.trace) {
+  if (!all && walk.aside && walk.aside->of.vertices == state.work.document().vertices &&
+      walk.trace) {
     walk.script = std::exchange(walk.aside, std::nullopt);
     find_stops(walk);
     settle_position(walk);
@@ -256,18 +227,7 @@ void show_all_steps(AppState& state, bool all) {
   } else if (walkthrough_is_open(state)) {
     enter(state, shown_step(walk, walk.at));
   }
-  browser::document_changed();
-}
-
-std::optional<InputError> join_script(AppState& state, Script script) {
-  if (state.refusal || !state.placement || state.document.vertices != script.of.vertices)
-    return InputError{ErrorCode::bad_syntax, "it is of another polygon than the link", {}};
-  const bool begins = !walkthrough_is_open(state);
-  open_walkthrough(state);
-  if (!walkthrough_is_open(state)) return std::nullopt;  // and a notice says why
-  begin_script(state, std::move(script));
-  if (begins) enter(state, step_of(state, 0));
-  return std::nullopt;
+  emit(state, DocumentChanged{});
 }
 
 }  // namespace evenlift::view

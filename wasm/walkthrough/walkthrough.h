@@ -1,4 +1,4 @@
-// The walkthrough of the algorithm: which step is shown. These functions change AppState::walkthrough and the document's
+// The walkthrough of the algorithm: which step is shown. These functions change View::walkthrough and the document's
 // step. What a step shows comes from the trace (evenlift/trace.h).
 #pragma once
 
@@ -10,15 +10,14 @@
 
 namespace evenlift::view {
 
-// Call after each change of the placement. Traces it again if the walkthrough is open, and shows
-// the step that is nearest to the former one. Costs as much as make_trace(), unless the trace was
-// `made` before.
-void follow_placement(AppState& state, std::optional<Trace> made = std::nullopt);
+// Call after derive(). Shows the step of a new trace that is nearest to the former one, or the one that is asked for. Closes
+// the walkthrough if there is no trace any more, and says why there is none if one was wanted.
+void follow_trace(AppState& state);
 
 // Says why the trace has no such step; nothing if it has. O(1).
 std::optional<InputError> check_step(std::uint32_t step, const Trace& trace);
 
-// Opens it where it was left, or at this step.
+// Opens it where it was left, or at this step, once its trace is derived.
 void open_walkthrough(AppState& state, std::optional<std::uint32_t> at = std::nullopt);
 void close_walkthrough(AppState& state);
 
@@ -37,9 +36,6 @@ void show_step_again(AppState& state);
 void show_all_steps(AppState& state, bool all);
 void measure(AppState& state, std::uint32_t candidate);  // shows what the metric measures for it
 
-// Begins a script for the document that is open, or joins its walkthrough at the present step; or
-// says why it cannot.
-std::optional<InputError> join_script(AppState& state, Script script);
 void leave_script(AppState& state);
 
 }  // namespace evenlift::view

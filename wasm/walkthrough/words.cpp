@@ -15,7 +15,7 @@ std::string place_in_words(const AppState& state) {
 }
 
 std::string left_out_in_words(const AppState& state) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   if (!walk.trace || walk.script || walk.all_steps || walk.ask) return {};
   const Step& step = walk.detail.step;
   const std::uint32_t more = further_like(*walk.trace, step);
@@ -37,7 +37,7 @@ std::string left_out_in_words(const AppState& state) {
 }
 
 std::string walkthrough_in_words(const AppState& state) {
-  const Walkthrough& walk = state.walkthrough;
+  const Walkthrough& walk = state.view.walkthrough;
   if (!walk.trace) return {};
   std::string text =
       "Step " + place_in_words(state) + ", " + std::string(title(walk.detail.step.chapter)) + ". ";

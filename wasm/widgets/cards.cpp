@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "state/browser.h"
 #include "ui/controls.h"
 #include "ui/vec.h"
 
@@ -96,7 +95,8 @@ void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high) {
 
 void scroll_by_finger(const Ui& ui) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (!ui.state.screen.touch || finger_is_taken || !io.MouseDown[0] || ImGui::GetScrollMaxY() <= 0)
+  if (!ui.state.session.screen.touch || finger_is_taken || !io.MouseDown[0] ||
+      ImGui::GetScrollMaxY() <= 0)
     return;
   if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                               ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
@@ -130,7 +130,7 @@ int in_last_frame(const char* id, int now, int at_first) {
   return std::exchange(seen, now);
 }
 
-void show_opened(const char* id, bool open, float head) {
+void show_opened(const Ui& ui, const char* id, bool open, float head) {
   const bool was_open = in_last_frame(id, open, open) != 0;
   if (!open || was_open) return;
   const float pad = ImGui::GetStyle().WindowPadding.y,
@@ -138,7 +138,7 @@ void show_opened(const char* id, bool open, float head) {
   const float wanted = std::min(beyond, head - pad);
   if (wanted <= ImGui::GetScrollY()) return;
   ImGui::SetScrollY(wanted);
-  browser::request_frame();
+  ui.push(LayOutAgain{});
 }
 
 bool is_dragged() {
@@ -147,7 +147,7 @@ bool is_dragged() {
 }
 
 bool tapped(const Ui& ui, bool pressed) {
-  return pressed && !(ui.state.screen.touch && is_dragged());
+  return pressed && !(ui.state.session.screen.touch && is_dragged());
 }
 
 void end_card(const Ui& ui) {

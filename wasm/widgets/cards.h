@@ -34,7 +34,7 @@ int in_last_frame(const char* id, int now, int at_first);
 
 // Call after a section that a button opens, whose head is at `head` (ImGui::GetCursorPosY() before it): once it was opened, the
 // card scrolls until all of it is seen, or as much as there is room for.
-void show_opened(const char* id, bool open, float head);
+void show_opened(const Ui& ui, const char* id, bool open, float head);
 
 // Whether the pointer moved so far since it was pressed that it is no press.
 bool is_dragged();

@@ -10,8 +10,8 @@ namespace evenlift::view {
 
 bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high,
                    float least_width) {
-  const auto width = static_cast<float>(ui.state.screen.width),
-             height = static_cast<float>(ui.state.screen.height);
+  const auto width = static_cast<float>(ui.state.session.screen.width),
+             height = static_cast<float>(ui.state.session.screen.height);
   const float room_below = height - anchor_high.y - 16, room_above = anchor_low.y - 16;
   constexpr float enough = 340;  // for the longest list of the panel
   const bool below = room_below > enough || room_below >= room_above;
@@ -30,7 +30,7 @@ bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 ancho
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6, 6));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   if (ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove)) {
-    if (ui.state.close_list) ImGui::CloseCurrentPopup();
+    if (ui.state.session.close_list) ImGui::CloseCurrentPopup();
     sharpen(*ImGui::GetWindowDrawList(), ui.state);
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     soft_shadow(ui, low, ImVec2(low.x + size.x, low.y + size.y));
@@ -51,7 +51,7 @@ void end_choices(const Ui& ui) {
 bool choice(const Ui& ui, const std::string& label, const char* about, bool current, Icon icon,
             bool enabled) {
   // On the smallest phones the longest rows of the menu have no room in larger letters.
-  const Face face = ui.state.screen.width < 344 ? Face::label : Face::text;
+  const Face face = ui.state.session.screen.width < 344 ? Face::label : Face::text;
   const ImVec2 title = text_size(face, label);
   const ImVec2 word = about ? text_size(Face::label, about) : ImVec2(0, 0);
   const float height = std::max(ui.control(), about ? 50.0f : 0.0f);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "state/browser.h"
 #include "ui/icons.h"
 #include "widgets/area.h"
 
@@ -10,10 +9,10 @@ namespace evenlift::view {
 namespace {
 
 // True when pressed, and repeatedly while held.
-bool repeats(const Area& a) {
+bool repeats(const Ui& ui, const Area& a) {
   if (!a.active) return a.pressed && ImGui::GetIO().MouseDownDurationPrev[0] < 0.35f;
   const ImGuiIO& io = ImGui::GetIO();
-  browser::request_frame();
+  ui.push(LayOutAgain{});
   const float held = io.MouseDownDuration[0];
   if (held < 0.35f) return false;
   constexpr float every = 0.09f;
@@ -54,7 +53,7 @@ int stepper(const Ui& ui, const char* id, const std::string& value, float width,
         area(ui, ImVec2(side, height), button_control(name.c_str(), label.c_str(), enabled));
     if (a.hovered || a.active) list.AddRectFilled(a.low, a.high, ui.theme.panel_line.packed(), 7);
     draw_icon(list, icon, a.middle(), 16, enabled ? ui.theme.text : ui.theme.quiet.at(0.6f));
-    if (enabled && (a.asked.pressed || repeats(a))) change = by;
+    if (enabled && (a.asked.pressed || repeats(ui, a))) change = by;
   };
   end("-", "less", Icon::minus, options.can_lower, -1);
   ImGui::SameLine(0, 0);

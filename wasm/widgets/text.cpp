@@ -96,12 +96,12 @@ void place_tip(const Ui& ui, const char* text) {
   if (ui.layout.wide && ui.layout.panel.width() > 0 && pointer.x >= panel)
     return ImGui::SetNextWindowPos(
         ImVec2(std::max(8.0f, panel - size.x - 8), pointer.y - size.y / 2));
-  const auto width = static_cast<float>(ui.state.screen.width),
-             height = static_cast<float>(ui.state.screen.height);
+  const auto width = static_cast<float>(ui.state.session.screen.width),
+             height = static_cast<float>(ui.state.session.screen.height);
   const bool wide = high.x - low.x > 240;  // a timeline: the tip is about where the pointer is
   const float left = wide ? pointer.x - size.x / 2 : low.x;
-  const bool below =
-      low.y < height / 2 || ui.state.screen.foot > 0;  // a card of the page may stand above it
+  const bool below = low.y < height / 2 ||
+                     ui.state.session.screen.foot > 0;  // a card of the page may stand above it
   ImGui::SetNextWindowPos(ImVec2(std::clamp(left, 8.0f, std::max(8.0f, width - size.x - 8)),
                                  below ? high.y + away : low.y - away - size.y));
 }
@@ -109,7 +109,7 @@ void place_tip(const Ui& ui, const char* text) {
 }  // namespace
 
 void tip(const Ui& ui, const char* text) {
-  if (!text || ui.state.screen.touch || ui.state.screen.finger) return;
+  if (!text || ui.state.session.screen.touch || ui.state.session.screen.finger) return;
   place_tip(ui, text);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 7));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 7.0f);

@@ -1,4 +1,4 @@
-#include "state/robots_text.h"
+#include "derive/robots_text.h"
 
 #include <cmath>
 

@@ -1,0 +1,64 @@
+#include "app/conclude.h"
+
+#include <optional>
+#include <string>
+
+#include "derive/derive.h"
+#include "evenlift/output/words.h"
+#include "state/notice.h"
+#include "state/opened.h"
+#include "walkthrough/walkthrough.h"
+
+namespace evenlift::view {
+namespace {
+
+// Two pictures of one method would show no difference: if the document takes over the second
+// method, the two methods are exchanged.
+void part_methods(AppState& state) {
+  const Method now = settings(state).method, former = state.derived().placed.settings.method;
+  std::optional<Method>& second = state.work.second_method;
+  if (second == now) second = former == now ? std::nullopt : std::optional<Method>(former);
+}
+
+std::string refusal_in_words(const AppState& state) {
+  const std::optional<InputError>& refusal = state.derived().refusal;
+  return refusal ? sentence(*refusal) : std::string();
+}
+
+// That something is refused no more goes without words, and takes those of the refusal back before others come.
+void tell_of_refusal(AppState& state, const std::string& before) {
+  const std::string now = refusal_in_words(state);
+  if (now == before) return;
+  Effects& effects = state.session.effects;
+  effects.insert(now.empty() ? effects.begin() : effects.end(), Announce{now});
+}
+
+// Says at rest that teams are not exchanged, since nobody would wait for it.
+void tell_of_no_exchange(AppState& state) {
+  const Derived& facts = state.derived();
+  if (!facts.placement || facts.refusal || state.work.edit_open) return;
+  if (!waits_for_exchange(*facts.placement)) return;
+  show(state,
+       {Notice::Kind::info, "So many teams are not exchanged here until they hold: among " +
+                                std::to_string(facts.placement->candidates.size()) +
+                                " candidates that would take too long. The program does it."});
+}
+
+}  // namespace
+
+void conclude(AppState& state) {
+  const Derived& facts = state.derived();
+  const Basis before = facts.basis;
+  const RobotSize robot = facts.placed.settings.robot;
+  const std::string refusal = refusal_in_words(state);
+  if (state.work.edits() != before.edits) part_methods(state);
+  derive(state);
+  // The view makes room for larger robots.
+  if (state.view.camera_follows && !(facts.placed.settings.robot == robot))
+    state.view.fit_due = true;
+  tell_of_refusal(state, refusal);
+  if (facts.basis.edits != before.edits || before.haste == Haste::drag) tell_of_no_exchange(state);
+  follow_trace(state);
+}
+
+}  // namespace evenlift::view

@@ -1,0 +1,227 @@
+#include "derive/derive.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "derive/outlook.h"
+#include "derive/placing.h"
+#include "derive/search.h"
+#include "evenlift/output/words.h"
+#include "state/opened.h"
+#include "walkthrough/explain.h"
+
+namespace evenlift::view {
+namespace {
+
+// Whether two of what is shown differ in what loads are told.
+bool told_alike(const Shown& a, const Shown& b) {
+  return a.com_radius == b.com_radius && a.capacity == b.capacity;
+}
+
+class Derivation {
+ public:
+  Derivation(AppState& state, Derived& facts)
+      : state_(state),
+        given_(std::exchange(state.given, {})),
+        facts_(facts),
+        before_(facts.basis),
+        effects_(state.session.effects) {
+    now_ = {state.work.edits(),
+            state.work.edit_open ? Haste::drag : Haste::at_rest,
+            state.work.second_method,
+            state.view.load_model,
+            shown(state),
+            state.view.fails.number,
+            state.view.card.number,
+            state.view.held.kind == Pick::Kind::robot};
+  }
+
+  // Each stage looks at what those before it changed.
+  void run() {
+    const bool untraced = facts_.trace == nullptr;
+    place();
+    take_found();
+    trace();
+    place_second();
+    plan();
+    tell_loads();
+    search();
+    let_fail();
+    explain();
+    if (placed_ || now_.shown != before_.shown) effects_.push_back(DocumentChanged{});
+    if (robots_ || second_ || fails_ || (facts_.trace == nullptr) != untraced) ++facts_.revision;
+    facts_.basis = std::move(now_);
+  }
+
+ private:
+  bool at_rest() const { return now_.haste == Haste::at_rest; }
+  // A drag has ended, after which what it left out is done.
+  bool comes_to_rest() const { return at_rest() && before_.haste == Haste::drag; }
+
+  void place();
+  void take_found();
+  void trace();
+  void place_second();
+  void plan();
+  void tell_loads();
+  void search();
+  void let_fail();
+  void explain();
+  void explain_again();
+
+  const AppState& state_;
+  Given given_;
+  Derived& facts_;
+  Basis before_, now_;
+  Effects& effects_;
+  bool placed_ = false;  // the document was placed, or refused
+  bool robots_ = false;  // other robots may stand in the first picture
+  bool second_ = false;  // or in the second one
+  bool told_ = false;    // their loads were told anew
+  bool fails_ = false;   // another robot fails, or none
+};
+
+void Derivation::place() {
+  const bool waits = comes_to_rest() && facts_.placement && !facts_.refusal &&
+                     waits_for_exchange(*facts_.placement);
+  if (now_.edits == before_.edits && !waits) return;
+  placed_ = robots_ = true;
+  drop_search(facts_, effects_);
+  const Document& document = state_.work.document();
+  if (given_.moved) {
+    facts_.placement = std::move(*given_.placement);
+    facts_.placed.moved = facts_.placement->moved;
+  } else if (given_.placement) {
+    adopt(facts_, document, std::move(*given_.placement));
+  } else {
+    adopt(facts_, document, compute_placement(document, facts_.placement, now_.haste));
+  }
+}
+
+void Derivation::take_found() {
+  if (!given_.found) return;
+  const Taken taken = take(facts_, *given_.found);
+  if (taken == Taken::nothing) return;
+  effects_.push_back(SummaryChanged{});
+  if (taken == Taken::count) return;
+  told_ = true;
+  const bool first = facts_.placement && facts_.placement->settings.method == Method::balanced;
+  (first ? robots_ : second_) |= taken == Taken::other_robots;
+}
+
+// Traces the placement while a step is shown; during a drag of a search for balanced robots only the start.
+void Derivation::trace() {
+  facts_.untraced.clear();
+  if (!now_.shown.step) return facts_.trace.reset();
+  if (facts_.refusal || !facts_.placement) return;
+  const bool other_units = facts_.trace && !(facts_.trace->units == now_.shown.units);
+  const bool only_start = comes_to_rest() && facts_.trace && facts_.trace->balanced() &&
+                          !facts_.trace->placement.search_ended;
+  if (facts_.trace && !robots_ && !only_start && !other_units) return;
+  const HistoryLength length = at_rest() ? HistoryLength::whole : HistoryLength::start;
+  Result<Trace> trace = given_.trace ? Result<Trace>(std::move(*given_.trace))
+                                     : compute_trace(*facts_.placement, now_.shown.units, length);
+  if (!trace) {
+    facts_.trace.reset();
+    facts_.untraced = sentence(trace.error()) + ".";
+    return;
+  }
+  facts_.trace = std::make_shared<const Trace>(std::move(trace).value());
+  // Balanced robots: the trace has searched to the end, so nobody need go on with it.
+  const Placement& found = facts_.trace->placement;
+  if (!facts_.trace->balanced() || !found.search_ended || facts_.placement->search_ended) return;
+  end_search(facts_, effects_);
+  facts_.placement = found;
+  robots_ = true;
+}
+
+void Derivation::place_second() {
+  const bool waits = comes_to_rest() && facts_.second && waits_for_exchange(*facts_.second);
+  const bool due =
+      (placed_ && !given_.moved) || waits || now_.second_method != before_.second_method;
+  if (!due || facts_.refusal) return;
+  const auto balanced = [](const std::optional<Placement>& placement) {
+    return placement && placement->settings.method == Method::balanced;
+  };
+  if (balanced(facts_.second)) drop_search(facts_, effects_);
+  renew_second(facts_, state_.work, now_.haste);
+  if (balanced(facts_.second)) drop_search(facts_, effects_);
+  second_ = true;
+}
+
+// Nobody reads during a drag how many teams a capacity needs, or what the best ratio is.
+void Derivation::plan() {
+  facts_.plan_due |= now_.shown.capacity != before_.shown.capacity;
+  if (facts_.refusal || !facts_.placement) return;
+  if (placed_ || comes_to_rest())
+    facts_.best_ratio = at_rest() ? best_ratio_if_none(*facts_.placement) : std::nullopt;
+  if (!at_rest() || !facts_.plan_due) return;
+  facts_.plan_due = false;
+  facts_.plan.reset();
+  drop_count(facts_, effects_);
+  const std::optional<double>& capacity = now_.shown.capacity;
+  if (!capacity) return;
+  facts_.plan = compute_plan(*facts_.placement, *capacity);
+  if (facts_.placement->settings.method != Method::balanced)
+    facts_.spare = plan_for_failures(*facts_.placement, *capacity);
+}
+
+void Derivation::tell_loads() {
+  told_ |= robots_ || second_ || now_.load_model != before_.load_model ||
+           !told_alike(now_.shown, before_.shown);
+  if (robots_) {
+    facts_.failures.clear();
+    facts_.failures_due = true;
+    if (facts_.failure) fails_ = true;
+    facts_.failure.reset();
+  }
+  if (told_) renew_outlooks(facts_, now_.load_model, now_.shown.com_radius);
+}
+
+void Derivation::search() {
+  if (!at_rest()) return;
+  begin_search(facts_, effects_);
+  begin_count(facts_, now_.shown.capacity, effects_);
+}
+
+void Derivation::let_fail() {
+  renew_failures(facts_, !at_rest() || facts_.search.under_way || now_.robot_held);
+  if (now_.fails == before_.fails || !facts_.placement || facts_.refusal) return;
+  facts_.failure.reset();
+  fails_ = true;
+  if (state_.view.fails.of) view::let_fail(facts_, *state_.view.fails.of, now_.shown.com_radius);
+  effects_.push_back(SummaryChanged{});
+}
+
+// The card stays with a robot that is moved by hand, and otherwise goes with other robots.
+void Derivation::explain() {
+  const std::optional<Pick>& of = state_.view.card.of;
+  if (now_.card != before_.card) {
+    facts_.explanation.reset();
+    if (!of || facts_.refusal || !facts_.placement) return;
+    facts_.explanation = view::explain(state_, *of);
+    effects_.push_back(Announce{in_words(*facts_.explanation)});
+  } else if (facts_.explanation && (robots_ || (second_ && facts_.explanation->of.second))) {
+    explain_again();
+  }
+}
+
+void Derivation::explain_again() {
+  std::optional<std::size_t> robot = facts_.explanation->robot;
+  facts_.explanation.reset();
+  if (!given_.moved || !robot) return;
+  if (robot == given_.moved->robot)
+    robot = given_.moved->now;
+  else if (robot == given_.moved->now)
+    robot = given_.moved->robot;
+  const auto [team, end] = find_robot(facts_.placement->teams, *robot);
+  const Vec2& at = facts_.placement->teams[team].robots[end].point.position;
+  facts_.explanation = view::explain(state_, {Pick::Kind::robot, team, static_cast<int>(end), at});
+}
+
+}  // namespace
+
+void derive(AppState& state) { Derivation(state, state.derived_).run(); }
+
+}  // namespace evenlift::view

@@ -1,0 +1,79 @@
+#include "derive/outlook.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace evenlift::view {
+namespace {
+
+double greatest_of(const std::vector<LoadRange>& loads) {
+  double greatest = 0;
+  for (const LoadRange& range : loads) greatest = std::max(greatest, range.greatest);
+  return greatest;
+}
+
+Outlook outlook_of(const Placement& placement, LoadModel model, double com_radius) {
+  Outlook outlook;
+  outlook.robustness = robustness(placement);
+  if (model != LoadModel::plan || com_radius > 0) outlook.models = model_loads(placement);
+  if (outlook.models) outlook.model = model;
+  outlook.loads = loads_by(model, placement, outlook.models, com_radius);
+  outlook.greatest = greatest_of(outlook.loads);
+  return outlook;
+}
+
+// The others share the weight by springs, whichever model is shown.
+Outlook outlook_of(const Placement& placement, const Failure& failure, double com_radius) {
+  Outlook outlook;
+  outlook.model = LoadModel::springs;
+  outlook.robustness.tipping_distance = failure.rest ? failure.rest->tipping_distance : 0;
+  const auto springs = com_radius > 0 ? springs_without(placement, failure.robot) : std::nullopt;
+  const std::vector<double> loads = planned_loads(failure.placement.teams);
+  if (springs)
+    outlook.loads = load_ranges(loads, *springs, com_radius);
+  else
+    outlook.loads = loads_by(LoadModel::plan, failure.placement, std::nullopt, 0);
+  outlook.greatest = greatest_of(outlook.loads);
+  return outlook;
+}
+
+// Whether it takes a millisecond or two at most, so that it can be done in each picture of a drag.
+bool is_quick(const Placement& placement) {
+  return count_robots(placement.teams) <= 16 && placement.vertices().size() <= 2000;
+}
+
+}  // namespace
+
+void renew_outlooks(Derived& facts, LoadModel model, double com_radius) {
+  if (!facts.placement) return;
+  facts.outlook = outlook_of(*facts.placement, model, com_radius);
+  facts.second_outlook = facts.second ? outlook_of(*facts.second, model, com_radius) : Outlook{};
+  if (facts.failure)
+    facts.failure->outlook = outlook_of(*facts.placement, *facts.failure, com_radius);
+}
+
+void renew_failures(Derived& facts, bool move) {
+  if (!facts.failures_due || !facts.placement || facts.refusal) return;
+  const Placement& placement = *facts.placement;
+  if (move && !is_quick(placement)) return;
+  facts.failures_due = false;
+  facts.failures.clear();
+  if (count_robots(placement.teams) <= most_failures_known)
+    facts.failures = single_failures(placement);
+}
+
+void let_fail(Derived& facts, std::size_t robot, double com_radius) {
+  facts.failure.reset();
+  const Placement& placement = *facts.placement;
+  if (robot >= count_robots(placement.teams)) return;
+  const bool known = robot < facts.failures.size();
+  Failure failure{robot,
+                  known ? facts.failures[robot] : single_failure(placement, robot),
+                  with_failure(placement, robot),
+                  {}};
+  failure.outlook = outlook_of(placement, failure, com_radius);
+  facts.failure = std::move(failure);
+}
+
+}  // namespace evenlift::view
