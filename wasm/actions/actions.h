@@ -25,6 +25,9 @@ enum class ActionId : std::uint8_t {
 };
 // clang-format on
 
+// Under which heading the list of keys has an action, in the order of the window (web/windows/keys.js).
+enum class Group : std::uint8_t { files, editing, teams, view, lesson, help };
+
 // A key as KeyboardEvent.key names it; `command` is Ctrl, or Cmd on a Mac.
 struct Key {
   std::string_view name;
@@ -34,6 +37,7 @@ struct Key {
 
 struct Action {
   ActionId id;
+  Group group;
   Icon icon;
   const char* label;
   const char* shown;  // its key in words; "" if it has none of its own

@@ -1,6 +1,7 @@
 #include "canvas/walkthrough_figures.h"
 
-#include <optional>
+#include <cstddef>
+#include <iterator>
 
 #include "picture/triangulate.h"
 
@@ -18,223 +19,219 @@ void draw_area(const Painter& painter, const Points& points, Colour fill, Colour
   if (width > 0) painter.outline(points, line, width);
 }
 
-// An arrow from the centre of mass in a direction in which the object can slide.
-void draw_arrow(const Painter& painter, const CanvasView& view, const Vec2& from, const Vec2& to) {
-  constexpr double arrow_length = 62;  // pixels
-  const Vec2 tail = view.camera.to_screen(from), way = view.camera.to_screen(to) - tail;
-  if (length(way) > 0)
-    painter.arrow(tail, tail + way / length(way) * arrow_length, view.theme.amber_on_object, 3);
-}
-
-// How a figure that is a segment is drawn.
-struct Stroke {
+// With what a figure is drawn.
+struct Brush {
+  const Painter& painter;
+  const CanvasView& view;
   Colour colour;
   float width;
-  bool dashed = false;
+  const Theme& theme() const { return view.theme; }
 };
 
-// The stroke of a figure of this kind; nothing if it is not a segment. `count` is the number of
-// candidates.
-std::optional<Stroke> stroke_of(FigureKind kind, const Theme& t, std::size_t count) {
-  constexpr bool dashed = true;
-  switch (kind) {
-    case FigureKind::radial_edge:
-      return Stroke{t.amber, 5};
-    case FigureKind::ray:
-      return Stroke{t.accent, 2, dashed};
-    case FigureKind::chord:
-      return Stroke{t.accent, 2};
-    case FigureKind::edge:
-      return Stroke{t.text.at(0.55f), 3};
-    case FigureKind::section:
-      return Stroke{t.accent, 7};
-    case FigureKind::reflected:
-      return Stroke{t.clockwise_line, 3, dashed};
-    case FigureKind::section_end:
-    case FigureKind::range_end:
-      return Stroke{t.chord, 2};
-    case FigureKind::former:
-      return Stroke{t.quiet, 2, dashed};
-    case FigureKind::bisecting:
-      return Stroke{t.hull_outline, 2, dashed};
-    case FigureKind::chosen:
-      return Stroke{t.hull_outline, 4};
-    case FigureKind::candidate:
-      return count <= most_dashed ? Stroke{t.chord, 1.6f, dashed} : Stroke{t.chord, 1};
-    case FigureKind::team:
-      return Stroke{t.chord, 2.5f};
-    case FigureKind::arm_before:
-      return Stroke{t.quiet, 1.5f, dashed};
-    case FigureKind::arm_after:
-      return Stroke{t.hull_outline, 1.5f};
-    case FigureKind::normal:
-      return Stroke{t.amber.at(0.8f), 1.5f};
-    case FigureKind::lever:
-      return Stroke{t.hull_outline, 4};
-    case FigureKind::side:
-      return Stroke{t.chord, 2, dashed};
-    case FigureKind::even_chord:
-      return Stroke{t.chord, 1.6f, dashed};
-    case FigureKind::object:
-    case FigureKind::triangle:
-    case FigureKind::centroid:
-    case FigureKind::centre:
-    case FigureKind::vertex:
-    case FigureKind::contact:
-    case FigureKind::robot:
-    case FigureKind::gain_triangle:
-    case FigureKind::gain_part:
-    case FigureKind::gain_circle:
-    case FigureKind::base_before:
-    case FigureKind::base:
-    case FigureKind::clockwise:
-    case FigureKind::counterclockwise:
-    case FigureKind::translation:
-    case FigureKind::arm:
-    case FigureKind::sum:
-    case FigureKind::middle:
-    case FigureKind::stand:
-    case FigureKind::mirrored:
-    case FigureKind::left:
-    case FigureKind::way:
-    case FigureKind::range:
-    case FigureKind::unusable:
-    case FigureKind::body:
-    case FigureKind::hand:
-      break;
-  }
-  return std::nullopt;
+void draw_line(const Brush& brush, const Figure& figure) {
+  const Points& p = figure.points;
+  if (p.size() >= 2) brush.painter.line(p[0], p[1], brush.colour, brush.width);
 }
 
-void draw_circle_gained(const Painter& painter, const CanvasView& view, const Figure& figure) {
-  const auto radius = static_cast<float>(figure.value * view.camera.scale);
-  const ImVec2 middle = painter.at(figure.points[0]);
-  painter.list().AddCircleFilled(middle, radius, view.theme.hull.packed(), 64);
-  painter.list().AddCircle(middle, radius, view.theme.hull_outline.packed(), 64, 2);
+void draw_dashes(const Brush& brush, const Figure& figure) {
+  const Points& p = figure.points;
+  if (p.size() >= 2) brush.painter.dashes(p[0], p[1], brush.colour, brush.width);
+}
+
+void draw_outline(const Brush& brush, const Figure& figure) {
+  brush.painter.outline(figure.points, brush.colour, brush.width);
+}
+
+// An area in the same colour as its outline, if it has one, but as light as it takes to see what is below.
+template <int percent>
+void draw_light_area(const Brush& brush, const Figure& figure) {
+  draw_area(brush.painter, figure.points, brush.colour.at(percent / 100.0f), brush.colour,
+            brush.width);
+}
+
+void draw_ring(const Brush& brush, const Figure& figure) {
+  draw_ring(brush.painter, figure.points[0], brush.colour);
+}
+
+void draw_dot(const Brush& brush, const Figure& figure) {
+  brush.painter.list().AddCircleFilled(brush.painter.at(figure.points[0]), brush.width,
+                                       brush.colour.packed(), 20);
+}
+
+// Very many candidates are thin lines.
+void draw_candidate(const Brush& brush, const Figure& figure) {
+  const Placement& placement = brush.view.state.view.walkthrough.trace->placement;
+  if (placement.candidates.size() <= most_dashed) return draw_dashes(brush, figure);
+  Brush thin = brush;
+  thin.width = 1;
+  draw_line(thin, figure);
+}
+
+void draw_triangle(const Brush& brush, const Figure& figure) {
+  const Theme& t = brush.theme();
+  draw_area(brush.painter, figure.points,
+            (figure.value < 0 ? t.clockwise_line : t.accent).at(0.10f), t.accent.at(0.6f),
+            brush.width);
+}
+
+void draw_gain(const Brush& brush, const Figure& figure) {
+  draw_area(brush.painter, figure.points, brush.colour, brush.theme().hull_outline, brush.width);
+}
+
+void draw_circle_gained(const Brush& brush, const Figure& figure) {
+  const auto radius = static_cast<float>(figure.value * brush.view.camera.scale);
+  const ImVec2 middle = brush.painter.at(figure.points[0]);
+  brush.painter.list().AddCircleFilled(middle, radius, brush.theme().hull.packed(), 64);
+  brush.painter.list().AddCircle(middle, radius, brush.colour.packed(), 64, brush.width);
 }
 
 // The lifting base before or after a team: a polygon, or a segment after the first team.
-void draw_base(const Painter& painter, const Points& base, Colour fill, Colour line, float width) {
-  if (base.size() >= 3 && fill.opacity > 0) painter.fill_convex(base, fill);
-  if (base.size() >= 2) painter.outline(base, line, width, base.size() > 2);
+void draw_base_line(const Brush& brush, const Figure& figure) {
+  const Points& base = figure.points;
+  if (base.size() >= 2) brush.painter.outline(base, brush.colour, brush.width, base.size() > 2);
+}
+
+void draw_base(const Brush& brush, const Figure& figure) {
+  if (figure.points.size() >= 3) brush.painter.fill_convex(figure.points, brush.theme().hull);
+  draw_base_line(brush, figure);
+}
+
+void draw_free_turns(const Brush& brush, const Figure& figure) {
+  const bool clockwise = figure.kind == FigureKind::clockwise;
+  brush.painter.region(figure.points, clockwise ? brush.theme().clockwise : brush.theme().counter,
+                       brush.colour, clockwise);
+}
+
+// An arrow that ends so many pixels before what is drawn over its end.
+void draw_way(const Brush& brush, const Points& p, double before_end) {
+  const Vec2 tail = brush.view.camera.to_screen(p[0]),
+             way = brush.view.camera.to_screen(p[1]) - tail;
+  const double length_shown = length(way) - before_end;
+  if (length_shown > 0)
+    brush.painter.arrow(tail, tail + way / length(way) * length_shown, brush.colour, brush.width);
+}
+
+void draw_way(const Brush& brush, const Figure& figure) { draw_way(brush, figure.points, 15); }
+
+// From the centre of mass in a direction in which the object can slide.
+void draw_slide(const Brush& brush, const Figure& figure) {
+  if (figure.points.size() < 2) return;
+  constexpr double arrow_length = 62;  // pixels
+  const Vec2 tail = brush.view.camera.to_screen(figure.points[0]),
+             way = brush.view.camera.to_screen(figure.points[1]) - tail;
+  if (length(way) > 0)
+    brush.painter.arrow(tail, tail + way / length(way) * arrow_length, brush.colour, brush.width);
 }
 
 // From C to a robot: an arrow where the arms are what the step is about, otherwise a thin line.
-void draw_arm(const Painter& painter, const CanvasView& view, const Points& p) {
-  if (view.state.view.walkthrough.detail.step.kind != StepKind::many)
-    return painter.line(p[0], p[1], view.theme.chord, 1);
-  constexpr double before_robot = 13;  // pixels
-  const Vec2 tail = view.camera.to_screen(p[0]), way = view.camera.to_screen(p[1]) - tail;
-  const double length_shown = length(way) - before_robot;
-  if (length_shown > 0)
-    painter.arrow(tail, tail + way / length(way) * length_shown, view.theme.chord, 2);
+void draw_arm(const Brush& brush, const Figure& figure) {
+  const Points& p = figure.points;
+  if (brush.view.state.view.walkthrough.detail.step.kind == StepKind::many)
+    draw_way(brush, p, 13);
+  else
+    brush.painter.line(p[0], p[1], brush.colour, 1);
 }
 
 // The arms laid end to end, each with its head.
-void draw_sum(const Painter& painter, const CanvasView& view, const Points& p) {
+void draw_sum(const Brush& brush, const Figure& figure) {
+  const Points& p = figure.points;
   for (std::size_t i = 0; i < p.size(); ++i)
-    painter.arrow(view.camera.to_screen(p[i]),
-                  view.camera.to_screen(p[i + 1 == p.size() ? 0 : i + 1]),
-                  view.theme.accent_on_object, 2.5f);
+    brush.painter.arrow(brush.view.camera.to_screen(p[i]),
+                        brush.view.camera.to_screen(p[i + 1 == p.size() ? 0 : i + 1]), brush.colour,
+                        brush.width);
 }
 
-// A robot's way, which ends before the robot that is drawn over its end.
-void draw_way(const Painter& painter, const CanvasView& view, const Points& p) {
-  constexpr double before_robot = 15;  // pixels
-  const Vec2 tail = view.camera.to_screen(p[0]), way = view.camera.to_screen(p[1]) - tail;
-  const double length_shown = length(way) - before_robot;
-  if (length_shown > 0)
-    painter.arrow(tail, tail + way / length(way) * length_shown, view.theme.amber_on_object, 2.5f);
+void draw_middle(const Brush& brush, const Figure& figure) {
+  draw_middle(brush.painter, brush.view, figure.points[0]);
 }
 
 // A robot that fits, or that does not.
-void draw_robot_shape(const Painter& painter, const CanvasView& view, const Figure& figure) {
-  const Colour colour = figure.item ? view.theme.amber : view.theme.robot;
-  if (figure.kind == FigureKind::hand)
-    return draw_area(painter, figure.points, colour.at(0.3f), colour, 1.5f);
-  const auto radius = static_cast<float>(figure.value * view.camera.scale);
-  const ImVec2 middle = painter.at(figure.points[0]);
-  painter.list().AddCircleFilled(middle, radius, colour.at(0.2f).packed(), 64);
-  painter.list().AddCircle(middle, radius, colour.packed(), 64, 1.5f);
+Brush for_robot(const Brush& brush, const Figure& figure) {
+  Brush own = brush;
+  if (figure.item) own.colour = brush.theme().amber;
+  return own;
 }
 
-// A figure that is not a segment.
-void draw_shape(const Painter& painter, const CanvasView& view, const Figure& figure) {
-  const Theme& t = view.theme;
-  const Points& p = figure.points;
-  switch (figure.kind) {
-    case FigureKind::object:
-      return painter.outline(p, t.accent, 3);
-    case FigureKind::triangle:
-      return draw_area(painter, p, (figure.value < 0 ? t.clockwise_line : t.accent).at(0.10f),
-                       t.accent.at(0.6f), 1);
-    case FigureKind::centroid:
-    case FigureKind::centre:
-    case FigureKind::vertex:
-      return draw_ring(painter, p[0], t.accent);
-    case FigureKind::contact:
-      return painter.list().AddCircleFilled(painter.at(p[0]), 5, t.amber.packed(), 20);
-    case FigureKind::gain_triangle:
-      return draw_area(painter, p, t.hull.at(0.5f), t.hull_outline, 1.5f);
-    case FigureKind::gain_part:
-      return draw_area(painter, p, t.hull, t.hull_outline, 0);
-    case FigureKind::range:
-      return draw_area(painter, p, t.accent.at(0.14f), t.accent, 0);
-    case FigureKind::gain_circle:
-      return draw_circle_gained(painter, view, figure);
-    case FigureKind::body:
-    case FigureKind::hand:
-      return draw_robot_shape(painter, view, figure);
-    case FigureKind::base_before:
-      return draw_base(painter, p, t.hull.at(0), t.hull_outline.at(0.6f), 2);
-    case FigureKind::base:
-      return draw_base(painter, p, t.hull, t.hull_outline, 3);
-    case FigureKind::clockwise:
-      return painter.region(p, t.clockwise, t.clockwise_line, true);
-    case FigureKind::counterclockwise:
-      return painter.region(p, t.counter, t.counter_line, false);
-    case FigureKind::translation:
-      if (p.size() >= 2) draw_arrow(painter, view, p[0], p[1]);
-      return;
-    case FigureKind::arm:
-      return draw_arm(painter, view, p);
-    case FigureKind::sum:
-      return draw_sum(painter, view, p);
-    case FigureKind::middle:
-      return draw_middle(painter, view, p[0]);
-    case FigureKind::stand:
-      return draw_ring(painter, p[0], t.amber_on_object);
-    case FigureKind::mirrored:
-      return draw_area(painter, p, t.clockwise_line.at(0.08f), t.clockwise_line, 2);
-    case FigureKind::way:
-      return draw_way(painter, view, p);
-    // These are drawn with all that is known.
-    case FigureKind::robot:
-    case FigureKind::left:
-    case FigureKind::unusable:
-    // These are segments (stroke_of).
-    case FigureKind::radial_edge:
-    case FigureKind::ray:
-    case FigureKind::chord:
-    case FigureKind::edge:
-    case FigureKind::section:
-    case FigureKind::reflected:
-    case FigureKind::section_end:
-    case FigureKind::bisecting:
-    case FigureKind::chosen:
-    case FigureKind::candidate:
-    case FigureKind::team:
-    case FigureKind::arm_before:
-    case FigureKind::arm_after:
-    case FigureKind::normal:
-    case FigureKind::lever:
-    case FigureKind::side:
-    case FigureKind::even_chord:
-    case FigureKind::range_end:
-    case FigureKind::former:
-      break;
-  }
+void draw_hand(const Brush& brush, const Figure& figure) {
+  draw_light_area<30>(for_robot(brush, figure), figure);
 }
+
+void draw_body(const Brush& brush, const Figure& figure) {
+  const Colour colour = for_robot(brush, figure).colour;
+  const auto radius = static_cast<float>(figure.value * brush.view.camera.scale);
+  const ImVec2 middle = brush.painter.at(figure.points[0]);
+  brush.painter.list().AddCircleFilled(middle, radius, colour.at(0.2f).packed(), 64);
+  brush.painter.list().AddCircle(middle, radius, colour.packed(), 64, brush.width);
+}
+
+// It is drawn with all that is known.
+void draw_elsewhere(const Brush&, const Figure&) {}
+
+struct Look {
+  FigureKind kind;
+  void (*draw)(const Brush& brush, const Figure& figure);
+  Colour Theme::*colour;
+  float width = 1;
+  float opacity = 1;
+};
+
+// clang-format off
+constexpr Look looks[] = {
+    {FigureKind::object,           draw_outline,        &Theme::accent, 3},
+    {FigureKind::triangle,         draw_triangle,       &Theme::accent, 1},
+    {FigureKind::centroid,         draw_ring,           &Theme::accent},
+    {FigureKind::centre,           draw_ring,           &Theme::accent},
+    {FigureKind::vertex,           draw_ring,           &Theme::accent},
+    {FigureKind::radial_edge,      draw_line,           &Theme::amber, 5},
+    {FigureKind::ray,              draw_dashes,         &Theme::accent, 2},
+    {FigureKind::chord,            draw_line,           &Theme::accent, 2},
+    {FigureKind::edge,             draw_line,           &Theme::text, 3, 0.55f},
+    {FigureKind::section,          draw_line,           &Theme::accent, 7},
+    {FigureKind::reflected,        draw_dashes,         &Theme::clockwise_line, 3},
+    {FigureKind::section_end,      draw_line,           &Theme::chord, 2},
+    {FigureKind::bisecting,        draw_dashes,         &Theme::hull_outline, 2},
+    {FigureKind::chosen,           draw_line,           &Theme::hull_outline, 4},
+    {FigureKind::candidate,        draw_candidate,      &Theme::chord, 1.6f},
+    {FigureKind::team,             draw_line,           &Theme::chord, 2.5f},
+    {FigureKind::robot,            draw_elsewhere,      &Theme::robot},
+    {FigureKind::gain_triangle,    draw_gain,           &Theme::hull, 1.5f, 0.5f},
+    {FigureKind::gain_part,        draw_gain,           &Theme::hull, 0},
+    {FigureKind::gain_circle,      draw_circle_gained,  &Theme::hull_outline, 2},
+    {FigureKind::arm_before,       draw_dashes,         &Theme::quiet, 1.5f},
+    {FigureKind::arm_after,        draw_line,           &Theme::hull_outline, 1.5f},
+    {FigureKind::base_before,      draw_base_line,      &Theme::hull_outline, 2, 0.6f},
+    {FigureKind::base,             draw_base,           &Theme::hull_outline, 3},
+    {FigureKind::contact,          draw_dot,            &Theme::amber, 5},
+    {FigureKind::normal,           draw_line,           &Theme::amber, 1.5f, 0.8f},
+    {FigureKind::clockwise,        draw_free_turns,     &Theme::clockwise_line},
+    {FigureKind::counterclockwise, draw_free_turns,     &Theme::counter_line},
+    {FigureKind::translation,      draw_slide,          &Theme::amber_on_object, 3},
+    {FigureKind::lever,            draw_line,           &Theme::hull_outline, 4},
+    {FigureKind::side,             draw_dashes,         &Theme::chord, 2},
+    {FigureKind::arm,              draw_arm,            &Theme::chord, 2},
+    {FigureKind::sum,              draw_sum,            &Theme::accent_on_object, 2.5f},
+    {FigureKind::middle,           draw_middle,         &Theme::accent_on_object},
+    {FigureKind::stand,            draw_ring,           &Theme::amber_on_object},
+    {FigureKind::mirrored,         draw_light_area<8>,  &Theme::clockwise_line, 2},
+    {FigureKind::even_chord,       draw_dashes,         &Theme::chord, 1.6f},
+    {FigureKind::left,             draw_elsewhere,      &Theme::quiet},
+    {FigureKind::way,              draw_way,            &Theme::amber_on_object, 2.5f},
+    {FigureKind::range,            draw_light_area<14>, &Theme::accent, 0},
+    {FigureKind::range_end,        draw_line,           &Theme::chord, 2},
+    {FigureKind::former,           draw_dashes,         &Theme::quiet, 2},
+    {FigureKind::unusable,         draw_elsewhere,      &Theme::amber},
+    {FigureKind::body,             draw_body,           &Theme::robot, 1.5f},
+    {FigureKind::hand,             draw_hand,           &Theme::robot, 1.5f},
+};
+// clang-format on
+
+// Each kind has its row, at its number.
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < std::size(looks); ++i)
+    if (looks[i].kind != static_cast<FigureKind>(i)) return false;
+  return std::size(looks) == figure_kind_count;
+}
+static_assert(in_order());
 
 }  // namespace
 
@@ -253,16 +250,10 @@ void draw_middle(const Painter& painter, const CanvasView& view, const Vec2& wor
 }
 
 void draw_figure(const Painter& painter, const CanvasView& view, const Figure& figure) {
-  const Points& p = figure.points;
-  if (p.empty()) return;
-  const std::size_t candidates = view.state.view.walkthrough.trace->placement.candidates.size();
-  const std::optional<Stroke> stroke = stroke_of(figure.kind, view.theme, candidates);
-  if (!stroke) return draw_shape(painter, view, figure);
-  if (p.size() < 2) return;
-  if (stroke->dashed)
-    painter.dashes(p[0], p[1], stroke->colour, stroke->width);
-  else
-    painter.line(p[0], p[1], stroke->colour, stroke->width);
+  if (figure.points.empty()) return;
+  const Look& look = looks[static_cast<std::size_t>(figure.kind)];
+  const Colour colour = (view.theme.*look.colour).at(look.opacity);
+  look.draw({painter, view, colour, look.width}, figure);
 }
 
 }  // namespace evenlift::view
